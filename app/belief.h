@@ -12,8 +12,10 @@ namespace pendular::app {
 /// against the fit. `what`: what not to use, with its value.
 std::string warning_on(const Belief& belief, const std::string& what);
 
-/// Prints the reasons in `belief` not to believe a fit, one per line, each after the text
-/// `heading`. Leaves out the first `named_already` reasons, which the command has printed before.
+/// Prints the reasons not to believe a fit, one per line.
+/// @param named_already number of reasons, counted from the first, to leave out, since the command
+///        has printed them before
+/// @param heading text before each reason
 void print_doubts(Console& console, const Belief& belief, std::size_t named_already = 0,
                   const std::string& heading = "Warning: ");
 

@@ -8,23 +8,30 @@
 
 namespace pendular::app {
 
-/// Paths in the results folder to which a change of effects writes.
+/// Returns the names of the files and folders in the results folder that `pendular add` and
+/// `pendular drop` write: fit.json, fit_runs.csv, ladder.json and figures.
 std::vector<std::filesystem::path> outputs_of_change();
 
-/// Adds an effect to the study of a session or drops one, and fits the study before and after.
+/// Adds an effect to the study of a session or drops one, and fits the study before and after the
+/// change.
+/// @param action whether to add or to drop the effect
 /// @param effect name of the effect
 /// @param fit options of the fits
 /// @param same_fidelity whether to use the fidelity (simulation settings) of the fit in the results
 ///        folder
-/// @throws what `Session::add` and `Session::drop` throw
+/// @throws InputError where the effect cannot be added or dropped, where a fit is impossible, and
+///         where study.toml has changed since it was read
+/// @throws std::runtime_error where a file cannot be written
+/// @throws dem::Interrupted where the user stops the work
 ChangedStudy change_effects(const Session& session, Action action, const std::string& effect,
                             const FitOptions& fit, bool same_fidelity);
 
-/// Sentence on a change: the error before and after it, or why the study is unchanged.
+/// Sentence on the result of adding or dropping an effect: the errors of the model before and after
+/// it or, if the fit did not converge, that the study is unchanged.
 std::string answer_on(const ChangedStudy& changed);
 
-/// Draws the ladder (the sequence of the study's models) to a folder, and returns the figure's
-/// name.
+/// Draws the figure of a ladder (the sequence of a study's models) to a folder, and returns the
+/// name of the figure.
 /// @throws std::runtime_error where gnuplot is missing or fails, and where a file cannot be written
 std::string draw_ladder(const Ladder& ladder, const std::filesystem::path& folder);
 

@@ -9,15 +9,19 @@
 
 namespace pendular::app {
 
-/// Prints what the formulas of Badetti et al. (2018) give for a wet state.
+/// Prints the values that the closures (analytical formulas) of Badetti et al. (2018) give for a
+/// wet state, one per line; all are dimensionless.
 /// @param stress_ratio stress ratio of the state itself [1], printed for comparison
 void print_closures(const closures::ClosureValues& values, double stress_ratio, Console& console);
 
-/// Prints what the formulas give for the state of a wet run, from its averages and the stress ratio
-/// of dry grains, predicted from the runs in atlas and store.
-/// @param store user's file of runs; may be null
-/// @return the printed values; empty for a dry run and where those runs do not give the stress
-///         ratio of dry grains, which is printed
+/// Computes and prints the values that the closures (analytical formulas) of Badetti et al. (2018)
+/// give for a wet run. They follow from the averages of the run and the stress ratio of dry grains,
+/// which is predicted from earlier simulation runs. If these do not suffice, prints a line that
+/// says so.
+/// @param store user's file of runs, which is used besides the runs that come with the program;
+///        null: none
+/// @return the printed values; empty for a dry run and where the stress ratio of dry grains is
+///         unknown
 std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& run,
                                                          const CommonOptions& common,
                                                          const RunStore* store, Console& console);

@@ -16,8 +16,8 @@ namespace pendular::app {
 struct Command {
     std::string_view name;
     std::string_view summary;
-    /// Runs the command with the words after its name on the command line and returns the exit code
-    /// of the program, an `ExitCode`. Throws InputError for wrong input.
+    /// Runs the command with the words after its name on the command line, and returns the exit
+    /// code of the program, an `ExitCode`. Throws InputError for wrong input.
     int (*run)(const std::vector<std::string>& arguments);
 };
 
@@ -41,16 +41,16 @@ int campaign(const std::vector<std::string>& arguments);
 int runs(const std::vector<std::string>& arguments);
 int virtual_lab(const std::vector<std::string>& arguments);
 
-/// Commands for one part of the work, in the order of their use.
+/// Commands for one part of the work, such as simulation, in the order of their use.
 struct CommandGroup {
     const char* heading;
     std::vector<Command> commands;
 };
 
-/// All commands of the program.
+/// Returns all commands of the program in groups, in the order of the help text of `pendular`.
 const std::vector<CommandGroup>& command_groups();
 
-/// Sentences on the program for its overview and its manual page, with line ends.
+/// Texts on the program as a whole, for its help text and its manual page, with line ends.
 struct ProgramTexts {
     const char* about;       ///< what the program does
     const char* session;     ///< commands of a first session
@@ -58,8 +58,8 @@ struct ProgramTexts {
 };
 extern const ProgramTexts program_texts;
 
-/// Exit codes of the program `pendular`, equal for all its commands. `not_converged`: the fit did
-/// not converge or is meaningless; `interrupted`: a signal stopped the work.
+/// Exit codes of the program `pendular` and all its commands. `not_converged`: the fit did not
+/// converge or is meaningless. `interrupted`: a signal stopped the work.
 enum ExitCode {
     done = 0,
     program_failed = 1,
@@ -68,9 +68,9 @@ enum ExitCode {
     interrupted = 130
 };
 
-/// Runs the program `pendular` with the words after its name on the command line, the command's
-/// name first, and returns the exit code. Throws no std::exception: prints its text on standard
-/// error.
+/// Runs the program `pendular` and returns its exit code. Prints the text of exceptions on standard
+/// error; throws no std::exception.
+/// @param arguments words after the program's name on the command line, the command's name first
 int run_program(const std::vector<std::string>& arguments);
 
 }  // namespace pendular::app

@@ -20,7 +20,7 @@ namespace pendular::app {
 class Console {
   public:
     explicit Console(const CommonOptions& options) : options_(options) {}
-    /// Removes the progress bar from a terminal and prints the notes that were not printed yet.
+    /// Removes the progress bar from a terminal, and prints the notes that have not been printed.
     ~Console();
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;
@@ -29,26 +29,28 @@ class Console {
     void answer(const std::string& text);
     /// Prints one line of text on standard output, or on standard error with --json -.
     void line(const std::string& text);
-    /// Prints a heading and at most `most_rows` rows below it, or all rows with --all; then the
-    /// number of hidden rows. Rows that begin with "  (" explain the columns and are always
-    /// printed.
+    /// Prints a table: a heading and at most `most_rows` rows below it, or all rows with --all,
+    /// then the number of hidden rows. Rows that begin with "  (" explain the columns and are
+    /// always printed.
     void table(const std::vector<std::string>& heading_and_rows, std::size_t most_rows);
-    /// Keeps a remark for the user, printed as "Note: ..." before the figures and the next command.
-    /// Without --all, at most three notes are printed. Of notes that differ only in words with
-    /// digits, only the first is printed, with the number of the others.
+    /// Stores a remark for the user, which is printed as "Note: ..." before the figures and the
+    /// next command. Without --all, at most three notes are printed. Of notes that differ only in
+    /// words with digits, only the first is printed, with the number of the others.
     void note(const std::string& text);
-    /// Prints the notes, then one line with the names of the figure files in `folder`; the names
-    /// have no extension. Without `names`, prints the notes alone.
+    /// Prints the stored notes, then one line with the names of the figure files in `folder`.
+    /// @param names names of the figures, without extension; empty: only the notes are printed
     void figures(const std::filesystem::path& folder, const std::vector<std::string>& names);
-    /// Prints the notes, then the line "Next: ..." with the command that the user should give next.
+    /// Prints the stored notes, then the line "Next: ..." with the command that the user should
+    /// give next.
     void next(const std::string& command);
     /// Writes the command's result as JSON to the file that option --json names, or to standard
     /// output for "-"; does nothing without --json.
     void json(const nlohmann::ordered_json& json);
 
-    /// Prints the progress of simulation runs as a bar with the time left, after the name `what` of
-    /// the work: on a terminal always on one line, else a new line for every ten per cent, but none
-    /// within ten seconds of the last. Prints nothing with --quiet.
+    /// Prints the progress of simulation runs as a bar with the time left. A terminal shows one
+    /// line that changes. Elsewhere, a new line is printed for every ten per cent, but at most
+    /// every ten seconds. Prints nothing with --quiet.
+    /// @param what name of the work, printed before the bar
     void progress(const std::string& what, const EnsembleProgress& progress);
     /// Removes the progress bar from a terminal.
     void end_progress();
@@ -58,8 +60,8 @@ class Console {
   private:
     void print_notes();
 
-    /// Note for the user with its pattern: the text with "#" for each word that contains a digit,
-    /// such as a number or file name. Similar notes have equal patterns.
+    /// Note for the user with its pattern, the text with "#" for each word that contains a digit,
+    /// such as a number or file name. Notes with equal patterns are printed once.
     struct Note {
         std::string text, pattern;
         int count = 1;  ///< number of notes with this pattern

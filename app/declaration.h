@@ -5,57 +5,64 @@
 
 namespace pendular::app {
 
-/// Values that an option or a word of a command accepts, for the help text and the completion of
-/// words in a shell.
+/// Values that an option, or a word after a command's name, accepts: text, a file, a folder, a
+/// study or one of a few words. The help text and the completion of words in a shell follow from
+/// it.
 struct ValueKind {
     enum class Kind { none, text, file, folder, study, choice };
     Kind kind = Kind::text;
-    std::vector<std::string> choices = {};  ///< all values of a choice; values besides files
+    /// Words that are accepted: all of them for `choice`; words besides files for `file`, such as
+    /// "-".
+    std::vector<std::string> choices = {};
 
-    /// Word that stands for the value in the help text.
+    /// Word that stands for the value in the help text: FILE, DIR, STUDY, NAME or X.
     const char* placeholder() const;
 };
 
-/// The value is a file or one of the words `choices`, such as "-" for standard output.
+/// Value that is a file, or one of the words `choices`, such as "-" for standard output.
 inline ValueKind a_file(std::vector<std::string> choices = {}) {
     return {ValueKind::Kind::file, std::move(choices)};
 }
-/// The value is a folder.
+/// Value that is a folder.
 inline ValueKind a_folder() {
     return {ValueKind::Kind::folder};
 }
-/// The value is a study: a folder or a file of its name.
+/// Value that is a study: its folder, or the file study.toml in it.
 inline ValueKind a_study() {
     return {ValueKind::Kind::study};
 }
-/// The value is one of the words `choices`.
+/// Value that is one of the words `choices`.
 inline ValueKind one_of(std::vector<std::string> choices) {
     return {ValueKind::Kind::choice, std::move(choices)};
 }
 
-/// An option of a command as its help text shows it.
+/// Name and texts of one command-line option, as the help text shows them.
 struct OptionDeclaration {
-    std::string name;         ///< without the hyphens before it
-    std::string argument;     ///< placeholder of the value with its default; empty: a switch
-    std::string description;  ///< text on one line
+    std::string name;         ///< name of the option, without the leading hyphens
+    std::string argument;     ///< placeholder of the value, with the default; empty: no value
+    std::string description;  ///< meaning of the option, on one line
     ValueKind value;          ///< values that the option accepts
 };
 
-/// Options of a command under one heading.
+/// Options of a command that are listed under one heading of the help text.
 struct OptionSection {
     std::string heading;
     std::vector<OptionDeclaration> options;
 };
 
-/// Declaration of a command: the texts of its help, its options and its words.
+/// Declaration of a command, from which its help text, its manual page and its completion in a
+/// shell are written: texts, options, and words after its name.
 struct CommandDeclaration {
     std::string usage, about, examples;
     std::vector<OptionSection> sections;
-    ValueKind first_word = {ValueKind::Kind::none};   ///< the word after the command's name
-    ValueKind other_words = {ValueKind::Kind::none};  ///< words after the first one
+    /// Values that the first word after the command's name may have.
+    ValueKind first_word = {ValueKind::Kind::none};
+    /// Values that the words after the first one may have.
+    ValueKind other_words = {ValueKind::Kind::none};
 };
 
-/// Declaration of a command, which `run` runs with the words after its name.
+/// Returns the declaration of a command.
+/// @param run function of the command, called with the words after the command's name
 CommandDeclaration declaration_of(int (*run)(const std::vector<std::string>& arguments));
 
 }  // namespace pendular::app

@@ -10,30 +10,35 @@
 
 namespace pendular::app {
 
-/// Options of `pendular import FILE`: how the file is to be read, and where a study is to begin.
+/// Options of `pendular import FILE`, which state how the file is to be read and what to write.
 struct ImportFileOptions {
     std::string layout, encoding, sheet, decimal;
     std::string columns;  ///< header cells `name [unit]`, separated by semicolons
-    std::string study;    ///< folder of the study to begin; empty: none
+    std::string study;    ///< folder of a new study to make from the file; empty: none
     std::string tidy;     ///< CSV file for all rows in SI units; empty: none
-    std::string figures;  ///< folder for figures, of a file or of a study; empty: none
+    /// Folder for the figures of the file or study; empty: none.
+    std::string figures;
 
-    /// Declares the options for the command line.
+    /// Adds the options to the command line of `pendular import`.
     void declare(Options& options);
-    /// @throws InputError if one of the options was given for a study, whose study.toml has them
+    /// Checks that none of the options for a single file was given when a study is imported.
+    /// @throws InputError where one was given; the message says that study.toml states it for a
+    ///         study
     void refuse_for_studies(const Options& options) const;
 };
 
-/// Draws figures and names them on the console.
+/// Draws figures to a folder and prints their names on the console.
 void draw_all(const std::vector<Figure>& figures, const std::filesystem::path& folder,
               Console& console);
 
-/// Whether a path names a file of measurements rather than a study: a file that is no study.toml.
+/// Whether a path names a single file of measurements rather than a study: an existing file whose
+/// extension is not .toml.
 bool is_bare_file(const std::filesystem::path& path);
 
-/// Prints what the program understands of a file of measurements, and begins a study with it if the
-/// user asked for one. Returns the exit code.
-/// @throws InputError if the file cannot be read, or the folder has a study already
+/// Runs `pendular import FILE`: prints layout, columns, intervals and checks of a file of
+/// measurements, and makes a new study from it if the user asked for one. Returns the exit code.
+/// @throws InputError where the file cannot be read, and where the folder for the new study
+///         contains a study already
 int import_file(const std::filesystem::path& path, const ImportFileOptions& options,
                 Console& console);
 

@@ -12,7 +12,7 @@ namespace pendular::app {
 class InterruptGuard {
   public:
     InterruptGuard();
-    /// Token for long work: a stop is requested within about 50 ms of the first signal.
+    /// Token that long work must check: a stop is requested within about 50 ms of the first signal.
     std::stop_token token() const { return stop_.get_token(); }
 
   private:

@@ -16,35 +16,47 @@
 
 namespace pendular::app {
 
-/// Paths that a command writes to: its folder for results, `files` in this folder, and the file of
-/// option --json.
+/// Returns the paths that a command writes to: its folder for results, `files` in this folder, and
+/// the file of option --json.
 OutputPlaces places_of(const CommonOptions& options, std::vector<std::filesystem::path> files);
 
-/// Sets whether simulations confirm a fit: they do if `seconds` has a value, for at most this time
-/// [s]; an infinite value sets no limit.
+/// Sets whether new simulations check a fit, and how long they may take.
+/// @param seconds largest time [s]; infinity: no limit; empty: nothing is simulated
 void set_confirmation(const std::optional<double>& seconds, FitOptions& fit);
 
-/// Session of a command on a study, with the user's store (the SQLite file that keeps simulation
-/// runs) and with progress on the console. Ctrl-C ends long work without half-written files.
+/// Session of a command on a study. It has opened the user's store (the SQLite file that keeps
+/// simulation runs) and shows progress on the console. Ctrl-C ends long work without half-written
+/// files.
 class OpenSession {
   public:
     enum class Access { reads, changes };
-    /// Reads the study `options.study` and opens the store of simulation runs.
+    /// Reads the study `options.study`, and opens the user's store, the SQLite file of simulation
+    /// runs.
     /// @param files paths in the folder for results that the command writes to
     /// @param seed seed of all random numbers, 0 or more
     /// @param access whether the command changes the study or its fit; a command that does waits
     ///        until no other such command is at work on the study
     /// @throws InputError for a mistake in the study's files, for results that would replace an
     ///         input, for a negative seed, and for a store that cannot be read
-    /// @throws std::runtime_error where a store that the user named cannot be written
+    /// @throws std::runtime_error where a store that the user named cannot be written, and where
+    ///         another command is at work on the study for longer than a minute
+    /// @throws dem::Interrupted where the user stops the command while it waits
     OpenSession(Console& console, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
                 Access access = Access::reads);
-    /// Opens a session without a console, such as for `pendular serve`: events go to `listener`,
-    /// and long work ends at a request of `stop`. The other parameters and the exceptions are those
-    /// of the first constructor.
+    /// Opens a session without a console, such as for `pendular serve`. Events go to `listener`,
+    /// and long work ends at a request of `stop`.
     /// @param stop request to stop long work
     /// @param listener callback for notes and progress; may be empty
+    /// @param files paths in the folder for results that the command writes to
+    /// @param seed seed of all random numbers, 0 or more
+    /// @param access whether the command changes the study or its fit; a command that does waits
+    ///        until no other such command is at work on the study
+    /// @throws InputError for a mistake in the study's files, for results that would replace an
+    ///         input, for a negative seed, and for a store that cannot be read
+    /// @throws std::runtime_error where a store that the user named cannot be written, and where
+    ///         another command is at work on the study for longer than a minute
+    /// @throws dem::Interrupted where a stop is requested while the command waits
     OpenSession(const std::stop_token& stop, const Listener& listener, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
                 Access access = Access::reads);
@@ -55,14 +67,15 @@ class OpenSession {
     const Session& operator*() const { return session_; }
 
   private:
-    /// @param guard guard against signals; null: `stop` ends the work
+    /// Opens a session with or without a guard, for the public constructors.
+    /// @param guard guard against signals; null: only `stop` ends the work
     OpenSession(std::unique_ptr<InterruptGuard> guard, const std::stop_token& stop,
                 const Listener& listener, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed, Access access);
 
     std::unique_ptr<InterruptGuard> guard_;
     std::unique_ptr<StudyLock> lock_;
-    StudyInput input_;  ///< moved to the session
+    StudyInput input_;  ///< study as read, until the session takes it
     std::unique_ptr<RunStore> store_;
     Session session_;
 };

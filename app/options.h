@@ -15,19 +15,19 @@
 
 namespace pendular::app {
 
-/// Returns the seed of random numbers that the user gave by option --seed, as an unsigned number.
+/// Returns the seed of random numbers that the user gave by option --seed.
 /// @throws InputError for a negative seed
 std::uint64_t checked_seed(std::int64_t seed);
 
-/// Checks before long work that `path` can be written, as a folder if `folder` is true, else as a
-/// file. Creates nothing.
-/// @throws InputError where `path` is empty or cannot be written; its text names `option`, the
-///         command-line option that gave the path
+/// Checks, before long work, that a file or folder can be written. Creates nothing.
+/// @param option command-line option that gave the path, for the message
+/// @param folder whether `path` is a folder; otherwise it is a file
+/// @throws InputError where `path` is empty or cannot be written
 void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder);
 
-/// Checks that writing to `file` replaces nothing but a table of the same kind, an earlier output
-/// whose first characters are `first`.
-/// @throws InputError where the file holds something else, a recording for example
+/// Checks that writing to `file` replaces nothing but an earlier table of the same kind.
+/// @param first first characters of every table of this kind
+/// @throws InputError where the file contains something else, such as a recording
 void demand_table(const std::filesystem::path& file, const std::string& first);
 
 /// Values of the command-line options that every command has, and the study that it reads.
@@ -42,18 +42,20 @@ struct CommonOptions {
     bool store_named = false;     ///< whether the user named `store`: --store or $PENDULAR_STORE
     std::filesystem::path study;  ///< study or other file to read; empty: the command reads none
 
-    /// Folder for results: the folder of option --out, else the folder `out` in the study's folder.
+    /// Folder for results: the folder of option --out or, without this option, STUDY/out.
     std::filesystem::path out_folder() const;
-    /// Study as a word of a command line (`shell_word`).
+    /// The study as the user named it, as a word of a command line, quoted where a shell needs it.
     std::string study_word() const;
 };
 
-/// Path as a word of a command line, between quotes if it has characters that a shell interprets.
+/// Returns a path as a word of a command line, in quotes if it has characters that a shell
+/// interprets.
 std::string shell_word(const std::filesystem::path& path);
 
 /// Declares, parses and documents the command-line options of one command of `pendular`.
 class Options {
   public:
+    /// Begins the declaration of a command's options.
     /// @param usage the line of the help text after "Usage: pendular"
     /// @param about description of the command, after the usage line of the help text
     /// @param examples example commands, the end of the help text, with line ends
@@ -79,28 +81,31 @@ class Options {
     void set_threads(int by_default, std::string meaning) {
         default_threads_ = by_default, threads_meaning_ = std::move(meaning);
     }
-    /// Sets the first word of the command as its usage line names it, with its meaning, as in "OUT,
-    /// the folder for the new study,". The message that the word is missing begins with this text.
+    /// Sets the text that names the first word of the command and its meaning, such as "OUT, the
+    /// folder for the new study,". The message that the word is missing begins with this text.
     void set_first_word(std::string name_and_meaning) {
         missing_word_ = std::move(name_and_meaning);
     }
-    /// Sets the text on option --out, the folder for results, in the help text.
+    /// Sets the text in the help on option --out, the folder for results.
     void set_out(std::string meaning) { out_meaning_ = std::move(meaning); }
-    /// Makes the command accept any number of words that belong to no option, after the study if
-    /// the command reads one. `parse` stores these words in `words`; `kind` is what they may be.
+    /// Makes the command accept any number of words that belong to no option; they follow the study
+    /// if the command reads one.
+    /// @param words where `parse` stores these words
+    /// @param kind what the words may be, such as files
     void take(std::vector<std::string>* words, ValueKind kind = {}) {
         words_ = words, words_kind_ = std::move(kind);
     }
-    /// Adds the option --NAME [MINUTES], the time that work may take, which `parse` stores in
-    /// `seconds`: MINUTES is the next word where this is a number, else `alone`; empty without the
-    /// option. An infinite `alone` sets no limit.
+    /// Adds the option --NAME [MINUTES], which limits the time that some work may take.
+    /// @param seconds where `parse` stores the time [s]; empty: the option was not given
+    /// @param alone time where no number follows the option [min]; infinity: no limit
     void add_time(const char* name, std::optional<double>* seconds, double alone,
                   const std::string& description);
     /// Adds the option --NAME without a value: `parse` sets `value` to whether it was given.
     void add_switch(const char* name, bool* value, const std::string& description);
 
-    /// Parses the words after the command's name. Returns the values of the options that every
-    /// command has; empty where the user gave --help, for which the help text is printed.
+    /// Parses the words after the command's name, and stores the values of its options. Returns the
+    /// values of the options that every command has. Empty where the user gave --help; the help
+    /// text is then printed.
     /// @throws InputError for an unknown option (with the nearest known option), for a missing or
     ///         malformed value or study, for too many words, and for a file of --json or a folder
     ///         for results that cannot be written
@@ -119,13 +124,15 @@ class Options {
     std::string missing_word_;  ///< first word and its meaning; empty: a study
     std::vector<std::string>* words_ = nullptr;
     ValueKind words_kind_;
-    std::map<std::string, ValueKind> kinds_;  ///< values of the options by name
-    /// Values of the options that `add_time` added where no number follows them, by option.
+    /// Values that the options of the command accept, by the name of the option.
+    std::map<std::string, ValueKind> kinds_;
+    /// Times [min] that apply where no number follows an option of `add_time`, by the name of the
+    /// option.
     std::map<std::string, std::string> times_;
     int default_threads_ = 0;  ///< default of --threads; 0: one per core
     std::string threads_meaning_ = "number of simulations at a time";
     std::string out_meaning_ = "folder for results of a study (default: STUDY/out)";
-    std::vector<std::string> headings_;                                ///< of the sections
+    std::vector<std::string> headings_;  ///< headings of the `sections_`
     std::list<boost::program_options::options_description> sections_;  ///< options by section
     boost::program_options::variables_map variables_;
 };

@@ -11,13 +11,15 @@
 
 namespace pendular::app {
 
-/// Calls `take` with each recording of a study that can be drawn, in the order of study.toml, and
-/// `note` with the reason for each that cannot, such as its length.
+/// Reads each recording of a study, in the order of study.toml.
+/// @param note called with the reason for each recording that cannot be drawn, such as its length
+/// @param take called with each recording that can be drawn
 void for_each_recording(const Study& study, const std::function<void(const std::string&)>& note,
                         const std::function<void(const FileView&)>& take);
 
-/// All recordings of a session's study with the rows that its readings average. Calls `note` for
-/// each that is not drawn.
+/// Returns the recordings of a session's study for its page, each with the rows that its readings
+/// average.
+/// @param note called with the reason for each recording that cannot be drawn
 std::vector<PageRecording> recordings_of(const Session& session,
                                          const std::function<void(const std::string&)>& note);
 

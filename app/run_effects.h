@@ -11,24 +11,27 @@
 
 namespace pendular::app {
 
-/// Physical effects of a single simulation run as the user gives them by options, with the scale
-/// that converts parameters in SI units to the run's reduced units: diameter and density of the
+/// Physical effects of a single simulation run, as the user gives them by options. Parameters in SI
+/// units are converted to the reduced units of the run by a scale: diameter and density of the
 /// beads, normal stress, and surface tension.
 class RunEffects {
   public:
-    /// Adds to `options` the options for the effects, --EFFECT.PARAMETER, and for the scale.
-    /// @throws InputError where one of the command line `arguments` names an effect or parameter
-    ///         that does not exist, or an effect that a single run cannot have
+    /// Adds the options for the effects, --EFFECT.PARAMETER, and for the scale to a command.
+    /// @param arguments words of the command line
+    /// @throws InputError where an argument names an effect or parameter that does not exist, or an
+    ///         effect that a single run cannot have
     RunEffects(Options& options, const std::vector<std::string>& arguments);
 
-    /// Returns the parameters of a run, changed by the effects of the parsed options.
+    /// Returns the parameters of a run with the effects of the parsed options applied.
     /// @throws InputError for an option's value that is malformed or out of bounds, for a scale
     ///         that contradicts the run, and for an effect that cannot act on the run, such as an
     ///         effect of liquid on dry grains
     dem::RunParameters changed(const dem::RunParameters& run, const Options& options);
 
-    /// Prints one line with the effects that `RunEffects::changed` applied and the parameters that
-    /// they replaced in the run `changed`, and the scale if an effect has parameters in SI units.
+    /// Prints a line with the effects that `RunEffects::changed` applied and with friction and
+    /// reduced pressure if they changed them; then the scale if an effect has parameters in SI
+    /// units.
+    /// @param changed parameters of the run with the effects
     void print(Console& console, const dem::RunParameters& changed) const;
     /// Adds to the JSON of a run the key `effects` and, if an effect has parameters in SI units,
     /// the key `scale` in SI units. Adds nothing where the run has no effects.
@@ -47,8 +50,8 @@ class RunEffects {
     dem::RunParameters without_;  ///< parameters of the run without the effects
 };
 
-/// Text for the examples of the help text, "--EFFECT.PARAMETER VALUE": option that sets the first
-/// built-in effect on grains that is not a switch to the smallest change that matters.
+/// Returns an option for the examples in a help text, "--EFFECT.PARAMETER VALUE". It sets the first
+/// built-in effect on grains that has a parameter to the smallest value of interest.
 std::string example_of_run();
 
 }  // namespace pendular::app

@@ -8,15 +8,16 @@
 
 namespace pendular::app {
 
-/// Lock of a study: commands that change the study run one after the other. A study in a folder
-/// that cannot be written is not locked, since no command can change it.
+/// Lock of a study, by which commands that change the study run one after the other. A study in a
+/// folder that cannot be written is not locked, since no command can change it.
 class StudyLock {
   public:
-    /// Waits until no other process has the lock, for at most a minute or $PENDULAR_LOCK_SECONDS,
-    /// and names the process that has it on standard error.
+    /// Locks a study. While another process has the lock, names this process on standard error and
+    /// waits for at most a minute or $PENDULAR_LOCK_SECONDS [s].
     /// @param folder folder of the study
+    /// @param stop request to stop waiting
     /// @throws dem::Interrupted where a stop is requested while waiting
-    /// @throws std::runtime_error at the end of this time, naming the process that has the lock
+    /// @throws std::runtime_error where the other process has the lock for longer
     StudyLock(const std::filesystem::path& folder, const std::stop_token& stop);
 
   private:

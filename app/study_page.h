@@ -11,31 +11,32 @@
 
 namespace pendular::app {
 
-/// Page on a study, and what a console says about it.
+/// Page of a study as HTML, and the results that the console prints when the page is made.
 struct StudyPage {
     std::string html;
     std::string answer;   ///< verdict of the diagnosis in a sentence
-    std::string verdict;  ///< verdict of the diagnosis by its name in JSON
-    std::string next;     ///< command to give next
+    std::string verdict;  ///< name of the verdict, as in JSON
+    std::string next;     ///< command that the user should give next
     std::string measure;  ///< next measurement to make, or why there is none, in a sentence
     std::vector<std::string> switches;  ///< names of the effects that the page switches on and off
     std::size_t models = 0;             ///< number of fitted combinations of these effects
-    std::size_t readings = 0;           ///< number of readings
-    std::vector<std::string> notes;     ///< why recordings are not drawn
+    std::size_t readings = 0;           ///< number of readings that were tested
+    std::vector<std::string> notes;     ///< reasons why recordings cannot be drawn
 };
 
-/// Diagnoses the study of a session, plans the next measurement, fits all combinations of the
-/// leading effects, and writes the page with these results. Nothing is simulated; no file is
-/// written.
+/// Makes the page of a study: diagnoses the study, plans the next measurement, and fits all
+/// combinations of the leading effects. Nothing is simulated; no file is written.
 /// @param switches largest number of effects with a switch
-/// @param version version of the page of `pendular serve`, with which open browsers know whether
-///        they show the newest one; empty: a page that needs no server
-/// @throws InputError where `Session::diagnose` and `read_ladder` do
+/// @param version number of the page of `pendular serve`, from which an open browser learns that
+///        there is a newer page; empty: a page that needs no server
+/// @throws InputError where the study cannot be diagnosed, such as with too few readings, and where
+///         ladder.json cannot be read
 /// @throws dem::Interrupted where the user stops the work
 StudyPage study_page(const Session& session, const CommonOptions& common, std::size_t switches,
                      std::optional<std::size_t> version = {});
 
-/// Name of a study for its page: the name of the folder of its file study.toml.
+/// Name of a study on its page: the name of the folder that contains its study.toml.
+/// @param file path of study.toml
 std::string study_name(const std::filesystem::path& file);
 
 }  // namespace pendular::app

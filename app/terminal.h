@@ -5,14 +5,16 @@
 
 namespace pendular::app {
 
-/// Prints a line, made printable, and flushes the stream. All text of commands goes through here.
+/// Prints a line with all unprintable characters replaced, and flushes the stream. All text of
+/// commands is printed by this function.
 void print_line(std::FILE* stream, std::string_view text);
 
-/// Prints an error message on standard error, after `prefix`, on one line of limited length.
+/// Prints an error message after `prefix` on standard error. A message of more than 4000 bytes is
+/// printed without its middle.
 void print_error(std::string_view prefix, std::string_view message);
 
-/// Prints the message of the exception that is being handled. Returns the exit code of the program,
-/// an `ExitCode`. To be called in a catch block.
+/// Prints the message of the exception that is being handled, and returns the exit code of the
+/// program (`ExitCode`). Call it in a catch block only.
 int report_exception();
 
 }  // namespace pendular::app

@@ -7,14 +7,16 @@
 
 namespace pendular {
 
-/// Sentence on a change of a study's model, one effect added or dropped: chi2 per degree of freedom
-/// and the RMS relative error of the predicted shear stress [%], before and after the change.
+/// Sentence that says by how much a study's model improved when an effect was added or dropped:
+/// chi2 per degree of freedom and the RMS relative error of the predicted shear stress [%], before
+/// and after the change.
 std::string verdict_of(const StudyChange& change, const LadderStep& before,
                        const LadderStep& after);
 
-/// Table of a model's errors before and after one effect was added or dropped: chi2 per degree of
-/// freedom and the RMS relative errors [%] of shear stress and solid fraction, for the readings and
-/// in cross-validation (each condition predicted by a fit to the others). One row per string.
+/// Table of a model's errors before and after one effect was added or dropped, one row per string:
+/// chi2 per degree of freedom, and the RMS relative errors [%] of shear stress and solid fraction.
+/// Further rows contain the RMS errors of the cross-validation, if there is one: each condition is
+/// predicted by a fit to the other conditions.
 std::vector<std::string> error_changes(const LadderStep& before, const LadderStep& after);
 
 /// Table of the fitted parameters before and after one effect was added to a model or dropped. The

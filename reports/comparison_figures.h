@@ -9,10 +9,9 @@
 
 namespace pendular {
 
-/// Returns the figures of `pendular compare`: dry readings (dry_figures.h), wet readings
-/// (wet_figures.h), predicted against measured values (`parity`), residuals (residual_figures.h and
-/// misfit_figures.h), and the parameters (parameter_figures.h). The figures show the fitted model
-/// with all effects that the study lists.
+/// Returns the figures of `pendular compare`: dry readings, wet readings, predicted against
+/// measured values (`parity`), residuals, parts of chi2, and fitted parameters. The figures show
+/// the fitted model with all effects that the study lists.
 std::vector<Figure> comparison_figures(const StudyModel& model, const Calibration& calibration,
                                        const Comparison& comparison);
 

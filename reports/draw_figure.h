@@ -7,9 +7,10 @@
 namespace pendular {
 
 /// Draws a figure by gnuplot as NAME.svg, NAME.png and NAME.pdf in `folder`, and writes the drawn
-/// values as NAME.csv; NAME is the figure's `name`. Creates the folder where there is none.
-/// To be called by one thread at a time.
-/// @throws std::runtime_error where gnuplot is missing or a drawing is incomplete
+/// values as NAME.csv, where NAME is the name of the figure. Creates the folder if it does not
+/// exist. Only one thread at a time may call this function.
+/// @throws std::runtime_error where gnuplot is missing, a drawing is incomplete or a file cannot be
+///         written
 void draw(const Figure& figure, const std::filesystem::path& folder);
 
 }  // namespace pendular

@@ -9,10 +9,10 @@
 
 namespace pendular {
 
-/// Relation of a physical effect to a study: whether the study lists it and whether it applies.
+/// Whether a study lists a physical effect, and whether the effect can be added to the study.
 struct EffectStatus {
     bool listed = false;  ///< whether the study's model has the effect
-    /// Reason why the effect does not apply to the study; empty: it applies.
+    /// Reason why the effect does not apply to the study; empty where it applies.
     std::optional<std::string> why_not;
 };
 
@@ -24,20 +24,21 @@ struct EffectEntry {
     std::optional<EffectStatus> status = {};  ///< relation to the user's study; empty: no study
 };
 
-/// Table of physical effects as lines of text, one line per parameter, grouped by the part of the
-/// experiment that the effects change.
+/// Table of physical effects as lines of text, one line per parameter of an effect, grouped by the
+/// part of the experiment that the effects change.
 std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries);
 
 /// Full description of one physical effect as lines of text, with the settings in study.toml and
 /// the command-line options that switch the effect on.
 std::vector<std::string> effect_page(const EffectEntry& entry);
 
-/// Page of the manual on one physical effect, in Markdown. `figure`: the Markdown of the figure of
-/// the effect's changes of the readings, or the reason why there is no such figure.
+/// Page of the manual on one physical effect, in Markdown.
+/// @param figure Markdown of the figure that shows how the effect changes the readings, or the
+///        reason why there is no such figure
 std::string manual_page(const EffectEntry& entry, const std::string& figure);
 
 /// First page of the manual of effects, in Markdown: tables with one row per effect and a link to
-/// the effect's page, NAME.md.
+/// the page of the effect, NAME.md.
 std::string manual_index(const std::vector<EffectEntry>& entries);
 
 /// JSON of an entry of the catalogue of effects: name, equation, parameters with their bounds, and

@@ -10,20 +10,22 @@
 
 namespace pendular {
 
-/// Study for the figures of signatures, the changes of the readings by effects: with the default
-/// grains, liquid and cell of the virtual laboratory. The study lists the effects, so that its
-/// emulator (interpolation between simulation runs) uses runs with these effects too.
+/// Study from which the figures of signatures are computed; a signature is the change of the
+/// readings by an effect. Grains, liquid and cell are the defaults of the virtual laboratory. The
+/// study lists `effects`, so that its emulator (interpolation between simulation runs) uses runs
+/// with these effects too.
 Study signature_study(const std::vector<Effect>& effects);
 
-/// Returns the dry and the wet condition of `study` from which each curve in the figures of
-/// signatures (changes of the readings by an effect) varies one quantity.
+/// Returns two conditions, dry and wet, at which the signature figures start: each of their curves
+/// varies one quantity of one of these conditions.
 std::vector<Condition> signature_conditions(const Study& study);
 
-/// Figure of the signature of an effect: change of the predicted readings when its parameters go
-/// from neutral (no effect), or from the value of the study's liquid, by the smallest amount that
-/// matters (a switch: on). Above: change of the shear stress [%]; below: 1000 times the change of
-/// the solid fraction [1]; against reduced pressure, liquid content, inertial number and height of
-/// the sample [mm]. Effects on grains have a band of one standard error of the change.
+/// Figure of the signature of an effect: the change of the predicted readings when the parameters
+/// of the effect go from neutral (no effect), or from the value of the study's liquid, by the
+/// smallest amount of interest; an effect without a parameter is switched on. Above: change of the
+/// shear stress [%]. Below: 1000 times the change of the solid fraction [1]. The columns are
+/// against reduced pressure, liquid content, inertial number and height of the sample [mm]. Effects
+/// on grains have a band of one standard error of the change.
 /// @param simulation emulator, which interpolates between the study's simulation runs
 /// @throws std::invalid_argument where the emulator has no run with the effect
 /// @throws std::domain_error where, with the effect, no true state of the cell makes the instrument

@@ -8,26 +8,27 @@
 
 namespace pendular {
 
-/// Text of a probability p [1], to follow "p ": "= 0.02", or "< 0.001" below 0.001. `equals`: text
-/// in place of "= ".
+/// Text of a probability p [1] with two significant digits: "= 0.02", or "< 0.001" below 0.001.
+/// @param equals text in place of "= "
 std::string p_text(double p, const char* equals = "= ");
 
-/// Returns the checks of a model's residuals that are significant each by itself, with p < 0.05,
-/// the smallest p first. The pointers point into `checks`.
+/// Returns the tests of a model's residuals that are each significant by themselves (p < 0.05), the
+/// smallest p first. The pointers point into `checks`.
 std::vector<const Check*> significant_checks(const Checks& checks);
 
-/// Lines of text on where a model fails: first the p value of all checks together, then one line
-/// for each check with p < 0.05 (one line for all checks of correlation between conditions).
+/// Lines of text that say where a model fails. The first line states the p value of all tests of
+/// the residuals together. One line follows for each test with p < 0.05; all tests of the
+/// correlation between conditions share a line.
 std::vector<std::string> checks_table(const Checks& checks);
 
-/// Sentence that names the up to three measurements with the smallest p and the number of the
-/// others; empty for an empty list.
-/// @param measurements names of measurements with their p: the probability of so large a deviation
-///        from the model by chance
+/// Sentence on measurements that a model fits badly: it names up to three with the smallest p and
+/// states the number of the others. Empty for an empty list.
+/// @param measurements names of measurements with their p value, the probability that chance makes
+///        a deviation from the model so large
 std::string deviating_line(std::vector<std::pair<std::string, double>> measurements);
 
-/// Lines of text on where a model fails: the lines of `checks_table`, then a line on the conditions
-/// and files whose readings deviate most from the model, if there are any.
+/// Lines of text that say where a model fails: the significant tests of its residuals, then the
+/// conditions and files whose readings deviate most from the model, if there are any.
 std::vector<std::string> failure_table(const WhereItFails& where);
 
 }  // namespace pendular

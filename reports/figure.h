@@ -12,15 +12,16 @@ namespace pendular {
 /// One series of data in a panel (pair of axes) of a figure: points, line, band or bars. A curve
 /// without data only adds an entry to the key.
 struct Curve {
-    /// Bars stand on the x axis, or at `from`; bars across are horizontal and begin at x = 0. Cells
-    /// are squares of side 1 whose colour is as strong as `shade` says.
+    /// Way in which the data are drawn. `bars` are vertical and stand on the x axis, or at `from`.
+    /// `bars_across` are horizontal and begin at x = 0. `cells` are squares of side 1 in the units
+    /// of the axes; `shade` gives the strength of their colour.
     enum class Style { points, line, dotted_line, dashed_line, band, bars, bars_across, cells };
     std::string label;
     Style style = Style::points;
     std::vector<double> x, y;
-    std::vector<double> y_error;  ///< standard errors of y: error bars, half-width of a band
-    /// Texts above the bars of a bar chart, beside bars across that end beyond the axis, or in
-    /// cells.
+    /// Standard errors of y: length of error bars, or half-width of a band.
+    std::vector<double> y_error;
+    /// Texts above `bars`, in `cells`, or beside those `bars_across` that end beyond the axis.
     std::vector<std::string> names = {};
     std::vector<double> from = {};   ///< y where each bar begins; empty: at the x axis
     std::vector<double> shade = {};  ///< strength of the colour of each cell, 0 to 1
@@ -42,7 +43,7 @@ struct Reference {
     std::string colour = "#888888";
 };
 
-/// Place of the key (legend) of a figure's panel: in a corner of the axes, or to their right.
+/// Position of the key (legend) of a panel: in a corner of the axes, or to their right.
 enum class Key { none, top_left, top_right, bottom_left, bottom_right, outside };
 
 /// One pair of axes with the data drawn in it.
@@ -56,13 +57,16 @@ struct Panel {
     Key key = Key::none;
     double headroom = 0;  ///< share of the height kept free above the data, for the key [1]
     std::optional<std::pair<double, double>> x_range = {};
-    /// Names below x = 1, 2, ... in place of numbers, each as its lines of text.
+    /// Names that are shown below x = 1, 2, ... in place of numbers; each name is a list of lines
+    /// of text.
     std::vector<std::vector<std::string>> x_names = {};
-    /// Names to the left of y = 1, 2, ... in place of numbers; panels beside it have empty names.
+    /// Names that are shown to the left of y = 1, 2, ... in place of numbers. Empty names leave the
+    /// axis without names, for a panel beside one that has them.
     std::vector<std::string> y_names = {};
     bool y_from_zero = false;  ///< include zero in a y axis that is not logarithmic
-    double y_least = 0;        ///< least reach of the y axis to both sides of zero; 0: no limit
-    /// Least and greatest value on the y axis below the headroom; empty: chosen from the data.
+    /// Least extent of the y axis to both sides of zero, in the unit of the axis; 0: no limit.
+    double y_least = 0;
+    /// Least and greatest value on the y axis, without the headroom; empty: chosen from the data.
     std::optional<std::pair<double, double>> y_range = {};
 };
 

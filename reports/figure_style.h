@@ -19,49 +19,56 @@ inline const std::string measured_colour = "#1b1b1b", model_colour = "#0b62a4",
                          explaining_colour =
                              "#606060";  ///< colour of key entries that explain all series of data
 
-/// Values of one reading or prediction as figures show them: (stress ratio [1], solid fraction [1])
-/// with their standard errors.
+/// Stress ratio [1] and solid fraction [1], in this order, with their standard errors: the values
+/// of a reading or prediction as figures draw them.
 struct Shown {
     std::array<double, 2> value, error;
 };
-/// Measured stress ratio [1] and solid fraction [1] of a reading, with their standard errors.
+/// Returns the measured stress ratio [1] and solid fraction [1] of a reading, with their standard
+/// errors.
 Shown shown(const Reading& reading);
 
-/// Predicted stress ratio [1] and solid fraction [1], with their standard errors, of the reading
-/// with index `place` in `predicted`. `normal_stress`: normal stress of this reading [Pa].
+/// Returns the predicted stress ratio [1] and solid fraction [1] of one reading, with their
+/// standard errors.
+/// @param place index of the reading in `predicted`
+/// @param normal_stress normal stress of the reading [Pa], by which the shear stress is divided
 Shown shown(const Prediction& predicted, Eigen::Index place, double normal_stress);
 
-/// Means of several stress ratios and solid fractions, weighted by 1/standard error^2. The standard
-/// errors of the means hold for independent values.
+/// Returns the means of several stress ratios and solid fractions, weighted by 1/standard error^2.
+/// The standard errors of the means hold if the values are independent.
 Shown mean_of(const std::vector<Shown>& all);
 
-/// Means over some readings of the measured and of the predicted stress ratio and solid fraction.
+/// Means of measured and of predicted stress ratio and solid fraction over the same readings.
 struct MeasuredAndModel {
     Shown measured, model;
 };
-/// Means of measured and of predicted stress ratio and solid fraction, over the readings of a
-/// calibration with indices `places`. All weights are 1/standard error^2 of the measured values.
+/// Returns the means of measured and of predicted stress ratio and solid fraction over some
+/// readings of a calibration. All weights are 1/standard error^2 of the measured values.
+/// @param places indices of the readings in the calibration
 MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibration& calibration);
 
-/// Whether the predicted stress ratio and solid fraction of each reading with an index in `places`
-/// agree with the mean prediction of these readings, within `told_apart` standard errors of the
-/// reading. Where they agree, a figure shows the mean alone.
+/// Whether a figure may draw the mean prediction of some readings in place of each prediction: the
+/// predicted stress ratio and solid fraction of each reading differ from their means by at most
+/// `told_apart` standard errors of the measured reading.
+/// @param places indices of the readings in the calibration
 bool told_by_mean(const std::vector<std::size_t>& places, const Calibration& calibration);
 
-/// Difference between two predictions, in standard errors of a measured reading [1], up to which
-/// figures draw them as one.
+/// Difference between two predictions up to which figures draw them as one, in standard errors of
+/// the measured reading [1].
 constexpr double told_apart = 0.25;
 
-/// Adds a point at `x` to a curve: the stress ratio (o = 0) or the solid fraction (o = 1) in
-/// `shown`, with its standard error.
+/// Adds a point with its error bar to a curve.
+/// @param x position along the x axis
+/// @param o quantity that is drawn as y: 0 for the stress ratio in `shown`, 1 for the solid
+///        fraction
 void add_point(Curve& curve, double x, const Shown& shown, std::size_t o);
 
 /// Text that names effects in the title or key of a figure: "lid-slip", "lid-slip and
-/// torque-offset", "3 effects"; empty for none.
+/// torque-offset" or "3 effects"; empty for no effect.
 std::string names_of(const std::vector<const Effect*>& effects);
 
-/// Whether all values are positive and the greatest is more than 10 times the least, so that a
-/// logarithmic axis suits.
+/// Whether values suit a logarithmic axis: all are positive, and the greatest is more than 10 times
+/// the least.
 bool spans_decade(const std::vector<double>& values);
 
 /// Text of an inertial number in a figure: "I = 0.003", or "I → 0" for the quasi-static limit 0.

@@ -21,21 +21,25 @@ class Ink {
   public:
     /// Adds a line through points on the page [inch].
     void line(Outline points, const Pen& pen);
-    /// Adds a filled area without a border, inside the closed outline [inch]. `opacity`: from
-    /// 0 to 1.
+    /// Adds a filled area without a border, inside a closed outline [inch].
+    /// @param opacity opacity of the filling, from 0 (invisible) to 1
     void area(Outline closed, const std::string& colour, double opacity = 1);
-    /// Adds a text that begins at `place` [inch] or, if `end_there` is true, ends there; centred
-    /// vertically on it.
+    /// Adds a text beside a point on the page, centred vertically on the point.
+    /// @param place point on the page [inch]
+    /// @param end_there whether the text ends at the point; otherwise it begins there
     void text(const std::string& text, PaperPoint place, bool end_there);
-    /// Adds a text centred on a place on the page [inch].
+    /// Adds a text whose centre is at `place`, a point on the page [inch].
     void centred(const std::string& text, PaperPoint place);
-    /// Adds a symbol of the area `area` [inch^2] with its centre of area at `place` [inch].
+    /// Adds a symbol of a point of data, with its centre of area at `place`, a point on the page
+    /// [inch].
+    /// @param area area of the symbol [inch^2]
     void symbol(const Symbol& symbol, PaperPoint place, double area, const std::string& colour);
 
-    /// Returns the gnuplot commands that define the data of all shapes, needed once per gnuplot
-    /// process, before `script`.
+    /// Returns the gnuplot commands that define the data of all shapes. A gnuplot process needs
+    /// them once, before `script`.
     std::string data_blocks() const;
-    /// Returns the gnuplot commands that draw all shapes and texts on a page of this size [inch].
+    /// Returns the gnuplot commands that draw all shapes and texts on a page of this width and
+    /// height [inch].
     std::string script(double width, double height) const;
 
   private:

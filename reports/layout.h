@@ -11,23 +11,24 @@ namespace pendular {
 /// Least and greatest value on an axis of a figure, in the unit of the axis.
 using AxisRange = std::pair<double, double>;
 
-/// Position of the axes of a figure's panel on the page, and the ranges of values that the axes
-/// span.
+/// Position of the axes of a panel on the page of a figure, and the ranges of values along the
+/// axes.
 struct PanelPlace {
     /// Edges of the axes [inch], from the page's left edge and lower edge.
     double left = 0, right = 0, bottom = 0, top = 0;
     AxisRange x, y;
     bool log_x = false, log_y = false;
 
-    /// Returns the point on the page [inch] at which a point of these values on the axes is drawn.
+    /// Returns the point on the page [inch] at which a point with these values on the axes is
+    /// drawn.
     PaperPoint at(double value_x, double value_y) const;
 };
 
 /// Height of one line of the names that an x axis shows in place of numbers [inch].
 constexpr double name_line = 0.19;
 
-/// Layout of a figure's page. Every position is known before the figure is drawn, so that symbols
-/// and key can be drawn in inches and keep their shape.
+/// Layout of the page of a figure: sizes and positions in inches, known before the figure is drawn,
+/// so that symbols and key keep their shape.
 struct Page {
     double width = 0, height = 0;  ///< size of the page [inch]
     std::string title;             ///< title, with line ends where it would be wider than the page

@@ -10,8 +10,8 @@
 namespace pendular {
 
 /// Figure of a proposed change of unknown cause: deviation of shear stress and solid fraction from
-/// the study's model [%], as measured and with the change, along the quantity with which the change
-/// varies (the normal stress if it does not vary).
+/// the study's model [%], as measured and as predicted with the change. The x axis is the quantity
+/// with which the change varies, or the normal stress if it does not vary.
 /// @param model prediction of the readings by the study's model without the change
 Figure proposal_figure(const Proposal& proposal, const std::vector<Reading>& readings,
                        const Prediction& model);

@@ -11,44 +11,50 @@
 
 namespace pendular {
 
-/// Rows of a recording that are averaged, counted from 0, and whether their mean is used as a
-/// reading.
+/// Range of rows of a recording that are averaged, and whether their mean is used as a reading.
 struct AveragedWindow {
     enum class Kind { used, no_plateau, set_aside };
-    std::size_t begin = 0, end = 0;  ///< first row, and the row after the last one
+    /// First row, counted from 0, and the row after the last one.
+    std::size_t begin = 0, end = 0;
     Kind kind = Kind::used;
     int line = 0;  ///< first line of the reading that averages the rows; 0: no reading
 };
 
-/// Text on a kind of window, for a key: "averaged, no plateau" for example.
+/// Text for the key of a figure on how a range of averaged rows is used, such as "averaged, no
+/// plateau".
 const char* text_of(AveragedWindow::Kind kind);
 
-/// Windows of a recording: the steady parts that the readings of a study average, readings that
-/// were set aside, and steps that reach no plateau. Without readings and excluded rows: the ends of
-/// preshears and the smoothed peaks of intervals that were sheared to failure.
-/// @param readings readings of a study; those of other files are ignored
+/// Returns the ranges of rows of a recording that are averaged: the steady parts whose means are
+/// the readings of a study, readings that were set aside, and steps that reach no plateau. Without
+/// readings and excluded rows, returns the ends of preshears and the smoothed peaks of intervals
+/// that were sheared to failure.
+/// @param readings readings of a study; readings of other files are ignored
 /// @param excluded rows that a study left out
 std::vector<AveragedWindow> windows_of(const FileView& view, const std::vector<Reading>& readings,
                                        const std::vector<Excluded>& excluded);
 
-/// Shear stress or normal stress of all intervals of a recording (torque or normal force, if the
-/// file has no stresses) against the number of the row.
+/// Course of the shear stress or the normal stress [Pa] of a recording against the number of the
+/// row, over all intervals. If the file has no stresses, the course is that of torque [N m] or
+/// normal force [N].
 class RecordingCourse {
   public:
-    /// @param shear whether the course is that of the shear stress, as a magnitude
+    /// Reads the course from a file of measurements.
+    /// @param shear true: magnitude of the shear stress (or torque); false: normal stress (or
+    ///        force)
     RecordingCourse(const FileView& view, bool shear);
 
-    /// Name of the quantity with its unit.
+    /// Name of the quantity with its unit, such as "shear stress [Pa]".
     std::string label() const;
-    /// Number of rows.
+    /// Number of rows of the recording.
     std::size_t size() const { return values_.size(); }
 
-    /// Rows from 1 and values of the course, in the order of the rows. Of more than `most` known
-    /// values, the least and the greatest value of each of most/2 equal ranges of rows, so that no
-    /// peak is lost.
+    /// Returns the known values of the course with the numbers of their rows, from 1, in the order
+    /// of the rows. If there are more than `most`, returns the least and the greatest value in each
+    /// of most/2 equal parts of them, so that no peak is lost.
     std::vector<std::pair<std::size_t, double>> points(std::size_t most) const;
 
-    /// Mean over a window; empty if no value in it is known.
+    /// Mean of the known values in a range of rows, in the unit of the course; empty if none is
+    /// known.
     std::optional<double> mean(const AveragedWindow& window) const;
 
   private:

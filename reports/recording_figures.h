@@ -8,25 +8,25 @@
 
 namespace pendular {
 
-/// Figures of a file of measurements by itself: the course of shear stress and normal stress with
-/// the windows that are averaged (`recording_figure`), and a figure for each yield locus with a
-/// line (`yield_locus_figures`).
+/// Returns the figures of a file of measurements, without a study: shear stress and normal stress
+/// against the row (`recording_figure`) and the yield loci (`yield_locus_figures`). The former is
+/// left out for a file that contains results only, at most one row per interval.
 std::vector<Figure> file_figures(const FileView& view);
 
-/// Figure of a recording, one panel above the other: shear stress and normal stress (or torque and
-/// force, if the file has no stresses) against the number of the row. Windows that are averaged are
-/// drawn at their means, in one colour where a plateau was reached, in another where it was not and
-/// in a third where the reading was set aside:
-/// the steady parts that the readings of a study average, the ends of preshears, and the smoothed
-/// peaks of intervals that were sheared to failure.
-/// @param readings readings of a study; those of other files are ignored
+/// Figure of a recording with two panels, one above the other: shear stress and normal stress [Pa]
+/// (torque [N m] and normal force [N] if the file has no stresses) against the number of the row.
+/// Ranges of rows that are averaged are drawn at their means, in different colours where a plateau
+/// was reached, where none was reached, and where the reading was set aside. These ranges are the
+/// steady parts that the readings of a study average or, without a study, the ends of preshears and
+/// the smoothed peaks of intervals that were sheared to failure.
+/// @param readings readings of a study; readings of other files are ignored
 /// @param excluded rows that a study left out
 Figure recording_figure(const FileView& view, const std::vector<Reading>& readings = {},
                         const std::vector<Excluded>& excluded = {});
 
-/// Figures of the yield loci of a file: points of failure, preshear point, fitted line, and the
-/// Mohr circles of the preshear (major principal stress) and of the unconfined strength, with equal
-/// scales of both axes.
+/// Returns one figure for each yield locus of a file that has a fitted line: points of failure,
+/// preshear point, fitted line, and the Mohr circles of the preshear (major principal stress) and
+/// of the unconfined strength. Both axes have the same scale.
 std::vector<Figure> yield_locus_figures(const FileView& view);
 
 }  // namespace pendular

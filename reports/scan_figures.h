@@ -7,9 +7,9 @@
 
 namespace pendular {
 
-/// Figures of a diagnosis's scan of all effects: `scan`, the predicted reduction of chi2 by each
-/// effect beside the one that a refit gave, and `cosines`, the similarity of the changes of the
-/// readings by the leading effects. A figure without panels has nothing to show.
+/// Returns figures of the test of all candidate effects in a diagnosis: `scan`, the predicted
+/// reduction of chi2 by each effect beside the reduction in a refit, and `cosines`, how similarly
+/// the leading effects change the readings. A figure without panels has nothing to show.
 std::vector<Figure> scan_figures(const Diagnosis& diagnosis, const ModelSpace& space);
 
 }  // namespace pendular

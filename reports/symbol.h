@@ -4,12 +4,12 @@
 
 namespace pendular {
 
-/// Point of a drawing: [inch] on a page, in units of sqrt(area) for a symbol of area 1; y grows
-/// upwards.
+/// Point of a drawing: on a page [inch], or in units of sqrt(area) for a symbol of area 1. The
+/// coordinate y grows upwards.
 struct PaperPoint {
     double x = 0, y = 0;
 };
-/// Points of a drawing that straight lines join in their order.
+/// Points of a drawing that are joined by straight lines in their order.
 using Outline = std::vector<PaperPoint>;
 
 enum class Shape { square, triangle, circle, star, downward_triangle, diamond, plus };
@@ -32,8 +32,8 @@ struct SymbolDrawing {
     std::vector<Outline> strokes;  ///< lines, among them the closed edge of the symbol
 };
 
-/// Returns the outlines of a symbol of area 1, so that symbols of all shapes look equally large. A
-/// plus reaches beyond the edges of all other symbols.
+/// Returns the outlines of a symbol of area 1, so that symbols of all shapes look equally large.
+/// The strokes of a plus are longer than any other symbol.
 SymbolDrawing drawing_of(const Symbol& symbol);
 
 }  // namespace pendular

@@ -10,7 +10,7 @@ namespace pendular {
 // Code of the symbols in figures: the shape shows the friction, colour and filling show the liquid
 // content. Source: Badetti et al. (2018), tab:symbols.
 
-/// Shape of the symbols that figures use for an intergranular friction.
+/// Shape of the symbols in figures for one value of the intergranular friction.
 struct FrictionCode {
     double friction;  ///< intergranular friction coefficient [1]
     Shape shape;
@@ -21,7 +21,7 @@ inline constexpr std::array<FrictionCode, 5> friction_code = {{{0.05, Shape::squ
                                                                {0.20, Shape::star},
                                                                {0.25, Shape::downward_triangle}}};
 
-/// Colour and filling of the symbols that figures use for a liquid content.
+/// Colour and filling of the symbols in figures for one value of the liquid content.
 struct ContentCode {
     double liquid_content;  ///< liquid volume over solid volume, Phi_L/Phi_S [1]
     std::string_view colour;
@@ -34,20 +34,19 @@ inline constexpr std::array<ContentCode, 5> content_code = {
      {0.030, "#111111", Filling::crossed},      // black
      {0.063, "#8e2fb5", Filling::top_half}}};   // purple
 
-/// Colour and filling of symbols for dry readings: grey, filled. Badetti et al. (2018) give none.
+/// Colour and filling of symbols for dry readings: grey, filled. Badetti et al. (2018) state none.
 inline constexpr ContentCode dry_code{0, "#808080", Filling::filled};
 
-/// Returns the symbol's shape for the friction in `friction_code` that is nearest to the
-/// intergranular friction `friction` [1].
+/// Returns the shape of symbols for grains with this friction coefficient [1]: that of the nearest
+/// friction in `friction_code`.
 Shape shape_of(double friction);
 
-/// Colour and filling for the liquid content in `content_code` that is nearest in the logarithm to
-/// `liquid_content` [1]; `dry_code` for 0. The contents of the code are about evenly spaced in the
-/// logarithm.
+/// Returns the colour and filling of symbols for this liquid content [1]: those of the nearest
+/// liquid content in `content_code`, by the logarithm, or `dry_code` for 0.
 const ContentCode& code_of(double liquid_content);
 
-/// Returns the symbol of a simulated or predicted state: shape by its friction [1], filling by its
-/// liquid content (liquid volume over solid volume) [1].
+/// Returns the symbol of a simulated or predicted state: the shape shows the friction [1], the
+/// filling shows the liquid content (liquid volume over solid volume) [1].
 Symbol simulated_symbol(double friction, double liquid_content);
 
 /// Symbol of measured points: a plus, since the friction of the measured grains is not known. The

@@ -10,8 +10,9 @@ namespace pendular {
 
 // Text tables, one string per line, with the units in the header.
 
-/// Table of the imported readings, one line per reading: normal stress [Pa], inertial number,
-/// liquid content, shear stress [Pa] and solid fraction, the last two with standard errors.
+/// Table of the imported readings, one line per reading below a heading: normal stress [Pa],
+/// inertial number [1], liquid content [1], shear stress [Pa] and solid fraction [1], the last two
+/// with standard errors.
 std::vector<std::string> readings_table(const Measurements& measurements);
 
 /// Table of the rows of the measured files that import left out, one line for each range of rows,
@@ -26,25 +27,28 @@ std::string excluded_text(const Measurements& measurements);
 bool beyond_transients(const Measurements& measurements);
 
 /// Table of the scatter of shear stress and solid fraction between repeated readings [% of the
-/// value]: between steps, and between fillings of the cell. Empty where the scatter is neither
-/// estimated nor stated.
+/// value]: between steps of a recording, and between fillings of the cell. Empty where the scatter
+/// is neither estimated nor stated.
 std::vector<std::string> scatter_table(const Measurements& measurements);
 
-/// Table of measured and predicted shear stresses [Pa] and solid fractions, one line per reading,
-/// in the order of the readings or, if `worst_first` is true, the largest chi2 first; then one line
-/// per direct measurement of a parameter.
+/// Table of measured and predicted shear stresses [Pa] and solid fractions [1], one line per
+/// reading, then one line per direct measurement of a parameter.
+/// @param worst_first true: readings with the largest chi2 come first; false: order of the readings
 std::vector<std::string> predictions_table(const Comparison& comparison, bool worst_first = false);
 
-/// Text on a misfit for a sentence: "chi2 = 45.72 for 46 degrees of freedom (p = 0.51)". Where the
-/// p value differs from that of the chi2 distribution, since the errors are estimated, says so.
+/// Text on a misfit for use in a sentence: "chi2 = 45.72 for 46 degrees of freedom (p = 0.51)".
+/// Where the p value includes an allowance for errors that are estimated from few repetitions, the
+/// text says so.
 std::string misfit_text(const Misfit& misfit);
 
-/// Table of the misfit chi2 by observable (shear stress, solid fraction), by condition and, where
-/// there are several files, by file. Each division adds up to the chi2 of all readings.
+/// Table of the parts of the misfit chi2: by quantity (shear stress, solid fraction), by condition
+/// and, where there are several files, by file. The parts of each division add up to the chi2 of
+/// all readings.
 std::vector<std::string> misfit_table(const Comparison& comparison);
 
-/// Table of the Mohr-Coulomb cohesion lines, stress ratio = intercept + c*/P*, with the measured
-/// and the simulated line of a liquid content and inertial number one below the other; empty for no
+/// Table of cohesion lines, straight lines of stress ratio against the inverse reduced pressure,
+/// stress ratio = intercept + c*/P* with the reduced cohesion c*. The measured and the simulated
+/// line of a liquid content and inertial number are one below the other. Empty where there are no
 /// lines.
 std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines);
 

@@ -4,13 +4,15 @@
 
 namespace pendular {
 
-/// Text of a value with its standard error, both rounded to the second significant digit of the
-/// error, or to whole numbers if that digit is coarser: "0.097 +- 0.011", "(1.032 +- 0.012)e-6".
+/// Returns a value with its standard error as text, both rounded to the second significant digit of
+/// the error, or to whole numbers if that digit is coarser: "0.097 +- 0.011", "(1.032 +-
+/// 0.012)e-6".
 std::string with_error(double value, double error);
 
-/// Text of a value with its standard error and its unit, with an SI prefix for lengths, forces,
+/// Returns a value with its standard error and unit as text, with an SI prefix for lengths, forces,
 /// torques, pressures, surface tensions and viscosities: "0.410 +- 0.030 mN m" for 4.1e-4, 3e-5 and
-/// "N m". `unit`: SI unit of value and error; the unit "1" is left out.
+/// "N m".
+/// @param unit SI unit of value and error; the unit "1" is left out of the text
 std::string with_error(double value, double error, const std::string& unit);
 
 /// Text of a change of a value, with sign, SI prefix and unit, rounded to the second significant

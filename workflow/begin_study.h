@@ -8,19 +8,23 @@
 
 namespace pendular {
 
-/// Files of a study to begin with, by file name: study.toml and, for a yield locus, tables of its
-/// states of preshear (steady.csv) and of its points of failure (failure.csv). Values that the file
-/// does not state, such as the density of the grains, are guessed and marked with "GUESS" in a
-/// comment.
+/// Returns the files of a new study that is made from one file of measurements: their texts by file
+/// name. They are study.toml, a copy of the file of measurements if it contains steady shear,
+/// steady.csv with the states of preshear of a shear test, and failure.csv with its points of
+/// failure. Values that the file of measurements does not state, such as the density of the grains,
+/// are guessed; study.toml marks them with "GUESS" in a comment.
 ///
-/// A recording of steady shear is among the files, so that the study contains its data. A state of
-/// preshear is the mean over the last tenth of the rows of an interval with role preshear. A point
-/// of failure is the smoothed peak; its standard deviation is the difference between the largest
-/// sample and the smoothed peak. All standard deviations are at least 1 %. Both tables are readings
-/// at inertial number 0 with a solid fraction of 0.60 +- 0.1, which carries no information.
-/// @param format how the user stated the file to be read
-/// @throws InputError if the file shows neither steady shear nor points of failure, or has a name
-///         that a study cannot hold
+/// In steady.csv, each row is the mean over the last tenth of the rows of a preshear interval. In
+/// failure.csv, each row is a smoothed peak of the shear stress; its standard deviation is the
+/// difference between the largest sample and the smoothed peak. Standard deviations of shear stress
+/// are at least 1 %. The tables state inertial number 0 and a solid fraction of 0.60 +- 0.1, which
+/// carries no information. If the file of measurements states bulk densities, steady.csv contains
+/// these instead, without the liquid and with a standard deviation of 1 %.
+/// @param view the file of measurements, as read
+/// @param format how the user stated the file to be read, such as its decimal sign
+/// @throws InputError where the file contains neither steady shear nor points of failure, where
+///         study.toml cannot state its name, and where its tests give one interval number different
+///         roles
 std::map<std::string, std::string> begin_study(const FileView& view, const FileFormat& format);
 
 }  // namespace pendular

@@ -5,9 +5,10 @@
 
 namespace pendular {
 
-/// Judges whether a calibration can be believed, by its misfit, parameters at the end of their
-/// range and doubts about readings, and looks for a column of the recordings that was read in a
-/// wrong unit and would explain its misfit.
+/// Judges whether a calibration of a study can be believed, and returns the reasons against it.
+/// Reasons are a misfit larger than the errors allow, a fitted parameter at the end of its range,
+/// implausible readings, and a column of the recordings that was probably read in a wrong unit.
+/// @param comparison misfit of the calibration `c` to the readings
 Belief belief_in(const ResolvedStudy& study, const Measurements& measurements, const Calibration& c,
                  const Comparison& comparison);
 

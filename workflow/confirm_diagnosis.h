@@ -7,21 +7,22 @@
 
 namespace pendular {
 
-/// Diagnoses a study as `diagnose_study` does and tests the verdict by simulations. Each round
-/// simulates the states that reduce the errors of the best models most, trains the emulator on the
-/// results, and repeats the diagnosis. The rounds end when the verdict is firm
-/// (`Confirmation::settled`) or the time is over. All runs are kept in the session's store, so that
-/// the same command continues where an earlier one ended.
+/// Finds which physical effect is missing from a study's model, and tests this verdict by new
+/// simulations. Each round simulates the states that reduce the errors of the best models most,
+/// trains the emulator on the results, and repeats the diagnosis. The rounds end when the verdict
+/// is firm (`Confirmation::settled`) or the time is over. The user's file of runs
+/// (`SessionOptions::store`) keeps all runs, so that the same command continues where an earlier
+/// one ended.
 /// @param seconds time that runs and diagnoses may take together [s]; the first diagnosis is made
 ///        in any case
 /// @throws InputError where there are too few readings, readings at one condition only or too few
-///         runs, and where a reading is outside the range that can be simulated
-/// @throws dem::Interrupted where the user stops the work, with how to continue
+///         earlier runs, and where a reading is outside the range that can be simulated
+/// @throws dem::Interrupted where the user stops the work; the message says how to continue
 StudyDiagnosis confirm_diagnosis(const ResolvedStudy& study, const Measurements& measurements,
                                  const SessionOptions& session, double seconds);
 
-/// JSON of the simulations that confirmed a diagnosis, as `pendular diagnose --json` writes them;
-/// null where none were requested.
+/// JSON of the simulations that tested the verdict of a diagnosis: their number, the time that they
+/// took [s], and whether the verdict is firm or why not. Null where no simulations were requested.
 nlohmann::ordered_json to_json(const std::optional<Confirmation>& confirmed);
 
 }  // namespace pendular

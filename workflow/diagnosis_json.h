@@ -11,15 +11,21 @@
 
 namespace pendular {
 
-/// Names of the candidate effects that an explanation (refitted model) adds to the study's model.
+/// Names of the effects that a refitted model (`explanation`) has in addition to the effects of the
+/// study's model.
+/// @param space models to which the refitted model belongs, with the names of all candidate effects
 std::vector<std::string> names_of(const Explanation& explanation, const ModelSpace& space);
 
-/// JSON of a diagnosis, which `pendular diagnose` prints and writes to out/diagnosis.json.
+/// JSON of a diagnosis, as in out/diagnosis.json: the verdict, the effects that it names, the test
+/// of each candidate effect, and the refitted models.
+/// @param space models that were diagnosed, with the candidate effects
+/// @param evidence readings that were diagnosed, with the measurements suspected of errors
 /// @param checks tests of the residuals of the study's model without further effects
 nlohmann::ordered_json to_json(const Diagnosis& diagnosis, const ModelSpace& space,
                                const Evidence& evidence, const Checks& checks);
 
-/// JSON of the number of repetitions of the experiment with the same verdict; null without any.
+/// JSON with the number of simulated repetitions of the experiment (`of`) and the number of
+/// repetitions that give the same verdict as the readings (`same`). Null where none were simulated.
 nlohmann::ordered_json to_json(const std::optional<Repeated>& repeated);
 
 }  // namespace pendular

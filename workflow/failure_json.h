@@ -6,12 +6,12 @@
 
 namespace pendular {
 
-/// JSON of all checks (tests of the residuals) of a fit, each with its statistic and p value, and
-/// the p value of all checks together.
+/// JSON of the checks of a fit, which are tests of its residuals: statistic and p value of each
+/// check, and one p value of all checks together.
 nlohmann::ordered_json to_json(const Checks& checks);
 
-/// JSON of the checks (tests of the residuals) of a fit, and of the groups of readings that deviate
-/// from the model, each with its p value.
+/// JSON that states where a fitted model fails on the readings: the tests of its residuals, and the
+/// groups of readings that deviate from the model, each with its p value.
 nlohmann::ordered_json to_json(const WhereItFails& where);
 
 }  // namespace pendular

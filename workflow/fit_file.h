@@ -9,25 +9,26 @@
 
 namespace pendular {
 
-/// JSON of a calibration and of its comparison with the readings, as in out/fit.json, without the
-/// judgement (`Belief`) whether the fit can be believed.
+/// JSON of a calibration and of its comparison with the readings, as in out/fit.json. The judgement
+/// whether the fit can be believed (`Belief`) is not included.
 nlohmann::ordered_json to_json(const Calibration& calibration, const Comparison& comparison);
 
-/// Writes a calibration, its comparison with the readings and the judgement of it to
-/// FOLDER/fit.json, and its training runs that the atlas (the runs that come with the program)
-/// lacks to FOLDER/fit_runs.csv. Returns the content of fit.json.
+/// Writes the result of a fit to FOLDER/fit.json and returns the JSON written: the calibration, its
+/// comparison with the readings, and the judgement whether it can be believed. Training runs that
+/// are not in the atlas (the runs that come with the program) are written to FOLDER/fit_runs.csv.
 /// @throws std::runtime_error where a file cannot be written
 nlohmann::ordered_json write_calibration(const std::filesystem::path& folder,
                                          const Calibration& calibration,
                                          const Comparison& comparison, const Belief& belief);
 
-/// Reads a calibration from a fit.json, without its predictions. Grains, liquid, model and direct
-/// measurements are taken from `study`, which must be the study that was fitted. Files of earlier
-/// versions, which contain whole runs, are read too.
+/// Reads a calibration from a fit.json; its predictions of the readings are left empty. Grains,
+/// liquid, model and direct measurements are taken from `study`, which must be the study that was
+/// fitted. Training runs are read from the atlas (the runs that come with the program) and from
+/// fit_runs.csv beside the file.
 /// @param readings readings of the study, dry readings first
-/// @throws InputError where the file is missing, malformed or of another format, where the fit was
-///         made from other readings, direct measurements, grains, liquid or model, and where a
-///         training run is neither in the atlas nor in fit_runs.csv
+/// @throws InputError where the file is missing, malformed or of another format, where the study's
+///         readings, direct measurements, grains, liquid or model have changed since the fit, and
+///         where a training run is neither in the atlas nor in fit_runs.csv
 Calibration read_calibration(const std::filesystem::path& file, const ResolvedStudy& study,
                              const std::vector<Reading>& readings);
 

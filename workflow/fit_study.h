@@ -38,24 +38,25 @@ struct FitOptions {
     CohesionOptions cohesion = {};  ///< options of the Mohr-Coulomb lines through the wet readings
 };
 
-/// Whether a fit begins without any earlier simulation to train on: because `options.cold` is set,
-/// or because fewer than 20 runs of the atlas (runs that come with the program) and the store (the
-/// user's file of runs) can serve the study.
+/// Whether a fit must simulate all runs on which its emulator is trained. This is so if
+/// `options.cold` is set, or if fewer than 20 runs of the atlas (the runs that come with the
+/// program) and of the store (the user's file of runs) can train an emulator for the study.
 bool begins_cold(const Study& study, const SessionOptions& session, const FitOptions& options);
 
-/// Fits the parameters of a study's model to its readings, with an emulator trained on the runs of
-/// atlas (comes with the program) and store (the user's file of runs) or, where `begins_cold`, on
-/// runs that are simulated anew.
+/// Fits the parameters of a study's model to its readings by least squares. The predictions come
+/// from an emulator, which is trained on the runs of the atlas (the runs that come with the
+/// program) and of the store (the user's file of runs) or, if these are too few or `options.cold`
+/// is set, on runs that the fit simulates.
 /// @throws InputError where there is nothing to fit, where a reading cannot be simulated, where the
 ///         study has effects on grains but there are no earlier simulations, and where the atlas
 ///         cannot be read
-/// @throws dem::Interrupted where the user stops the work, with how to continue
+/// @throws dem::Interrupted where the user stops the work; the message says how to continue
 Calibration fit_study(const ResolvedStudy& study, const Measurements& measurements,
                       const SessionOptions& session, const FitOptions& options);
 
-/// Returns the exception for simulations that the user stopped. Its message names the file of the
-/// store, which keeps the finished runs, and how to continue; a null `store` gives the default
-/// message.
+/// Returns the exception to throw where the user stopped simulations. Its message names the file of
+/// the store, which keeps the finished runs, and says how to continue. Without a store (null), the
+/// message is the default one.
 dem::Interrupted interrupted_with(const RunStore* store);
 
 }  // namespace pendular

@@ -6,8 +6,9 @@
 
 namespace pendular {
 
-/// JSON of the shifts of the calibrated parameters by each effect and each error of measurement,
-/// and by each group of them; sizes and shifts in SI units.
+/// JSON of an impact table: by how much each missing effect, each error of measurement, and each
+/// group of them would shift the calibrated parameters. Sizes of the effects and shifts are in SI
+/// units.
 nlohmann::ordered_json to_json(const ImpactTable& table);
 
 }  // namespace pendular

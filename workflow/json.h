@@ -10,17 +10,20 @@
 
 namespace pendular {
 
-/// JSON of a study's measurements, which `pendular import` prints: every reading, every excluded
-/// range of rows with its reason, the scatter between replicates, doubts and notes.
+/// JSON of a study's measurements, as `pendular import --json` writes it: every reading, every
+/// excluded range of rows with its reason, the scatter between replicates, reasons to doubt
+/// readings, and notes. Readings are in SI units.
 nlohmann::ordered_json to_json(const Measurements& measurements);
 
-/// JSON of a comparison of model and measurement, with its cohesion lines and the tests of its
-/// residuals, which `pendular compare` prints and writes to out/compare.json.
+/// JSON of the comparison of a fitted model with the readings, as in out/compare.json.
+/// @param lines cohesion lines, Mohr-Coulomb lines through measured and predicted wet readings
+/// @param where tests of the residuals, which show where the model fails
 nlohmann::ordered_json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
                                const WhereItFails& where);
 
-/// Writes a JSON object to a file, with the key `"format"` first (data/files/json_text.h). The text
-/// goes to a temporary file that is then renamed, so that an earlier file survives a full disk.
+/// Writes a JSON object to a file, after the key `"format"` with the version of the program's JSON.
+/// The text goes to a temporary file that is then renamed, so that an earlier file survives a full
+/// disk.
 /// @throws std::runtime_error where the file cannot be written
 void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json);
 

@@ -6,8 +6,8 @@
 
 namespace pendular {
 
-/// JSON of the next measurement to make for a study, which `pendular next` prints and writes to
-/// out/next.json.
+/// JSON of the next measurement to make for a study, as in out/next.json: the rival models, the
+/// point to measure and what each model predicts there.
 nlohmann::ordered_json to_json(const NextMeasurement& next);
 
 }  // namespace pendular

@@ -9,28 +9,33 @@
 
 namespace pendular {
 
-/// Effects that a diagnosis proposes, as it writes them to the file proposed.toml of the results
-/// folder.
+/// Effects that a diagnosis proposes where no known effect explains the readings, as in the file
+/// proposed.toml of the results folder. A proposal is a set of effects that would together explain
+/// the readings.
 struct ProposedEffects {
     /// Names of the effects of each proposal, in the order of the diagnosis.
     std::vector<std::vector<std::string>> proposals;
-    std::vector<WrittenEffect> effects;  ///< definitions of all these effects
+    /// Definitions of the effects of all proposals, by formulas.
+    std::vector<WrittenEffect> effects;
 };
 
-/// Returns an effect as a table [[effect]] of study.toml, ready to be pasted.
+/// Returns the definition of an effect as the text of a table [[effect]] for study.toml.
 std::string effect_table(const WrittenEffect& effect);
 
-/// Writes proposals to a file as tables [[effect]] that study.toml can take over; removes the file
-/// where there are none.
+/// Writes the effects that a diagnosis proposes to a file: tables [[proposal]], and tables
+/// [[effect]] that can be copied to study.toml. Removes the file where there is no proposal.
 /// @throws std::runtime_error where the file cannot be written
 void write_proposed(const std::filesystem::path& file, const ProposedEffects& proposed);
 
-/// Reads the proposals of a file that `write_proposed` wrote; empty where there is no such file.
-/// @throws InputError where the file cannot be read as such
+/// Reads the effects that a diagnosis proposed from a file such as proposed.toml. Empty where the
+/// file does not exist.
+/// @throws InputError where the file is not one that `write_proposed` wrote
 ProposedEffects read_proposed(const std::filesystem::path& file);
 
-/// Returns the names of the effects of proposal `number`, counted from 1.
-/// @throws InputError where the results folder has no such proposal, with what to do
+/// Returns the names of the effects of one proposal of a diagnosis.
+/// @param file file of the proposals, such as out/proposed.toml
+/// @param number number of the proposal, from 1
+/// @throws InputError where the file has no such proposal or cannot be read
 std::vector<std::string> proposal(const std::filesystem::path& file, std::int64_t number);
 
 }  // namespace pendular

@@ -9,31 +9,39 @@
 
 namespace pendular {
 
-/// Finding inside the recordings of a study, as evidence in a diagnosis.
+/// Irregularity found inside the recordings of a study, such as a saturated sensor, and the share
+/// of the misfit that it may explain.
 struct RecordingEvidence {
     RecordingFinding finding;
-    /// Share of the excess chi2 - dof of the model without further effects that a common factor on
-    /// the readings concerned would remove, beyond what the calibrated parameters imitate [1];
-    /// negative: not tested, since no reading concerned is left or the model has no excess.
+    /// Share of the excess chi2 - dof of the study's model that one common factor on the readings
+    /// concerned would remove [1], beyond what a change of the calibrated parameters would.
+    /// Negative: not computed, since none of these readings was tested or the diagnosis found no
+    /// misfit.
     double explains = -1;
-    /// Whether this factor reduces chi2 by more than each candidate effect would.
+    /// Whether this factor reduces chi2 by more than each candidate effect would, and significantly
+    /// (p < 0.01).
     bool beats_effects = false;
 
-    /// Whether the finding alone explains most of the misfit, or more of it than any effect.
+    /// Whether the irregularity explains at least half of the misfit, or more of it than any
+    /// effect.
     bool explains_most() const { return explains >= 0.5 || (explains > 0 && beats_effects); }
 };
 
-/// Findings in the recordings of a diagnosed study that matter for its verdict, those that explain
-/// most first: all saturations and steps between recordings, and other findings at readings whose
-/// common factor would reduce chi2 significantly (p < 0.01).
+/// Returns the irregularities inside a study's recordings that matter for its diagnosis, the one
+/// that explains most of the misfit first. All saturations and steps between recordings are
+/// included. Others are included if one common factor on the readings concerned would reduce chi2
+/// significantly (p < 0.01).
+/// @param findings all irregularities that the import found in the recordings
 std::vector<RecordingEvidence> recording_evidence(const StudyDiagnosis& diagnosis,
                                                   const std::vector<RecordingFinding>& findings);
 
-/// Line "The recordings themselves show: ..." on up to two kinds of findings; empty for none.
+/// Text "The recordings themselves show: ..." with up to two sentences on irregularities of the
+/// recordings; it adds how much of the misfit the first one explains if it explains most. Empty
+/// where there are no irregularities.
 std::string recordings_line(const std::vector<RecordingEvidence>& evidence);
 
-/// JSON array with one object for each finding, as in the JSON of an import, and the share of the
-/// misfit that it explains.
+/// JSON array of irregularities found inside recordings, one object for each, with the share of the
+/// misfit that it explains [1]; null where this share was not computed.
 nlohmann::ordered_json to_json(const std::vector<RecordingEvidence>& evidence);
 
 }  // namespace pendular

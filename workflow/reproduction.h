@@ -11,12 +11,13 @@
 
 namespace pendular {
 
-/// Numbers of Badetti et al. (2018), compared with the same numbers from simulations.
+/// Comparison of the numbers that Badetti et al. (2018) publish with the same numbers from
+/// simulations.
 class Reproduction {
   public:
-    /// Reads the runs of the atlas, the runs at the paper's stiffness that come with the program,
-    /// and the runs of a store.
-    /// @param store user's file of runs; may be null
+    /// Compares the published numbers with the runs of the atlas (the runs that come with the
+    /// program) and of a store (the user's file of runs).
+    /// @param store store; null: only the atlas is used
     /// @throws InputError where there are too few runs
     Reproduction(const Fidelity& fidelity, const RunStore* store);
     Reproduction(const Reproduction&) = delete;
@@ -24,10 +25,11 @@ class Reproduction {
 
     const PaperStudy& study() const { return *study_; }
     const std::vector<ScoreboardRow>& rows() const { return rows_; }
-    /// Number of rows that agree.
+    /// Number of published numbers or ranges that agree with the simulated ones.
     std::size_t agreeing() const;
-    /// Parameters of runs at the states of the paper's grid that have not been simulated, with the
-    /// fidelity's number of grains and stiffness number.
+    /// Parameters of the runs that are still to be simulated: those at the published states for
+    /// which there is no earlier run. Number of grains and stiffness number are those of the
+    /// fidelity, the set of simulation settings.
     std::vector<dem::RunParameters> missing_runs() const;
 
   private:
@@ -37,8 +39,8 @@ class Reproduction {
     std::vector<ScoreboardRow> rows_;
 };
 
-/// JSON of a reproduction, as `pendular reproduce` prints it: each published number or range with
-/// the simulated number and whether they agree.
+/// JSON of a reproduction, as `pendular reproduce --json` writes it: each number or range that
+/// Badetti et al. (2018) publish, with the simulated number and whether they agree.
 nlohmann::ordered_json to_json(const Reproduction& reproduction);
 
 }  // namespace pendular

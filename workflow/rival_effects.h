@@ -11,12 +11,13 @@
 
 namespace pendular {
 
-/// Names of listed effects, in the order of the list.
+/// Names of the effects that a study lists, in the order of the list.
 std::vector<std::string> names_of(const std::vector<ListedEffect>& effects);
 
-/// Alternatives to an effect according to an earlier diagnosis: sets of effects that do not contain
-/// the effect and that explained the readings as well. Empty where `file`, a diagnosis.json, does
-/// not exist or cannot be read, and where it is of a model with other effects than the study lists.
+/// Reads the alternatives to an effect from the result of an earlier diagnosis: the sets of effects
+/// that explained the readings equally well without the effect. Empty where `file`, a
+/// diagnosis.json, does not exist or cannot be read, where no set with the effect explained them,
+/// and where the study now lists other effects than at the diagnosis.
 std::vector<std::vector<std::string>> rivals_in(const std::filesystem::path& file,
                                                 const Study& study, const std::string& effect);
 
@@ -31,8 +32,9 @@ std::vector<std::vector<std::string>> rivals_in(const std::filesystem::path& fil
 std::vector<RivalModel> rivals_alive(const StudyDiagnosis& diagnosis, const ResolvedStudy& study,
                                      const Ladder& ladder);
 
-/// Sentence on rival models that the readings do not rule out, with how to measure the effects
-/// directly; empty without rivals. `chi2` is that of the study's model [1].
+/// Text that names rival models, which the readings do not rule out, with their chi2, and says how
+/// their effects can be measured directly. Empty where there are no rivals.
+/// @param chi2 chi2 of the study's model [1]
 std::string rivals_line(const std::vector<RivalModel>& rivals, double chi2,
                         const EffectCatalogue& catalogue);
 

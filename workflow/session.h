@@ -25,7 +25,7 @@ struct CalibratedStudy {
     Belief belief;
 };
 
-/// Fit of a study that was read from its results folder, with its comparison with the readings.
+/// Fit of a study, read from the study's results folder, with its comparison with the readings.
 struct ComparedStudy {
     Calibration calibration;
     StudyModel model;  ///< model that was fitted
@@ -43,68 +43,83 @@ class Session {
     /// Reads a study and all its recordings, and checks them before any work. Results will go to
     /// `outputs.folder` or, where that is empty, to STUDY/out.
     /// @param study folder of the study, or its study.toml
-    /// @throws InputError where a file of the study or an effect that it lists is wrong, and where
-    ///         results would replace an input or be read as one
+    /// @throws InputError where a file of the study or an effect that it lists is wrong, where a
+    ///         result would replace a file of the study, and where the study would read a result as
+    ///         a measurement
     explicit Session(const std::filesystem::path& study, SessionOptions options = {},
                      OutputPlaces outputs = {});
-    /// Opens a session on a study that `read_input` has read, with its measurements. Results go to
-    /// `folder`; that they replace no input must have been checked before (`protect_inputs`).
+    /// Opens a session on a study that `read_input` has read. Results go to `folder`. The caller
+    /// must have checked that they replace no file of the study (`protect_inputs`).
     Session(StudyInput input, SessionOptions options, std::filesystem::path folder);
 
     const Study& study() const { return input_.study; }
-    /// The study with its catalogue of effects.
+    /// The study with its catalogue of effects: the built-in effects and those that study.toml
+    /// defines.
     const ResolvedStudy& resolved() const { return input_.study; }
     const Measurements& measurements() const { return input_.measurements; }
     const SessionOptions& options() const { return options_; }
 
-    /// Fits the study's parameters, and writes fit.json and fit_runs.csv to the results folder.
+    /// Fits the parameters of the study's model to the readings, and writes fit.json and
+    /// fit_runs.csv to the results folder.
     /// @throws InputError where there is nothing to fit, and where a reading cannot be simulated
     /// @throws std::runtime_error where a file cannot be written
-    /// @throws dem::Interrupted where the user stops the work, with how to continue
+    /// @throws dem::Interrupted where the user stops the work; the message says how to continue
     CalibratedStudy calibrate(const FitOptions& fit = {}) const;
-    /// Compares the fit of the results folder with the readings. Writes no file.
-    /// @param cohesion options of the cohesion lines; empty: the options of the fit
-    /// @throws InputError where the folder has no readable fit.json, or where the study has changed
-    ///         since it was fitted
+    /// Compares the fit in the results folder with the readings of the study. Writes no file.
+    /// @param cohesion options of the cohesion lines (Mohr-Coulomb lines through wet readings);
+    ///        empty: the options of the fit
+    /// @throws InputError where the folder has no readable fit.json, and where the study has
+    ///         changed since it was fitted
     ComparedStudy compare(const std::optional<CohesionOptions>& cohesion = {}) const;
-    /// Predicts the readings of the study's instrument at some conditions from the fit of the
-    /// results folder: shear stresses [Pa] and solid fractions [1], with errors of the fit and of
-    /// the simulation.
+    /// Predicts the readings of the study's instrument at some conditions from the fit in the
+    /// results folder: for each condition, in order, shear stress [Pa] and solid fraction [1]. The
+    /// covariance includes errors of the fit and of the simulation.
     /// @throws InputError where the folder has no readable fit.json, where the study has changed
     ///         since it was fitted, and where a condition cannot be simulated
     Prediction predict(const std::vector<Condition>& conditions) const;
-    /// Tests which physical effect is missing from the study's model. If effects were added that
-    /// other effects could have replaced equally well, also fits the models with these other
-    /// effects in their place and returns those that the readings do not rule out.
-    /// @param confirming_seconds largest time that simulations which test the verdict, and the
-    ///        diagnoses repeated with their results, may take [s]; empty: nothing is simulated
-    /// @param repetitions number of simulated repetitions of the experiment, readings with new
-    ///        random errors, that are diagnosed too, to find how often the verdict would be the
-    ///        same; 0: none
-    /// @throws InputError where there are too few readings, or too few simulations in atlas and
-    ///         store, where a reading is outside the range that can be simulated, and where
-    ///         ladder.json cannot be read
+    /// Tests which physical effect is missing from the study's model. If other effects could have
+    /// replaced an added effect equally well, the models with these other effects are fitted too,
+    /// and those that the readings do not rule out are returned as `StudyDiagnosis::rivals`.
+    /// @param confirming_seconds largest time [s] for new simulations that test the verdict, and
+    ///        for the diagnoses that are repeated with their results; empty: nothing is simulated
+    /// @param repetitions number of repetitions of the experiment that are simulated (readings with
+    ///        new random errors) and diagnosed, to count how often the verdict is the same; 0: none
+    /// @throws InputError where there are too few readings or too few earlier simulation runs,
+    ///         where a reading is outside the range that can be simulated, and where ladder.json
+    ///         cannot be read
     /// @throws dem::Interrupted where the user stops the work
     StudyDiagnosis diagnose(std::optional<double> confirming_seconds = {},
                             std::size_t repetitions = 0) const;
-    /// Plans the next measurement to make, from the diagnosis of this session's study: the
-    /// measurement tells apart the models that fit or, if only one fits, determines the parameters
-    /// of this model best. The session and the diagnosis must outlive the result.
-    /// @throws InputError where the simulations in atlas and store allow a prediction at none of
-    ///         the rig's conditions
+    /// Plans the next measurement of the study from its diagnosis. The measurement tells apart the
+    /// models that fit or, if only one fits, determines its parameters most precisely. The session
+    /// and the diagnosis must outlive the result.
+    /// @throws InputError where none of the conditions that the instrument can measure is near an
+    ///         earlier simulation run
     NextMeasurement next(const StudyDiagnosis& diagnosis) const;
     NextMeasurement next(StudyDiagnosis&& diagnosis) const = delete;
-    /// Adds an effect to study.toml and fits the study again, with fits before and after the
-    /// change. This session keeps the study without the effect; open a new session for the changed
-    /// study.
+    /// Adds an effect to study.toml and fits the study before and after the change. Where the fit
+    /// after the change does not converge, no file is changed. This session keeps the study without
+    /// the effect; open a new session for the changed study.
+    /// @param effect name of a known effect, or of one in proposed.toml of the results folder
     /// @param same_fidelity whether to use the fidelity (set of simulation settings) of the fit in
     ///        the results folder, if there is one
-    /// @throws InputError where study.toml has changed since the session read it
-    /// @throws whatever `change_study` throws
+    /// @throws InputError where the effect cannot be added, where ladder.json cannot be read, where
+    ///         a fit is impossible, and where study.toml has changed since the session read it
+    /// @throws std::runtime_error where a file cannot be written
+    /// @throws dem::Interrupted where the user stops the work
     ChangedStudy add(const std::string& effect, const FitOptions& fit = {},
                      bool same_fidelity = true) const;
-    /// Removes an effect from study.toml and fits the study again, with the same parameters and
-    /// exceptions as `add`.
+    /// Removes an effect from study.toml and fits the study before and after the change. Where the
+    /// fit after the change does not converge, no file is changed. This session keeps the study
+    /// with the effect; open a new session for the changed study.
+    /// @param effect name of an effect that study.toml lists
+    /// @param same_fidelity whether to use the fidelity (set of simulation settings) of the fit in
+    ///        the results folder, if there is one
+    /// @throws InputError where the study does not list the effect, where ladder.json cannot be
+    ///         read, where a fit is impossible, and where study.toml has changed since the session
+    ///         read it
+    /// @throws std::runtime_error where a file cannot be written
+    /// @throws dem::Interrupted where the user stops the work
     ChangedStudy drop(const std::string& effect, const FitOptions& fit = {},
                       bool same_fidelity = true) const;
 

@@ -13,24 +13,25 @@
 
 namespace pendular {
 
-/// Predicted observables at one state of steady shear, by an emulator trained on the runs of atlas
-/// and store.
+/// Observables predicted at one state of steady shear, by an emulator trained on the runs of the
+/// atlas (the runs that come with the program) and of the store (the user's file of runs).
 struct StatePrediction {
     FlowState state;
-    /// Predicted values of the observables at the state.
+    /// Predicted values of the observables at the state, with their standard errors.
     std::vector<EmulatedObservable> observables;
     /// Stiffness number of the grains for which predictions hold [1].
     double stiffness_number = 1000;
-    /// Coordinates in which the state lies beyond all training runs, as text (`Emulator::beyond`);
-    /// empty: none.
+    /// Text on the friction, inertial number, reduced pressure and bridge volume of the state that
+    /// lie outside their ranges in the training runs, as in "friction 0.9 is above 0.6"; empty
+    /// where none does.
     std::string beyond;
     std::size_t runs = 0;  ///< number of the emulator's training runs
-    /// Values of the closures of Badetti et al. (2018) for a wet state, from the predicted values;
-    /// empty: dry.
+    /// Values of the closures (analytical formulas) of Badetti et al. (2018), computed from the
+    /// predicted observables; empty for a dry state.
     std::optional<closures::ClosureValues> closures = {};
 };
 
-/// Quantity of a state of steady shear that varies along a curve of predictions, with its range.
+/// Quantity that varies along a curve of predicted states, with its first and last value.
 struct VariedQuantity {
     /// Name of the quantity: "friction", "inertial_number", "reduced_pressure", "bridge_volume" or
     /// "liquid_content".
@@ -39,9 +40,12 @@ struct VariedQuantity {
     int points = 60;           ///< number of values of the quantity
     bool logarithmic = false;  ///< whether the values are evenly spaced in the logarithm
 
-    /// Parses a text such as "reduced-pressure=0.5:10", which gives name, first and last value.
-    /// @throws InputError for any other text, a range that does not increase, or fewer than two
-    ///         points
+    /// Parses the name and range of a varied quantity from a text such as
+    /// "reduced-pressure=0.5:10". The values are evenly spaced in the logarithm, except for
+    /// friction and for a range that does not begin above 0.
+    /// @param points number of values along the range
+    /// @throws InputError where the text has another form, where the range does not increase, and
+    ///         where `points` is below 2
     static VariedQuantity parsed(const std::string& text, int points);
     /// Value k of the varied quantity [1], for k from 0 (`from`) to points - 1 (`to`).
     double at(int k) const;
@@ -49,70 +53,83 @@ struct VariedQuantity {
     void set(RequestedState& requested, double value) const;
 };
 
-/// Predictions along a curve of states that differ in one quantity. States that the runs of atlas
-/// and store do not cover are left out.
+/// Predictions along a curve of states that differ in one quantity. States outside the range of the
+/// earlier simulation runs are left out.
 struct PredictionCurve {
-    std::string variable;           ///< name of the varied quantity, as in `VariedQuantity`
-    std::vector<double> at;         ///< value of the varied quantity at each state [1]
-    std::vector<FlowState> states;  ///< states that the runs of atlas and store cover
-    /// Predicted observables of each state.
+    std::string variable;    ///< name of the varied quantity, as in `VariedQuantity`
+    std::vector<double> at;  ///< value of the varied quantity at each predicted state [1]
+    /// Predicted states, in the order of `at`.
+    std::vector<FlowState> states;
+    /// Predicted observables of each state, in the order of `states`.
     std::vector<std::vector<EmulatedObservable>> observables;
-    /// Values of the closures at each state, from the predicted values; empty: dry.
+    /// Values of the closures (analytical formulas) of Badetti et al. (2018) at each state,
+    /// computed from the predicted observables; empty for dry states.
     std::vector<closures::ClosureValues> closures;
     /// Stiffness number of the grains for which predictions hold [1].
     double stiffness_number = 1000;
-    int left_out = 0;          ///< number of states that these runs do not cover
-    std::string why_left_out;  ///< reason why the first state left out is not covered
+    /// Number of states of the curve that are left out, since no earlier simulation run is near
+    /// them.
+    int left_out = 0;
+    /// Reason why the first state that was left out is not covered; empty where none was left out.
+    std::string why_left_out;
 };
 
 /// Predicts steady shear at any state from the runs of the atlas (the runs that come with the
 /// program) and of a store (the user's file of runs), without a study and without new runs.
 class StatePredictor {
   public:
-    /// @param store user's file of runs; may be null
-    /// @param stiffness_number stiffness number of the grains to predict [1], 100 or more
-    /// @throws InputError where atlas and store have too few runs to train an emulator, and
-    ///         whatever `check_stiffness_number` throws
+    /// Trains an emulator on earlier simulation runs: those of the atlas (which come with the
+    /// program) and of the user's store.
+    /// @param fidelity settings of the runs that can be simulated where a state cannot be predicted
+    /// @param store user's file of runs; null: only the atlas is used
+    /// @param stiffness_number stiffness number of the grains to predict [1]
+    /// @throws InputError where there are too few earlier runs to train an emulator, and where the
+    ///         stiffness number is below 100
     StatePredictor(const Fidelity& fidelity, const RunStore* store, double stiffness_number);
     StatePredictor(const StatePredictor&) = delete;
     StatePredictor& operator=(const StatePredictor&) = delete;
 
-    /// Checks that predicted solid fractions can be corrected to this stiffness number [1].
+    /// Checks that solid fractions can be predicted for grains of this stiffness number [1], which
+    /// must be 100 or more.
     /// @throws InputError where the stiffness number is below 100
     static void check_stiffness_number(double stiffness_number);
 
     const Emulator& emulator() const { return emulator_; }
     double stiffness_number() const { return stiffness_number_; }
 
-    /// Whether the runs of atlas and store cover a requested state: the state is within their
-    /// convex hull, and the predicted errors are small enough.
+    /// Whether a requested state can be predicted from the earlier simulation runs: it lies within
+    /// the convex hull of their states, and the predicted errors are small enough.
     /// @throws InputError for a wet state where no earlier run is wet, and for a dry state where no
     ///         earlier run is dry
     bool supports(const RequestedState& requested) const;
-    /// Predicts all observables at a requested state of steady shear.
-    /// @throws InputError where the earlier runs do not support the state, naming the nearest
-    ///         supported state, and where the solid fraction would be impossible
+    /// Predicts all observables, such as stress ratio, solid fraction and coordination numbers, at
+    /// a requested state of steady shear.
+    /// @throws InputError where the state is outside the range of the earlier simulation runs,
+    ///         naming the nearest state within the range, and where the predicted solid fraction is
+    ///         not that of a dense flow
     StatePrediction at(const RequestedState& requested) const;
-    /// Predicts all observables along a curve of states: `requested`, with the varied quantity set
-    /// to each of its values.
-    /// @throws InputError where fewer than two states of the curve lie within the range of the
-    ///         earlier runs (atlas and store), and where a predicted solid fraction is impossible
-    ///         in a dense flow
+    /// Predicts all observables along a curve of states: the state `requested`, with the varied
+    /// quantity set to each of its values. States outside the range of the earlier simulation runs
+    /// are left out.
+    /// @throws InputError where fewer than two states of the curve can be predicted, and where a
+    ///         predicted solid fraction is not that of a dense flow
     PredictionCurve along(RequestedState requested, const VariedQuantity& varied) const;
 
-    /// Values of the closures for the state of a wet run, from what the run measured and the
-    /// predicted stress ratio of dry grains at its friction and inertial number. Empty for a dry
-    /// run, and where the earlier runs do not allow that prediction or an effect of the run acts on
-    /// dry grains too.
+    /// Values of the closures (analytical formulas) of Badetti et al. (2018) for the state of a wet
+    /// run. They are computed from the observables of the run and the stress ratio that the
+    /// emulator predicts for dry grains at the run's friction and inertial number. Empty for a dry
+    /// run, where the earlier runs do not cover that dry state, and where the run has other damping
+    /// than usual or an effect that changes dry flow too.
     std::optional<closures::ClosureValues> closures_of(const dem::RunResult& run) const;
 
-    /// Parameters of the run to simulate for a requested state that cannot be predicted from the
+    /// Parameters of the run that simulates a requested state which cannot be predicted from the
     /// earlier runs.
     /// @throws InputError where the state cannot be simulated
     dem::RunParameters run_for(const RequestedState& requested) const;
 
   private:
-    /// Requested state for grains of `stiffness_number`.
+    /// Requested state in the coordinates of the emulator, for grains of the stiffness number
+    /// `stiffness_number_`.
     FlowState state_of(RequestedState requested) const;
     std::vector<EmulatedObservable> observables_at(const FlowState& state) const;
     std::string unsupported(const RequestedState& requested, const FlowState& state,

@@ -7,11 +7,13 @@
 namespace pendular {
 
 /// JSON of the predictions at one state, as `pendular predict --json` writes it: each observable
-/// with its standard error and its derivatives.
+/// with its standard error and its derivatives by friction, logarithm of inertial number, inverse
+/// reduced pressure and bridge volume.
 nlohmann::ordered_json to_json(const StatePrediction& prediction);
 
-/// JSON of the predictions along a curve of states that differ in one quantity, as `pendular
-/// predict --json` writes it.
+/// JSON of the predictions along a curve, as `pendular predict --along --json` writes it: an array
+/// of states that differ in one quantity, each with its observables, standard errors and
+/// derivatives.
 nlohmann::ordered_json to_json(const PredictionCurve& curve);
 
 /// JSON of a state that was simulated instead of predicted, as `pendular predict --json` writes it:

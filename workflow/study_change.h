@@ -13,7 +13,7 @@
 
 namespace pendular {
 
-/// Kind of change of the effects that a study lists: adding or dropping one effect.
+/// Change of the effects that a study lists: one effect is added or dropped.
 enum class Action { add, drop };
 
 /// Change of the effects that a study lists, checked but not yet written to study.toml.
@@ -33,27 +33,29 @@ struct StudyChange {
 StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect,
                         const std::vector<WrittenEffect>& proposed = {});
 
-/// Calibration of a study before or after a change of effects, compared with the readings.
+/// Calibration of a study before or after an effect was added or dropped, compared with the
+/// readings.
 struct Fitted {
     Calibration calibration;
     Comparison comparison;
     /// Summary of the fit, for the ladder (sequence of the study's models).
     LadderStep ladder_step;
-    /// Judgement whether the fit can be believed; only made after the change.
+    /// Judgement whether the fit can be believed; empty for a fit before the change.
     Belief belief = {};
-    /// Number of conditions in cross-validation, each predicted by a refit to the other conditions;
-    /// 0: too few.
+    /// Number of conditions in the cross-validation, each predicted by a fit to the other
+    /// conditions; 0: there are too few conditions for a cross-validation.
     std::size_t left_out = 0;
-    /// Number of these conditions without which the other readings do not determine every parameter
-    /// of the model.
+    /// Number of conditions in the cross-validation without which the other readings do not
+    /// determine every parameter of the model.
     std::size_t undetermined = 0;
 };
-/// Compares a calibration with all readings of the study, and computes its cross-validation errors
-/// (each condition predicted by a fit to the other conditions).
+/// Compares a calibration with all readings of the study, and computes its cross-validation errors:
+/// the errors of each condition when it is predicted by a fit to the other conditions.
 Fitted fitted(const ResolvedStudy& study, Calibration calibration);
 
-/// JSON of a change of effects, with the model's errors before and after, as `pendular add --json`
-/// and `pendular drop --json` write it. `written`: whether study.toml was changed.
+/// JSON of a change of the effects that a study lists, as `pendular add --json` and `pendular drop
+/// --json` write it: the effect, and the model's parameters and errors before and after.
+/// @param written whether study.toml was changed
 nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before,
                                const LadderStep& after, bool written);
 
@@ -67,7 +69,7 @@ nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& befo
 void apply_change(const StudyChange& change, const LadderStep& before, LadderStep after,
                   const Fitted& fit, Ladder& ladder, const std::filesystem::path& folder);
 
-/// Result of a change of the effects that a study lists: its fits before and after the change.
+/// Result of adding or dropping an effect of a study: the fits before and after the change.
 struct ChangedStudy {
     StudyChange change;
     /// Fit of the study before the change. Where the study after the change fits all readings and
@@ -89,19 +91,22 @@ struct ChangedStudy {
 /// Options for fitting a study before and after a change of its effects.
 struct ChangeOptions {
     FitOptions fit = {};  ///< options of the fits
-    /// Whether to use the fidelity (simulation settings) of the fit in `folder`.
+    /// Whether to use the fidelity (set of simulation settings) of the fit in `folder`, if there is
+    /// one.
     bool same_fidelity = true;
     std::filesystem::path folder;  ///< results folder, with the results of earlier commands
 };
 
 /// Adds an effect to a study or drops one, and fits the study before and after the change. The fit
-/// before is the one in the results folder where its settings are comparable, else a new one. Then
-/// fit.json and ladder.json are written to the folder and, last, study.toml. Nothing is written
-/// where the fit after the change does not converge.
+/// before is read from the results folder if it was made with comparable settings, else it is made
+/// anew. Then fit.json and ladder.json are written to the folder and, last, study.toml. Nothing is
+/// written where the fit after the change does not converge.
+/// @param effect name of the effect; to add, also one that proposed.toml of the results folder
+///        defines
 /// @throws InputError where the effect cannot be added or dropped, where ladder.json cannot be
 ///         read, where a fit is impossible, and where study.toml has changed since it was read
 /// @throws std::runtime_error where a file cannot be written; study.toml is then unchanged
-/// @throws dem::Interrupted where the user stops the work, with how to continue
+/// @throws dem::Interrupted where the user stops the work; the message says how to continue
 ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measurements,
                           Action change, const std::string& effect, SessionOptions session,
                           const ChangeOptions& options);

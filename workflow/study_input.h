@@ -37,20 +37,21 @@ struct OutputPlaces {
 };
 
 /// Checks, before long work, that output replaces none of the files that a study was read from
-/// (study.toml, its recordings, and links to these files), and that no `file` pattern of the study
-/// would read an output as a measurement.
-/// @throws InputError where an output would replace an input or match a pattern; the message names
-///         both and says what to do
+/// (study.toml, its recordings, and links to these files), that no link leads an output out of the
+/// results folder, and that no `file` pattern of the study would read an output as a measurement.
+/// @throws InputError where an output would replace an input, leave the folder or match a pattern;
+///         the message says what to do
 void protect_inputs(const Study& study, const OutputPlaces& outputs);
 
-/// Reads a study and its recordings, after checking that the files a command will write (`outputs`)
-/// do not replace them.
+/// Reads a study and its recordings, after checking that the files which a command will write
+/// (`outputs`) do not replace them.
 /// @param file study.toml, or the folder that contains it
 /// @throws InputError where a file of the study or an effect that it lists is wrong, and where an
-///         output would replace an input or be read as one
+///         output would replace a file of the study or be read as a measurement
 StudyInput read_input(const std::filesystem::path& file, const OutputPlaces& outputs);
 
-/// Cell of the study in the folder of a file; empty if there is no study, or none that can be read.
+/// Returns the shear cell that study.toml in the folder of `file` describes. Empty where there is
+/// no study.toml, where it cannot be read, and where it describes no cell.
 std::optional<AnnularCell> cell_beside(const std::filesystem::path& file);
 
 }  // namespace pendular

@@ -7,17 +7,18 @@
 
 namespace pendular::app {
 
-/// A command of the program with all that its manual page and its completion show.
+/// Command of the program with the texts and options that its manual page and its completion in a
+/// shell show.
 struct DeclaredCommand {
     std::string name, summary;
-    const char* heading;  ///< of the group of commands that it belongs to
+    const char* heading;  ///< heading of the group to which the command belongs
     CommandDeclaration declaration;
 
-    /// All its options, those that every command has last.
+    /// Returns all options of the command; the options that every command has come last.
     std::vector<OptionDeclaration> options() const;
 };
 
-/// All commands of the program, in the order of the program's overview.
+/// Returns all commands of the program, in the order of its help text.
 std::vector<DeclaredCommand> declared_commands();
 
 }  // namespace pendular::app

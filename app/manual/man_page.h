@@ -7,18 +7,19 @@
 
 namespace pendular::app {
 
-/// Statements of the first line of a manual page.
+/// Date and version that the first line of a manual page states.
 struct ManHeading {
-    std::string date;     ///< year-month-day
-    std::string version;  ///< of the program
+    std::string date;     ///< date, as year-month-day
+    std::string version;  ///< version of the program
 };
 
-/// Manual page of the program, pendular(1), in roff: its commands by group and its exit codes.
+/// Returns the manual page of the program, pendular(1), in roff: its commands by group and its exit
+/// codes.
 std::string man_page_of_program(const std::vector<DeclaredCommand>& commands,
                                 const ManHeading& heading);
 
-/// Manual page of a command, pendular-COMMAND(1), in roff, with the texts of its help: usage,
-/// description, options and examples.
+/// Returns the manual page of one command, pendular-COMMAND(1), in roff, with the texts of its
+/// help: usage, description, options and examples.
 std::string man_page_of(const DeclaredCommand& command, const ManHeading& heading);
 
 }  // namespace pendular::app

@@ -4,7 +4,7 @@
 
 namespace pendular::app {
 
-/// Answer to a request of a browser: HTTP status, and text to show.
+/// Answer of the server to a request of a browser: HTTP status, and a text that the page shows.
 struct Answer {
     int status = 200;
     std::string text;

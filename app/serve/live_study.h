@@ -21,13 +21,16 @@
 
 namespace pendular::app {
 
-/// Work on a study that is served. All functions but `look` are called by one thread at a time.
+/// Functions by which a served study does its work. One thread at a time calls them; only `look` is
+/// called by several threads at once.
 struct StudyWork {
-    /// Stamps of the study's files, without much work; called by several threads.
+    /// Returns size, time and number of each file of the study, from which changes are found; takes
+    /// little time.
     std::function<StudyStamps()> look;
-    /// Makes the page of the study with this version.
+    /// Computes the results of the study and returns the page that shows them, with this version
+    /// number.
     std::function<StudyPage(std::size_t version, const std::stop_token&, const Listener&)> page;
-    /// Stores a recording: name and content of the file.
+    /// Stores a recording in the study, given the name and the content of its file.
     std::function<Answer(const std::string& name, const std::string& bytes)> store;
     /// Adds an effect to the study or drops one.
     std::function<Answer(Action, const std::string& effect, const std::stop_token&,
@@ -35,35 +38,42 @@ struct StudyWork {
         change;
     /// Prints one line on the console.
     std::function<void(const std::string&)> print;
-    /// Time between two looks at the study's files.
+    /// Time between two checks of the study's files for changes [ms].
     std::chrono::milliseconds interval{1000};
 };
 
-/// Study that is served: makes its page again whenever its files change, stores recordings, and
-/// changes effects. One thread does this work (`run`); other threads take the finished page and
-/// leave requests.
+/// Study that `pendular serve` shows: makes its page again whenever its files change, stores
+/// recordings, and adds and drops effects. One thread does this work (`run`). Other threads take
+/// the finished page and leave requests.
 class LiveStudy {
   public:
-    /// @param first_page page until the first results are there, of version 0
+    /// Prepares the work on a study; `run` begins it.
+    /// @param first_page page, of version 0, that is shown until the first results are there
     LiveStudy(StudyWork work, std::string first_page);
     LiveStudy(const LiveStudy&) = delete;
     LiveStudy& operator=(const LiveStudy&) = delete;
 
-    /// Works until a stop is requested. Work in progress ends at its next clean point.
+    /// Does the work on the study until a stop is requested. Work in progress then ends at its next
+    /// clean point.
     void run(const std::stop_token& end);
 
-    /// The last good page.
+    /// Returns the newest page that was made without an error, as HTML.
     std::shared_ptr<const std::string> page() const;
-    /// JSON for open pages: `version` and time of the page, what is being computed with its share,
-    /// `trouble` that keeps the page from following, and the last events.
+    /// Returns JSON that open pages ask for: version and time of the newest page, what is being
+    /// computed with its share, the error that keeps the page from following the files (`trouble`),
+    /// and up to 20 recent events.
     std::string state() const;
 
-    /// Stores a recording and returns the answer; waits until other work has ended. The making of a
-    /// page is broken off for it.
+    /// Stores a recording in the study and returns the answer for the browser. Waits until other
+    /// work has ended; the making of a page is broken off for it. The status is that of
+    /// `StudyWork::store`, 422 where storing failed, and 503 where too many requests wait or the
+    /// program ends.
+    /// @param name name of the file
+    /// @param bytes content of the file
     Answer receive(std::string name, std::string bytes);
-    /// Starts to add an effect to the study or to drop one, and returns at once: status 202 where
-    /// the work was started, 409 while another effect is being added or dropped, 503 where too many
-    /// requests wait. The outcome is later among the events of `state`.
+    /// Starts to add an effect to the study or to drop one, and returns at once. The status is 202
+    /// where the work was started, 409 while another effect is being added or dropped, and 503
+    /// where too many requests wait. The outcome is among the later events of `state`.
     Answer change(Action action, const std::string& effect);
 
   private:
@@ -78,32 +88,37 @@ class LiveStudy {
     void make_page(const std::stop_token& end);
     void take_page(StudyPage page);
     void take_trouble(const std::string& text);
-    /// Notes an outcome on the console and for open pages.
+    /// Prints the outcome of making a page on the console, and adds it to the events for open
+    /// pages.
     void tell_outcome(const std::string& line, const std::string& event, bool ok);
     Answer change_now(Action action, const std::string& effect, const std::stop_token& end);
     void watch(const std::stop_token& over);
     void begin(const std::string& sentence);
-    /// Listener that keeps the progress for open pages.
+    /// Returns a listener that stores the progress of the work for open pages.
     Listener progress();
     void add_event(const std::string& text, bool of_effect, bool ok);
     std::optional<std::future<Answer>> queue(std::function<Answer()> work);
     void end_jobs();
 
     const StudyWork work_;
-    mutable std::mutex mutex_;  ///< guards all that follows
+    /// Guards all members below.
+    mutable std::mutex mutex_;
     std::condition_variable_any wake_;
     std::shared_ptr<const std::string> page_;
     std::size_t version_ = 0;
     std::string made_, trouble_, sentence_;
     std::optional<double> share_;
     bool working_ = false, changing_ = false, ended_ = false;
-    bool stale_ = true;           ///< whether files differ from those of the last page
-    StudyStamps made_from_;       ///< stamps when the last page was begun
-    StudyStamps told_;            ///< stamps of the last page whose outcome was told
-    std::stop_source page_stop_;  ///< breaks off the page that is being made
-    std::stop_token end_;         ///< end of all work
+    bool stale_ = true;  ///< whether files differ from those of the last page
+    /// State of the files when the newest page was begun.
+    StudyStamps made_from_;
+    /// State of the files of the last page whose outcome was printed.
+    StudyStamps told_;
+    std::stop_source page_stop_;  ///< stops the making of the page in progress
+    /// Requests that all work ends.
+    std::stop_token end_;
     std::deque<Job> jobs_;
-    std::deque<Happening> events_;  ///< the last ones, oldest first
+    std::deque<Happening> events_;  ///< recent events, the oldest first
     std::size_t events_so_far_ = 0;
 };
 

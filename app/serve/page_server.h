@@ -7,21 +7,23 @@
 
 namespace pendular::app {
 
-/// HTTP server of a study for browsers on this computer. It is bound to 127.0.0.1 and answers only
-/// the requests that `check_request` lets pass.
+/// HTTP server that shows the page of a study to browsers on this computer. It is bound to the
+/// address 127.0.0.1 and answers only requests that `check_request` accepts.
 class PageServer {
   public:
-    /// Binds a port, and draws the token of the address.
-    /// @param port 0: any free port
+    /// Binds a port of this computer, and chooses a random token, a secret part of the address.
+    /// @param port port number; 0: any free port
     /// @throws InputError where the port is taken or not permitted
+    /// @throws std::runtime_error where the system gives no random numbers
     explicit PageServer(int port);
     PageServer(const PageServer&) = delete;
     PageServer& operator=(const PageServer&) = delete;
-    /// Ends the server, after requests that are being answered.
+    /// Stops the server after the requests that are being answered.
     ~PageServer();
 
     const ServerAddress& address() const;
-    /// Begins to answer requests, in threads of the server. The study must outlive the server.
+    /// Starts to answer requests on a study, in threads of the server. The study must outlive the
+    /// server.
     void start(LiveStudy& study);
 
   private:

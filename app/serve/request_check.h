@@ -6,8 +6,8 @@
 
 namespace pendular::app {
 
-/// Parts of an HTTP request that decide whether a server answers it. A header that the request
-/// lacks is empty.
+/// Parts of an HTTP request by which a server decides whether to answer it. A header that the
+/// request lacks is empty.
 struct RequestHead {
     std::string method;  ///< GET or POST, for example
     std::string target;  ///< path and query as they were sent: "/TOKEN/state"
@@ -24,7 +24,7 @@ struct ServerAddress {
     std::string text() const;
 };
 
-/// Things that a server of a study can be asked for.
+/// Pages and actions that a browser can request from the server of a study.
 enum class Route {
     page,       ///< GET /TOKEN/: the page of the study
     state,      ///< GET /TOKEN/state: version of the page, progress and events, as JSON
@@ -32,25 +32,25 @@ enum class Route {
     change      ///< POST /TOKEN/change: adds an effect to the study or drops one
 };
 
-/// Reason why a request is not answered, with its HTTP status.
+/// Answer to a request that the server does not accept: HTTP status, and the reason as text.
 struct Refusal {
     int status = 403;
     std::string reason;
 };
 
-/// Checks a request before anything of it is used. A page of another site in the user's browser
-/// knows no token, and a site whose name was made to lead to this computer sends another Host.
-/// Returns what the request asks for, or a refusal: 403 for another host, another origin or a wrong
-/// token, 405 for a method other than GET and POST, 400 for a path with "..", "%" or "\", 404 for
-/// other paths. Changes need the token in the header X-Pendular-Token too, which no other site can
-/// set.
+/// Returns what an HTTP request asks for, or a refusal. The checks keep out web sites that the
+/// user's browser shows: a page of another site knows no token, and a site whose name leads to this
+/// computer sends another Host. Refusals: 403 for another host, another origin or a wrong token;
+/// 405 for a method other than GET and POST; 400 for a path with "..", "%" or "\"; 404 for other
+/// paths. A POST needs the token in the header X-Pendular-Token too, which no other site can set.
 std::variant<Route, Refusal> check_request(const RequestHead& request,
                                            const ServerAddress& address);
 
-/// Whether two texts are equal. The time that this takes does not depend on where they differ.
+/// Whether two texts are equal. The computing time does not depend on where they differ, so that it
+/// does not help to guess a secret.
 bool equal_in_constant_time(std::string_view a, std::string_view b);
 
-/// Random secret of 256 bits from the operating system, as 64 hexadecimal digits.
+/// Returns a random secret of 256 bits from the operating system, as 64 hexadecimal digits.
 /// @throws std::runtime_error where the system gives no random numbers
 std::string new_token();
 

@@ -11,37 +11,42 @@
 
 namespace pendular::app {
 
-/// Size, time of change and number of a file on its disk; at least one of them differs after the
-/// file was written or replaced.
+/// Size, time of change and inode number of a file, to find out whether the file has changed. At
+/// least one of them differs after the file was written or replaced.
 struct FileStamp {
-    std::int64_t size = 0;                      ///< [bytes]
-    std::int64_t seconds = 0, nanoseconds = 0;  ///< time of the last change
+    /// Size of the file [bytes].
+    std::int64_t size = 0;
+    /// Time of the last change since 1970 [s], and its fraction [ns].
+    std::int64_t seconds = 0, nanoseconds = 0;
+    /// Inode number of the file on its disk.
     std::uint64_t number = 0;
     bool operator==(const FileStamp&) const = default;
 };
 
-/// Stamps of the files on which the page of a study rests, by path.
+/// State of the files from which the page of a study is made: size, time of change and inode number
+/// of each file, by its path.
 struct StudyStamps {
     std::map<std::string, FileStamp> inputs;   ///< study.toml and the measurements
-    std::map<std::string, FileStamp> results;  ///< files of the results folder
+    std::map<std::string, FileStamp> results;  ///< fit.json and ladder.json
     bool operator==(const StudyStamps&) const = default;
 };
 
-/// Differences between two looks at a study, one phrase each: "dry_4.csv is new", "study.toml has
-/// changed" or "dry_2.csv is gone"; new files come first. Results are named only where no input
-/// differs.
+/// Returns phrases that name the files of a study which differ between two states: "dry_4.csv is
+/// new", "study.toml has changed" or "dry_2.csv is gone", new files first. Results are named only
+/// where study.toml and the measurements are unchanged.
 std::vector<std::string> changes_between(const StudyStamps& before, const StudyStamps& after);
 
-/// Looks for changes of the files on which the page of a study rests: study.toml, the measurements
-/// that its patterns match (within the study's folder, unless the study allows others), and two files of the results folder.
-/// Any thread may look.
+/// Finds changes of the files from which the page of a study is made: study.toml, the measurements
+/// that its patterns match (within the study's folder, unless the study allows others), and
+/// fit.json and ladder.json of the results folder. Several threads may use it at once.
 class StudyWatch {
   public:
+    /// Sets the files to watch; `look` reads their state.
     /// @param study folder of the study, or its study.toml
     /// @param results folder for results
     StudyWatch(std::filesystem::path study, std::filesystem::path results);
-    /// Present stamps of the files. While study.toml cannot be read, its last readable patterns are
-    /// used.
+    /// Returns the present state of the files. While study.toml cannot be read, the patterns of its
+    /// last readable version are used.
     StudyStamps look();
 
   private:
@@ -50,7 +55,8 @@ class StudyWatch {
     std::filesystem::path file_;  ///< study.toml
     std::filesystem::path results_;
     std::mutex mutex_;
-    FileStamp stamp_;  ///< stamp of study.toml when `patterns_` were read
+    /// State of study.toml when `patterns_` were read from it.
+    FileStamp stamp_;
     std::vector<std::string> patterns_;
 };
 

@@ -6,18 +6,21 @@
 
 namespace pendular {
 
-/// Numbers of a page as bytes, little-endian, which a page embeds in base64.
+/// Collects numbers as bytes, little-endian, which an HTML page then embeds as base64 text.
 class Bytes {
   public:
     void add(float value) { append(&value, sizeof value); }
     void add(std::int16_t value) { append(&value, sizeof value); }
-    /// Adds the lowest `width` bytes of a number.
+    /// Adds the lowest `width` bytes (1, 2 or 4) of a number.
     void add_unsigned(std::uint32_t value, int width) {
         append(&value, static_cast<std::size_t>(width));
     }
+    /// Adds each value as a 32-bit float.
     void add_floats(const Eigen::VectorXd& values);
-    /// Adds the largest magnitude as a scale, then all values as 16-bit parts of it.
+    /// Adds the largest magnitude of the values as a 32-bit float, the scale, then each value as
+    /// the 16-bit integer 32767 value/scale, rounded.
     void add_scaled(const Eigen::VectorXd& values);
+    /// Returns all bytes added so far as base64 text.
     std::string base64() const;
 
   private:

@@ -8,31 +8,38 @@
 
 namespace pendular {
 
-/// Readings of a page's panel that differ in one quantity along the x axis only, with points of a
-/// curve through their conditions.
+/// One series of readings in a panel of the page of a study, with the points of a model curve
+/// through their conditions. The readings differ only in the quantity along the x axis.
 struct PageSeries {
-    std::string label;                 ///< quantity that tells the series from others, with unit
-    std::vector<std::size_t> members;  ///< indices of the readings, by rising x
-    std::vector<double> x;             ///< x of the points of the curve; empty: no curve
-    std::vector<Condition> along;      ///< conditions of these points
+    /// Quantity by which the series differs from others, with its unit.
+    std::string label;
+    /// Indices of the readings in the study, in the order of rising x.
+    std::vector<std::size_t> members;
+    /// Values on the x axis of the points of the curve; empty: no curve.
+    std::vector<double> x;
+    /// Conditions of the points of the curve, in the order of `x`.
+    std::vector<Condition> along;
 };
 
-/// Panel of a page that shows measured and predicted stress ratios or solid fractions.
+/// Panel (pair of axes) of the page of a study that shows measured and predicted stress ratios or
+/// solid fractions.
 struct PagePanel {
     std::string title, x_label;
     bool log_x = false;
-    std::vector<double> x;  ///< x of each reading of the study; NaN where it is in no series
+    /// Value on the x axis of each reading of the study; not a number for readings in none of
+    /// `series`.
+    std::vector<double> x;
     std::vector<PageSeries> series;
 };
 
-/// Divides the readings of a study into panels: dry readings against normal stress or inertial
-/// number, whichever varies more, and wet readings against 1/P*, the inverse reduced pressure. A
-/// panel has a series for each value of the other quantities. Readings at one place along the x
-/// axis whose beads or heights differ are divided by the mass of the beads or by file, since
-/// a curve through their mean would pass none of them.
+/// Divides the readings of a study into panels of its page: dry readings against normal stress or
+/// inertial number, whichever varies more, and wet readings against 1/P*, the inverse of the
+/// reduced pressure. A panel has one series for each value of the other quantities. If readings
+/// with equal x have different bead masses or heights, a series is divided by bead mass or by file,
+/// since a curve through their mean would pass through none of them.
 std::vector<PagePanel> page_panels(const std::vector<Reading>& readings, const Study& study);
 
-/// Conditions of the points of all curves of panels, in the order of panels and series.
+/// Returns the conditions of the points of all curves, in the order of panels, series and points.
 std::vector<Condition> points_of_curves(const std::vector<PagePanel>& panels);
 
 }  // namespace pendular

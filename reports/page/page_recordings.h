@@ -12,33 +12,41 @@
 
 namespace pendular {
 
-/// A recording as a page shows it: its course, thinned, and the windows that are averaged.
+/// Recording as the page of a study shows it: stresses against the row, thinned to a few hundred
+/// points, and the ranges of rows that are averaged.
 struct PageRecording {
-    /// Shear stress or normal stress against the number of the row, from 1.
+    /// Shear stress [Pa] or normal stress [Pa] (torque [N m] or normal force [N] if the file has no
+    /// stresses) against the number of the row, from 1.
     struct Course {
         std::string label;  ///< quantity with its unit
         std::vector<std::pair<std::size_t, double>> points;
-        std::vector<std::optional<double>> means;  ///< one for each window
+        /// Mean over each of `windows`; empty where no value in the window is known.
+        std::vector<std::optional<double>> means;
     };
-    std::string file;                     ///< as in the origins of its readings
-    std::vector<Course> courses;          ///< shear first; those without a known value left out
-    std::vector<AveragedWindow> windows;  ///< rows that are averaged
+    std::string file;  ///< path of the file, as in the origins of its readings
+    /// Course of the shear stress, then of the normal stress; a course without a known value is
+    /// left out.
+    std::vector<Course> courses;
+    std::vector<AveragedWindow> windows;  ///< ranges of rows that are averaged
 };
 
-/// A recording as a page shows it, from the file, the study's readings and the rows that the study
-/// left out.
-/// @param most largest number of points of a course (`points_of_recordings`)
+/// Returns a recording as the page of a study shows it.
+/// @param readings readings of the study; readings of other files are ignored
+/// @param excluded rows that the study left out
+/// @param most largest number of points of a course
 PageRecording page_recording(const FileView& view, const std::vector<Reading>& readings,
                              const std::vector<Excluded>& excluded, std::size_t most);
 
-/// Number of points of each course on a page with so many recordings: 400, and fewer where the page
-/// would become large.
+/// Largest number of points of each course on a page with this number of recordings: 400, and down
+/// to 20 where the page would become large.
 std::size_t points_of_recordings(std::size_t recordings);
 
-/// JSON of recordings for a page: name; parts with label and base64 of points; windows with first
-/// and last row, text on their kind, index of the reading that averages the rows (null: none), and
-/// mean in each part. A point is the number of rows since the point before it (`width` bytes) and a
-/// 16-bit number k, both unsigned and little-endian: the value is low + range k/65535.
+/// JSON of recordings for the page of a study. Each recording has its name, `parts` (courses) and
+/// `windows` (ranges of rows that are averaged). A part has a label and the base64 of its points:
+/// for each point, the number of rows since the point before it (`width` bytes) and a 16-bit number
+/// k, both unsigned and little-endian; the value is low + range k/65535. A window has its first and
+/// last row, a text on its kind, the index of the reading that averages the rows (null: none), and
+/// the mean in each part.
 /// @param readings all readings that the page shows
 nlohmann::ordered_json recordings_json(const std::vector<PageRecording>& recordings,
                                        const std::vector<Reading>& readings);

@@ -4,7 +4,7 @@
 
 namespace pendular {
 
-/// Text for a page: "+-" becomes a plus-minus sign.
+/// Returns a text for an HTML page, with each "+-" replaced by a plus-minus sign.
 std::string page_text(std::string text);
 
 }  // namespace pendular

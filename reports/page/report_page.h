@@ -16,43 +16,46 @@
 
 namespace pendular {
 
-/// Results on a study that its page shows.
+/// Results on a study that are shown on its HTML page.
 struct PageContent {
-    std::string study;                        ///< name of the study
-    std::string study_argument;               ///< study as the user named it, for commands
-    const ResolvedStudy& resolved;            ///< the study with its catalogue of effects
-    const Measurements& measurements;         ///< readings with their doubts and notes
-    const StudyDiagnosis& diagnosis;          ///< verdict, tests and refitted models
-    Checks checks;                            ///< where the model fails
+    std::string study;              ///< name of the study
+    std::string study_argument;     ///< study as the user named it, for commands
+    const ResolvedStudy& resolved;  ///< the study with its catalogue of effects
+    /// Readings, with reasons to doubt some of them and notes.
+    const Measurements& measurements;
+    const StudyDiagnosis& diagnosis;  ///< verdict, tests and refitted models
+    Checks checks;                    ///< tests of the residuals, which show where the model fails
     std::optional<ImpactTable> impacts = {};  ///< shifts of the friction; empty: not computed
     Ladder ladder = {};                       ///< sequence of the study's models; may be empty
     std::vector<std::string> next = {};       ///< lines on the next measurement; empty: none
     SwitchedModels switched;                  ///< all combinations of the leading effects
-    std::vector<PagePanel> panels;            ///< panels with the curves of `switched`
-    std::string version;                      ///< version of the program
-    SessionOptions options;                   ///< fidelity and seed of the results
+    /// Panels of readings, with the curves of the models in `switched`.
+    std::vector<PagePanel> panels;
+    std::string version;      ///< version of the program
+    SessionOptions options;   ///< fidelity and seed of the results
     std::size_t runs = 0;     ///< number of simulation runs that the emulator was trained on
     bool calibrated = false;  ///< whether the results folder has a fit of the study
-    /// Version of the page that a server on this computer hands out; empty: a page without a
-    /// server.
+    /// Number of the page among those that a server on this computer hands out; empty: a page
+    /// without a server.
     std::optional<std::size_t> served_version = {};
 
     /// Courses of the study's recordings with the rows that are averaged; may be empty.
     std::vector<PageRecording> recordings = {};
 };
 
-/// Page on a study as one HTML file without references to others: verdict, figures with switches
-/// for the leading effects and sliders for the parameters, fit, effects, impacts, ladder, next
-/// measurement and provenance.
+/// Returns the page of a study as one HTML file that needs no other files: verdict, figures with
+/// switches for the leading effects and sliders for the parameters, fit, effects, impacts, ladder,
+/// next measurement and provenance.
 std::string report_page(const PageContent& content);
 
-/// Page of a server whose first results on a study are not there yet.
+/// Returns the HTML page that a server shows until the first results on a study exist.
 /// @param study name of the study
 /// @param version version of the program
 std::string waiting_page(const std::string& study, const std::string& version);
 
-/// Content-Security-Policy of a page, which permits no source besides the page itself. If `served`,
-/// the page's script may send requests to the server that the page came from.
+/// Returns the Content-Security-Policy of a page, which permits the browser to load nothing from
+/// other sources.
+/// @param served whether the page's script may send requests to the server that the page came from
 std::string page_policy(bool served);
 
 }  // namespace pendular

@@ -13,7 +13,7 @@
 
 #include "tests/support/data_support.h"
 
-/// Content of a file; empty where there is none.
+/// Returns the content of a file; empty where the file does not exist.
 inline std::string content_of(const std::filesystem::path& file) {
     std::ifstream stream(file);
     std::ostringstream text;
@@ -27,8 +27,9 @@ struct Outcome {
     std::string output, errors;
 };
 
-/// SQLite file for the runs that tests store, in a temporary folder of this process. Names the file
-/// in $PENDULAR_STORE, so that no test changes the user's store.
+/// Returns the path of the SQLite file for the simulation runs of tests, in a temporary folder of
+/// this process. The first call also names the file in $PENDULAR_STORE, so that no test changes the
+/// user's store.
 inline const std::filesystem::path& test_store() {
     static const pendular::TemporaryFolder folder;
     static const std::filesystem::path file = [] {
@@ -39,7 +40,8 @@ inline const std::filesystem::path& test_store() {
     return file;
 }
 
-/// Runs `pendular` with `words` in a shell, as a user would.
+/// Runs the `pendular` program in a shell, as a user would.
+/// @param words words after the program's name, as the shell reads them
 inline Outcome run_pendular(const std::string& words) {
     test_store();
     const pendular::TemporaryFolder folder;
@@ -51,14 +53,17 @@ inline Outcome run_pendular(const std::string& words) {
             content_of(folder.path() / "err")};
 }
 
-/// Expects that `pendular` refuses `words` with exit code 2 and prints `why` on standard error.
+/// Expects that `pendular` refuses a command line with exit code 2.
+/// @param words words after the program's name
+/// @param why text that the program must print on standard error
 inline void expect_refused(const std::string& words, const std::string& why) {
     const Outcome run = run_pendular(words);
     EXPECT_EQ(run.code, 2) << words;
     EXPECT_THAT(run.errors, testing::HasSubstr(why));
 }
 
-/// JSON that `pendular` prints for a command that must succeed.
+/// Returns the JSON that `pendular` prints for a command, and expects that the command succeeds.
+/// @param command words after the program's name, without --json
 inline nlohmann::json json_of(const std::string& command) {
     const Outcome outcome = run_pendular(command + " --quiet --json -");
     EXPECT_EQ(outcome.code, 0) << outcome.errors;

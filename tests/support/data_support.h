@@ -18,10 +18,11 @@
 
 namespace pendular {
 
-/// Published recording of an instrument, by its path in the folder that $PENDULAR_SAMPLES names;
-/// empty where the variable is not set. The project does not ship these files, since their origins
-/// name no licence.
-/// @throws std::runtime_error where the folder lacks the file
+/// Returns the path of a published recording of an instrument. The recordings are not part of the
+/// project, since their origins name no licence. Empty where $PENDULAR_SAMPLES, the folder of these
+/// files, is not set.
+/// @param name path of the recording in this folder
+/// @throws std::runtime_error where the folder does not contain the recording
 inline std::optional<std::filesystem::path> published_sample(const std::string& name) {
     const char* const samples = std::getenv("PENDULAR_SAMPLES");
     if (!samples) return std::nullopt;
@@ -30,12 +31,13 @@ inline std::optional<std::filesystem::path> published_sample(const std::string& 
     return file;
 }
 
-/// File of tests/data/formats, which looks like an export of an instrument.
+/// Returns the path of a file of tests/data/formats, written for tests to look like the export of
+/// an instrument.
 inline std::filesystem::path look_alike(const std::string& name) {
     return std::filesystem::path(PENDULAR_SOURCE_DIR) / "tests/data/formats" / name;
 }
 
-/// New temporary folder, removed with all files at the end of the object's life.
+/// Temporary folder that is new at construction and removed with all files at destruction.
 class TemporaryFolder {
   public:
     TemporaryFolder()
@@ -49,7 +51,7 @@ class TemporaryFolder {
 
     const std::filesystem::path& path() const { return path_; }
 
-    /// Writes a file in the folder and returns its path.
+    /// Writes a file to the folder and returns its path.
     std::filesystem::path write(const std::string& name, const std::string& content) const {
         std::ofstream(path_ / name, std::ios::binary) << content;
         return path_ / name;
@@ -76,8 +78,9 @@ inline std::string input_error(const std::function<void()>& action) {
     return "";
 }
 
-/// Autoregressive series x_t = rho x_(t-1) + noise of `n` values with standard deviation 1. The
-/// variance of its mean is about (1 + rho)/(1 - rho)/n.
+/// Returns `n` values of an autoregressive series with mean 0 and standard deviation 1,
+///     x_t = rho x_(t-1) + noise.
+/// The variance of the mean of the values is about (1 + rho)/(1 - rho)/n.
 inline std::vector<double> autoregressive(std::size_t n, double rho, std::mt19937_64& random) {
     std::normal_distribution<double> normal;
     std::vector<double> series(n);
@@ -89,7 +92,8 @@ inline std::vector<double> autoregressive(std::size_t n, double rho, std::mt1993
     return series;
 }
 
-/// Copies an example study, without results, to a folder, and returns the path of the copy.
+/// Copies an example study, without its results, to a folder, and returns the path of the copy.
+/// @param name name of the study's folder in `examples`
 inline std::filesystem::path copied_example(const std::string& name, const TemporaryFolder& to) {
     const auto study = to.path() / "study";
     std::filesystem::copy(std::filesystem::path(PENDULAR_SOURCE_DIR) / "examples" / name, study,

@@ -15,11 +15,11 @@
 // with the program.
 namespace pendular {
 
-/// Friction coefficient that tests take as the truth [1].
+/// Friction coefficient from which tests predict readings, and which fits must find again [1].
 constexpr double planted_friction = 0.12;
 
-/// Study without readings: 500 um grains, a liquid and an annular cell. `base` is the base model,
-/// "dem" or "rumpf".
+/// Returns a study without readings: 500 um grains, a liquid and an annular cell.
+/// @param base base model, "dem" (simulations) or "rumpf" (analytical formulas)
 inline Study study_with(const std::string& base) {
     Study study;
     study.grains = {.diameter = 500e-6, .density = 1050};
@@ -29,8 +29,8 @@ inline Study study_with(const std::string& base) {
     return study;
 }
 
-/// Conditions of the virtual laboratory at two inertial numbers, dry and wet, and conditions at a
-/// lower liquid content.
+/// Returns conditions of readings: dry and wet, at two inertial numbers, normal stresses of 300 to
+/// 3000 Pa and liquid contents of 0.004, 0.007 and 0.03. The times are 30 s apart.
 inline std::vector<Condition> conditions() {
     std::vector<Condition> all;
     double time = 0;
@@ -55,8 +55,8 @@ inline std::vector<Condition> conditions() {
     return all;
 }
 
-/// The conditions of `conditions()`. Every other one is a point of failure where an effect acts on
-/// these alone.
+/// Returns the conditions at which a model with these effects is tested: those of `conditions()`.
+/// If an effect acts on points of failure only, every other condition is a point of failure.
 inline std::vector<Condition> conditions_for(const std::vector<const Effect*>& effects) {
     std::vector<Condition> all = conditions();
     const bool at_failure = std::ranges::any_of(
@@ -66,7 +66,8 @@ inline std::vector<Condition> conditions_for(const std::vector<const Effect*>& e
     return all;
 }
 
-/// Models of a study with any effects, predicted by the emulator of all atlas runs.
+/// Models of one study with any set of effects, predicted by an emulator that is trained on all
+/// runs of the atlas (the runs that come with the program).
 class Laboratory {
   public:
     explicit Laboratory(const std::string& base, closures::Level level = closures::Level::strength3)
@@ -84,11 +85,11 @@ class Laboratory {
             inside_ = std::make_shared<ClosureModel>(simulation, study_, level);
         }
     }
-    /// Predictor of readings with these effects.
+    /// Returns a model that predicts the readings of the instrument with these effects.
     EffectModel predictor(std::vector<const Effect*> effects) const {
         return {inside_, study_, std::move(effects)};
     }
-    /// Model with these effects of the readings at `conditions_for(effects)`.
+    /// Returns the model with these effects for the readings at `conditions_for(effects)`.
     ModelOfReadings with(std::vector<const Effect*> effects) const {
         const auto at = conditions_for(effects);
         return {std::make_shared<EffectModel>(predictor(std::move(effects))), at};
@@ -99,8 +100,8 @@ class Laboratory {
     std::shared_ptr<const FlowPredictor> inside_;  ///< model of the true flow without effects
 };
 
-/// Whether the emulator of the atlas can predict an effect: an effect on grains needs atlas runs
-/// with this effect alone.
+/// Whether the emulator of the atlas can predict an effect. An effect on grains can be predicted if
+/// the atlas has runs with this effect alone; every other effect can.
 inline bool predictable(const Effect& effect) {
     static const std::vector<dem::RunResult> runs = all_shipped_runs();
     return !effect.of_grains() || std::ranges::any_of(runs, [&](const dem::RunResult& run) {
@@ -109,7 +110,7 @@ inline bool predictable(const Effect& effect) {
     });
 }
 
-/// Laboratory with base "dem" that all tests of a process share.
+/// Returns the laboratory with base model "dem" that all tests of a process share.
 inline Laboratory& laboratory() {
     static Laboratory shared("dem");
     return shared;

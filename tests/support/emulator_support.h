@@ -14,7 +14,8 @@
 
 namespace pendular {
 
-/// All runs of the atlas, which comes with the program, with and without effects on grains.
+/// Returns all runs of the atlas (the runs that come with the program), with and without effects on
+/// grains.
 inline std::vector<dem::RunResult> all_shipped_runs() {
     std::vector<dem::RunResult> runs;
     for (const StoredRun& stored : read_runs(PENDULAR_SOURCE_DIR "/sim/atlas/atlas.csv")) {
@@ -23,20 +24,23 @@ inline std::vector<dem::RunResult> all_shipped_runs() {
     return runs;
 }
 
-/// Runs of the atlas, which comes with the program, without effects on grains.
+/// Returns the runs of the atlas (the runs that come with the program) that have no effects on
+/// grains.
 inline std::vector<dem::RunResult> shipped_runs() {
     std::vector<dem::RunResult> runs = all_shipped_runs();
     std::erase_if(runs, [](const auto& run) { return !run.parameters.effects.empty(); });
     return runs;
 }
 
-/// Hyperparameters of the emulator that come with the atlas.
+/// Returns the hyperparameters of the emulator that come with the atlas: amplitudes and lengths of
+/// its Gaussian processes.
 inline EmulatorHyperparameters shipped_hyperparameters() {
     return read_hyperparameters(std::filesystem::path(PENDULAR_SOURCE_DIR "/sim/atlas") /
                                 hyperparameters_name);
 }
 
-/// Study with the grains and the liquid of Badetti et al. (2018), at their own stiffness.
+/// Returns a study with the grains and the liquid of Badetti et al. (2018). Its Young's modulus is
+/// that of the grains themselves, 3.3 GPa.
 inline Study stiff_wet_study() {
     Study study;
     study.grains = {
@@ -45,7 +49,8 @@ inline Study stiff_wet_study() {
     return study;
 }
 
-/// Invented flow law: stress ratio [1] and solid fraction [1] as smooth functions of the state.
+/// Invented flow law that tests take as the truth: stress ratio [1] and solid fraction [1] as
+/// smooth functions of friction, inertial number, inverse reduced pressure and bridge volume.
 struct InventedLaw {
     static double stress_ratio(const FlowState& s) {
         const double dry =
@@ -61,9 +66,10 @@ struct InventedLaw {
     }
 };
 
-/// Runs at random states, wet and dry in turn. Their averages follow InventedLaw with random
-/// errors: standard errors of 0.002 (stress ratio) and 0.0004 (solid fraction), correlated by -0.5.
-/// The stress ratio of the law is multiplied by `factor`.
+/// Returns runs at random states, wet and dry in turn, whose averages follow `InventedLaw` with
+/// random errors: standard errors of 0.002 (stress ratio) and 0.0004 (solid fraction), correlated
+/// by -0.5.
+/// @param factor factor on the stress ratio of the law [1]
 inline std::vector<dem::RunResult> invented_runs(std::size_t count, std::uint64_t seed,
                                                  double factor = 1) {
     using enum dem::Observable;

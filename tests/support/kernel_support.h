@@ -9,14 +9,16 @@
 
 namespace pendular {
 
-/// Name of a kernel's domain for the name of a test.
+/// Name of a domain (kind of emulated quantity, by its behaviour for dry grains) for the name of a
+/// test.
 inline std::string name_of(Domain domain) {
     return domain == Domain::all_flow   ? "AllFlow"
            : domain == Domain::contacts ? "Contacts"
                                         : "Bridges";
 }
 
-/// Hyperparameters that all differ, so that a test shows where two are confused.
+/// Returns hyperparameters of a kernel that all differ, so that a test fails where two are
+/// confused.
 inline Hyperparameters uneven_hyperparameters() {
     return {.dry_amplitude = 0.3,
             .dry_x = 0.7,
@@ -30,7 +32,7 @@ inline Hyperparameters uneven_hyperparameters() {
             .between_run_scatter = 0.01};
 }
 
-/// Random coordinates of wet states over the range of the emulator.
+/// Returns `count` random coordinates of wet states over the range of the emulator.
 inline std::vector<Coordinates> scattered_places(std::size_t count, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> uniform;
@@ -43,14 +45,16 @@ inline std::vector<Coordinates> scattered_places(std::size_t count, std::uint64_
     return places;
 }
 
-/// Coordinates with one of them (0: x, 1: q, 2: u, 3: v) increased by `by`.
+/// Returns coordinates of a state with one of them increased by `by`.
+/// @param coordinate the coordinate to increase: 0, x; 1, q; 2, u; 3, v
 inline Coordinates moved(Coordinates at, int coordinate, double by) {
     double* const all[] = {&at.x, &at.q, &at.u, &at.v};
     *all[coordinate] += by;
     return at;
 }
 
-/// Prepared functionals at each place: the value, then the derivative by each coordinate.
+/// Returns prepared functionals, from which a kernel computes covariances: for each place, the
+/// value and then the derivative by each of its coordinates.
 inline std::vector<Kernel::Prepared> prepared_with_derivatives(
     const Kernel& kernel, const std::vector<Coordinates>& places) {
     std::vector<Kernel::Prepared> prepared;

@@ -7,8 +7,8 @@
 
 namespace pendular {
 
-/// Base class of models in closed form for tests: any parameter value within the parameter's own
-/// range can be predicted. `Kind` is the interface, such as Predictor.
+/// Base class of test models whose predictions are formulas. Every parameter value within the
+/// parameter's own range can be predicted. `Kind` is the interface of the model, such as Predictor.
 template <typename Kind>
 class Known : public Kind {
   public:
@@ -27,7 +27,7 @@ class Known : public Kind {
   private:
     std::vector<Parameter> parameters_;
 };
-/// Base class of predictors in closed form.
+/// Base class of test models that predict readings by formulas.
 using KnownFlow = Known<Predictor>;
 
 }  // namespace pendular

@@ -17,25 +17,27 @@ namespace pendular {
 
 constexpr int line_conditions = 15, replicates = 2, entries = line_conditions * replicates;
 
-/// Place x of entry k of the readings, from -1 to 1. Replicates at one place follow each other.
+/// Position x of entry k of the readings [1], from -1 to 1. Two replicates at one position follow
+/// each other.
 inline double place(Eigen::Index k) {
     return -1 + 2.0 * static_cast<double>(k / replicates) / (line_conditions - 1);
 }
 
-/// Values of a function of x at the places of all entries.
+/// Returns the values of a function of the position x at all entries of the readings.
 template <typename Function>
 Eigen::VectorXd over_places(Function function) {
     return Eigen::VectorXd::NullaryExpr(entries,
                                         [&](Eigen::Index k) { return function(place(k)); });
 }
 
-/// Candidate with a given shape over x.
+/// Returns a candidate effect that changes the readings by a function of x.
+/// @param shape change of the reading at x by the value 1 of the candidate
 inline LinearSpace::Column column(const std::string& name, double (*shape)(double)) {
     return {.name = name, .values = over_places(shape)};
 }
 
-/// Model space of a straight line with the candidates parabola, wave and jump, and with `more`
-/// candidates.
+/// Returns the models of a straight line with any of the candidates parabola, wave and jump.
+/// @param more further candidates
 inline LinearSpace line_and(std::vector<LinearSpace::Column> more = {}) {
     Eigen::MatrixXd base(entries, 2);
     base << Eigen::VectorXd::Ones(entries), over_places([](double x) { return x; });
@@ -47,13 +49,16 @@ inline LinearSpace line_and(std::vector<LinearSpace::Column> more = {}) {
     return {base, columns};
 }
 
-/// Makes readings with random errors.
+/// Makes readings with random errors of standard deviation 1.
 class Measuring {
   public:
     explicit Measuring(std::uint64_t seed) : random_(seed) {}
 
-    /// Readings with random errors of standard deviation 1 about `truth`. The stated errors are 1
-    /// or, if `estimated`, the scatter of the replicates.
+    /// Returns readings with random errors of standard deviation 1 about true values, with their
+    /// errors.
+    /// @param truth true value of each entry
+    /// @param estimated whether the stated error is the scatter of the replicates; otherwise it is
+    ///        1
     Evidence of(const Eigen::VectorXd& truth, bool estimated = false) {
         Evidence evidence;
         evidence.measured.value = truth;
@@ -86,13 +91,13 @@ class Measuring {
     std::normal_distribution<double> normal_;
 };
 
-/// Options of a quick diagnosis with 1000 draws. So few draws make the limits depend on the seed:
-/// give each study another seed.
+/// Returns the options of a fast diagnosis, with 1000 random draws for its p values. With so few
+/// draws, the results depend on the seed: give each study another seed.
 inline DiagnosisOptions quickly(std::uint64_t seed = 1) {
     return {.draws = 1000, .seed = seed};
 }
 
-/// Values of the straight line 5 + 2 x, which lacks no candidate.
+/// Returns the values of the straight line 5 + 2 x at all entries, which need no candidate.
 inline Eigen::VectorXd plain() {
     return over_places([](double x) { return 5 + 2 * x; });
 }

@@ -12,11 +12,13 @@
 
 namespace pendular {
 
-/// Model space of linear models, f = X theta + sum of (candidate's column x candidate's value), so
-/// that the right result of every diagnosis is known.
+/// Models whose predictions f are linear in all parameters, so that the right result of every
+/// diagnosis is known:
+///     f = X theta + sum over chosen candidates of (column x value)
+/// with the base columns X and their parameters theta.
 class LinearSpace : public ModelSpace {
   public:
-    /// Candidate, with the change of all entries by its value 1.
+    /// Candidate effect: its column contains the change of all entries of f when its value is 1.
     struct Column {
         std::string name;
         Eigen::VectorXd values;
@@ -25,8 +27,11 @@ class LinearSpace : public ModelSpace {
                                      .upper = 1e6,
                                      .neutral = 0,
                                      .smallest_of_interest = 1};
-        double possible = 1e9;  ///< largest magnitude of the value that the model can predict
-        /// Place on a ladder; of the switches of a ladder, the model has the highest one chosen.
+        /// Largest magnitude of the value; a prediction with a larger value throws
+        /// std::domain_error.
+        double possible = 1e9;
+        /// Level of a switch on a ladder of models; 0: on no ladder. Of several chosen switches,
+        /// the model contains the one of the highest level only.
         int level = 0;
     };
     LinearSpace(Eigen::MatrixXd base, std::vector<Column> columns)

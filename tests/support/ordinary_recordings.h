@@ -13,32 +13,40 @@
 
 namespace pendular {
 
-/// Noise and course of simulated recordings, as a careful experimenter has them.
+/// Random errors of the recordings that `ordinary_recording` simulates, of the size that a careful
+/// experimenter has.
 struct OrdinaryNoise {
-    double torque = 0.03;          ///< relative standard deviation of torque within a step
-    double force = 0.002;          ///< relative standard deviation of the normal force
-    double gap = 0.002;            ///< relative standard deviation of the gap
-    double correlation_rows = 2;   ///< rows over which the noise decorrelates (AR(1))
+    double torque = 0.03;  ///< relative standard deviation of torque within a step
+    double force = 0.002;  ///< relative standard deviation of the normal force
+    double gap = 0.002;    ///< relative standard deviation of the gap
+    /// Number of rows over which the correlation of the noise falls to 1/e (first-order
+    /// autoregression).
+    double correlation_rows = 2;
     double filling = 0.01;         ///< relative scatter of the torque between files
     double step = 0.005;           ///< relative scatter of the torque between steps of a file
     double torque_resolution = 0;  ///< rounding of the torque [N m]; 0: none
 };
 
-/// Annular cell of the simulated recordings, with 20 g of polystyrene beads.
+/// Annular cell of the simulated recordings: radii of 21 and 45 mm, 20 g of polystyrene beads.
 inline const AnnularCell ordinary_cell{
     .inner_radius = 0.021, .outer_radius = 0.045, .bead_volume = 0.02 / 1050};
 
-/// Change of the torque [N m], normal force [N] and gap [m] of one row; `angle`: rotation angle of
-/// the lid since the step began [rad], `time`: time since the step began [s].
+/// One row of a simulated recording, which a test may change: torque [N m], normal force [N] and
+/// gap [m], with the time since the step began [s] and the rotation angle of the lid since then
+/// [rad].
 struct RowOfStep {
     double time, angle;
     double &torque, &force, &gap;
 };
+/// Function that changes a row of a simulated recording, in the step with this index, from 0.
 using Spoil = std::function<void(RowOfStep row, int step)>;
 
-/// Recording of three steps at 0.5, 1 and 2 kPa of 450 rows, 0.2 s apart, at 0.01 to 0.02 turns a
-/// row. Each step begins with a transient of 4 s; torque, force and gap have AR(1) noise. `spoil`
-/// changes each row at the end.
+/// Simulates a recording of three steps at normal stresses of 0.5, 1 and 2 kPa. Each step has 450
+/// rows, 0.2 s apart, and begins with a transient of 4 s. The lid turns at 0.18 to 0.35 turns per
+/// second.
+/// @param file name of the file that the recording states
+/// @param noise random errors of torque, force and gap
+/// @param spoil function that changes each row after the noise; empty: none
 inline Recording ordinary_recording(const std::string& file, std::uint64_t seed,
                                     const OrdinaryNoise& noise = {}, const Spoil& spoil = {}) {
     std::mt19937_64 random(seed);
@@ -78,7 +86,7 @@ inline Recording ordinary_recording(const std::string& file, std::uint64_t seed,
     return r;
 }
 
-/// Text of a recording as a CSV file with seven digits.
+/// Returns a recording as the text of a CSV file, with up to seven significant digits.
 inline std::string csv_of(const Recording& r) {
     std::string text =
         "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s],Interval [1]\n";

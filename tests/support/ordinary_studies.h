@@ -8,10 +8,15 @@
 
 namespace pendular {
 
-/// Changes rows of one of several recordings.
+/// Function that changes a row of one of several recordings, given the indices of step and file,
+/// from 0.
 using SpoilFile = std::function<void(RowOfStep row, int step, int file)>;
 
-/// Import of a study of several simulated recordings.
+/// Imports a study of simulated recordings (`ordinary_recording`), and returns its measurements.
+/// @param files number of recordings
+/// @param seed seed of the noise; recordings of one study differ
+/// @param spoil function that changes rows of the recordings; empty: none
+/// @param import further text for the end of study.toml, such as a table [import]
 inline Measurements study_of(int files, std::uint64_t seed, const OrdinaryNoise& noise = {},
                              const SpoilFile& spoil = {}, const std::string& import = "") {
     const TemporaryFolder folder;
@@ -31,7 +36,11 @@ inline Measurements study_of(int files, std::uint64_t seed, const OrdinaryNoise&
     return read_measurements(read_study(folder.path()));
 }
 
-/// Number of ordinary studies with any finding, among `studies`; prints what was found.
+/// Counts the studies of undisturbed recordings in which the import finds an irregularity, a false
+/// alarm. Prints each finding.
+/// @param studies number of studies
+/// @param files number of recordings of each study
+/// @param first seed of the first study; further studies have the following seeds
 inline int alarms(int studies, int files, const OrdinaryNoise& noise, std::uint64_t first) {
     int count = 0;
     for (int k = 0; k < studies; ++k) {

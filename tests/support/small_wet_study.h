@@ -11,10 +11,12 @@ namespace small_wet {
 
 using namespace pendular;
 
-/// Soft, small and fast: behaviour, not numbers.
+/// Settings for the smallest and fastest simulations: 150 grains, stiffness number 300, lowest
+/// inertial number 0.03, strain 2. They show how the program behaves; their numbers are inaccurate.
 inline const Fidelity tiny{"tiny", 150, 300, 0.03, 2};
 
-/// P* = 1 is 129 Pa.
+/// Returns a study of 500 um grains with a liquid, without readings. A reduced pressure of 1 is a
+/// normal stress of 129 Pa.
 inline Study wet_study() {
     Study study;
     study.grains = {.diameter = 5e-4, .density = 1050};
@@ -22,7 +24,8 @@ inline Study wet_study() {
     return study;
 }
 
-/// Condition of this study at a reduced pressure, liquid content and inertial number [1].
+/// Returns the condition of `wet_study()` at a reduced pressure [1], a liquid content [1] and an
+/// inertial number [1].
 inline Condition condition(double reduced_pressure, double content, double inertial_number = 0.05) {
     const Study study = wet_study();
     const double unit = 1 / pendular::reduced_pressure(1, study.grains, *study.liquid);
@@ -31,7 +34,7 @@ inline Condition condition(double reduced_pressure, double content, double inert
             .liquid_content = content};
 }
 
-/// Parameters of a model with the friction alone.
+/// Returns the parameters of a model whose only parameter is the friction [1].
 inline Eigen::VectorXd at(double friction) {
     return Eigen::VectorXd::Constant(1, friction);
 }

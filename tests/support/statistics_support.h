@@ -13,28 +13,30 @@
 // Linear models with normal errors, and tests of random samples against distributions.
 namespace pendular {
 
-/// Matrix of independent standard normal random numbers.
+/// Returns a matrix of independent random numbers from the standard normal distribution.
 inline Eigen::MatrixXd normal_matrix(Eigen::Index rows, Eigen::Index columns, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
     return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
 }
 
-/// Random covariance matrix with unequal variances of order 1 and correlations of either sign.
+/// Returns a random n x n covariance matrix with unequal variances of order 1 and correlations of
+/// either sign.
 inline Eigen::MatrixXd some_covariance(Eigen::Index n, std::uint64_t seed) {
     const Eigen::MatrixXd half = normal_matrix(n, n, seed);
     return half * half.transpose() / static_cast<double>(n) + 0.3 * Eigen::MatrixXd::Identity(n, n);
 }
 
-/// Prediction by an exact model: its own covariance is zero.
+/// Returns the prediction of a model without errors: its covariances are zero.
+/// @param jacobian derivatives of the values by the parameters
 inline Prediction exact_prediction(const Eigen::VectorXd& value, const Eigen::MatrixXd& jacobian) {
     const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(value.size(), value.size());
     return {value, jacobian, none, none};
 }
 
-/// Kolmogorov statistic: largest distance between the cumulative distribution of a sample and
-/// `distribution`, times sqrt(sample size) [1]. It exceeds 1.95 in 1 of 1000 samples drawn from
-/// `distribution`.
+/// Kolmogorov statistic [1]: largest distance between the cumulative distribution of a sample and
+/// `distribution`, times the square root of the sample size. In 1 of 1000 samples that are drawn
+/// from `distribution`, it exceeds 1.95.
 template <typename Law>
 double kolmogorov_distance(const Eigen::VectorXd& sample, const Law& distribution) {
     std::vector<double> sorted(sample.begin(), sample.end());
@@ -50,8 +52,10 @@ double kolmogorov_distance(const Eigen::VectorXd& sample, const Law& distributio
 }
 constexpr double kolmogorov_limit = 1.95;  ///< limit of the statistic at a significance of 0.001
 
-/// Largest plausible error of the observed share of an event of this probability in `count` draws
-/// [1]: 3.3 standard deviations, exceeded by chance in 1 of 1000 cases, plus the share of one draw.
+/// Largest plausible error of the observed share of an event in random draws [1]: 3.3 standard
+/// deviations, which chance exceeds in 1 of 1000 cases, plus the share of one draw.
+/// @param probability true probability of the event [1]
+/// @param count number of draws
 inline double binomial_error(double probability, double count) {
     return 3.3 * std::sqrt(probability * (1 - probability) / count) + 1 / count;
 }

@@ -20,7 +20,8 @@ constexpr double friction = 0.09, bridge_volume_unit = 2e-3;
 inline const std::vector<double> contents = {0.003, 0.007, 0.014, 0.030, 0.063};
 inline const std::vector<double> pressures = {0.8, 1.5, 2.3, 4, 8, 16};
 
-/// Logarithmic coordinate of a friction coefficient [1]: 0 at the friction of the study.
+/// Logarithmic coordinate of a friction coefficient `mu` [1], ln[(mu + 0.05)/(0.09 + 0.05)]. It is
+/// 0 at the friction of the study, 0.09.
 inline double friction_coordinate(double mu) {
     return std::log((mu + 0.05) / (friction + 0.05));
 }
@@ -33,25 +34,31 @@ inline double contact_coordination(double mu) {
 inline double distant_coordination(double volume) {
     return 2 + 0.7 * std::log(volume / bridge_volume_unit);
 }
-/// Effective coordination number Z* = Z_c + 0.5 Z_d [1].
+/// Effective coordination number Z* = Z_c + 0.5 Z_d of the law [1], with the numbers Z_c of
+/// contacts and Z_d of distant bridges of a grain, at friction `mu` [1] and bridge volume over the
+/// cubed grain diameter `volume` [1].
 inline double effective_coordination(double mu, double volume) {
     return contact_coordination(mu) + 0.5 * distant_coordination(volume);
 }
-/// Capillary shear stress a^2 s12cap/F0 [1].
+/// Capillary shear stress of the law, times the squared grain diameter over the pull-off force [1],
+/// at friction `mu` [1] and bridge volume over the cubed grain diameter `volume` [1].
 inline double capillary_shear_stress(double mu, double volume) {
     return 0.05 - 0.03 * std::log(volume / bridge_volume_unit) + 0.02 * friction_coordinate(mu);
 }
 inline double solid_fraction(double mu, double u) {
     return 0.615 - 0.02 * friction_coordinate(mu) - 0.021 * u;
 }
-/// Stress ratio [1] at friction `mu`, u = 1/P* and bridge volume `volume` [a^3]. It bends below a
-/// straight line in u, as the data of Badetti et al. (2018) do below P* = 2.3.
+/// Stress ratio of the law [1] at friction `mu` [1], inverse reduced pressure u = 1/P* [1] and
+/// bridge volume over the cubed grain diameter `volume` [1]. As a function of u, it bends below a
+/// straight line, as the data of Badetti et al. (2018) do below P* = 2.3.
 inline double stress_ratio(double mu, double u, double volume) {
     const double cohesion = 0.29 + 0.035 * std::log(volume / bridge_volume_unit);
     return dry_ratio(mu) + cohesion * u - 0.028 * u * u;
 }
-/// Bridge volume V0/a^3 [1] at a liquid content and the friction of the study: the solution of
-/// content = 3 Z(V0) V0/pi.
+/// Volume V0 of a liquid bridge over the cubed grain diameter [1] at a liquid content [1] and the
+/// friction of the study: the solution of
+///     content = 3 Z V0/pi,
+/// where the coordination number Z of contacts and distant bridges depends on V0.
 inline double volume_of(double content) {
     double volume = bridge_volume_unit;
     for (int k = 0; k < 100; ++k) {
@@ -61,20 +68,23 @@ inline double volume_of(double content) {
     return volume;
 }
 
-/// Study of 500 um grains with a liquid, without readings.
+/// Returns a study of 500 um grains with a liquid, without readings.
 inline Study study() {
     Study s;
     s.grains = {.diameter = 5e-4, .density = 1050};
     s.liquid = Liquid{.surface_tension = 20.6e-3};
     return s;
 }
-/// Normal stress [Pa] at a reduced pressure P* in the study.
+/// Normal stress [Pa] at a reduced pressure [1] in the study.
 inline double normal_stress(double pressure) {
     const Study s = study();
     return pressure / reduced_pressure(1, s.grains, *s.liquid);
 }
 
-/// Run whose averages follow the law, with standard errors; dry for u = 0.
+/// Returns a run whose averages follow the law exactly, with stated standard errors.
+/// @param mu friction [1]
+/// @param u inverse reduced pressure 1/P* [1]; 0: dry
+/// @param volume bridge volume over the cubed grain diameter [1]
 inline dem::RunResult run(double mu, double u, double volume) {
     dem::RunResult r;
     r.parameters.friction = mu;
@@ -96,7 +106,7 @@ inline dem::RunResult run(double mu, double u, double volume) {
     return r;
 }
 
-/// Runs, dry and wet, at five frictions about that of the study.
+/// Returns dry and wet runs that follow the law, at five frictions about that of the study.
 inline std::vector<dem::RunResult> runs() {
     std::vector<dem::RunResult> result;
     for (const double mu : {0.06, 0.075, 0.09, 0.11, 0.13}) {
@@ -110,8 +120,10 @@ inline std::vector<dem::RunResult> runs() {
     return result;
 }
 
-/// Reading that follows the law with random errors: standard errors of 2 % of the shear stress and
-/// of 0.002 in the solid fraction. `content` 0: dry.
+/// Returns a reading that follows the law with random errors: standard errors of 2 % of the shear
+/// stress and of 0.002 in the solid fraction.
+/// @param pressure reduced pressure [1], from which the normal stress follows for dry readings too
+/// @param content liquid content [1]; 0: dry
 inline Reading reading(double pressure, double content, std::mt19937_64& random,
                        double inertial_number = 3e-3) {
     std::normal_distribution<double> noise;
@@ -129,7 +141,8 @@ inline Reading reading(double pressure, double content, std::mt19937_64& random,
     return r;
 }
 
-/// Three dry readings and, for each liquid content, a wet reading at each of `pressures`.
+/// Returns three dry readings, then for each liquid content one wet reading at each of `pressures`;
+/// all follow the law with random errors.
 inline std::vector<Reading> readings(const std::vector<double>& wet_contents = contents) {
     std::mt19937_64 random(3);
     std::vector<Reading> result;
@@ -144,7 +157,8 @@ inline std::vector<Reading> readings(const std::vector<double>& wet_contents = c
     return result;
 }
 
-/// Calibration of readings by the runs of the law, with the fitted friction set to that of the law.
+/// Returns a calibration of readings whose emulator is trained on `runs()`. Its fitted friction is
+/// set to that of the law, with a standard error of 0.004.
 inline Calibration calibration(const std::vector<Reading>& readings,
                                const CohesionOptions& cohesion = {}) {
     Calibration c{.readings = readings,
