@@ -59,15 +59,15 @@ std::string set_aside(const Measurements& measurements) {
     const auto doubt = std::ranges::find_if(measurements.doubts, &Doubt::set_aside);
     return doubt == measurements.doubts.end()
                ? ""
-               : "readings were set aside, the first for: " + doubt->what;
+               : "readings were set aside; the reason for the first: " + doubt->what;
 }
 
 /// Reason why a study has no reading, with advice, for messages.
 std::string why_no_reading(const Measurements& measurements) {
     if (std::string aside = set_aside(measurements); !aside.empty()) return aside;
-    return measurements.excluded.empty()
-               ? "give recordings or readings"
-               : "all were left out, the first one for: " + measurements.excluded.front().reason;
+    return measurements.excluded.empty() ? "give recordings or readings"
+                                         : "all were left out; the reason for the first: " +
+                                               measurements.excluded.front().reason;
 }
 
 /// Checks that the calibration has readings to fit.

@@ -160,8 +160,9 @@ void check_length(const Table& table, const Row& row, bool last) {
         : last ? "; this is the last line: if the file was cut off, export it again, "
                  "or remove the line"
                : "; complete or remove this line";
-    throw InputError(table.at(row, shown), fmt::format("{} cells where the header has {}{}",
-                                                       row.cells.size(), expected, hint));
+    throw InputError(table.at(row, shown),
+                     fmt::format("this row has {} cell{}, the header {}{}", row.cells.size(),
+                                 row.cells.size() == 1 ? "" : "s", expected, hint));
 }
 
 }  // namespace

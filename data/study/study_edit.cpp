@@ -358,8 +358,8 @@ std::string without_effect(const std::string& text, const std::string& file,
                                     ? fmt::format("the study lists no effects, so \"{}\" cannot be "
                                                   "dropped",
                                                   name)
-                                    : fmt::format("'effects' does not list \"{}\"; {}", name,
-                                                  did_you_mean(name, names)));
+                                    : fmt::format("the study does not list the effect \"{}\"; {}",
+                                                  name, did_you_mean(name, names)));
     }
     const auto index = static_cast<std::size_t>(found - names.begin());
     names.erase(found);

@@ -76,8 +76,8 @@ std::optional<std::string> why_no_closure(const Effect& effect, const Study& stu
     const std::string& base = study.model.base;
     if (closures::level_of_base(base) == closures::Level::simulation) {
         return fmt::format(
-            "{0} replaces an approximation that base = \"{1}\" does not make: write base = "
-            "\"mohr-coulomb\"{2} in [model], or leave the effect out",
+            "{0} applies only to base = \"mohr-coulomb\"{2}; this study has base = \"{1}\", which "
+            "makes no approximation that the effect could replace: leave the effect out",
             effect.name, base, level > closures::Level::strength3 ? " or \"rumpf\"" : "");
     }
     if (closures::level_of_base(base) >= level) {

@@ -105,7 +105,7 @@ TEST(StudyEdit, RefusesWhatIsThereOrIsNot) {
                 StartsWith("study.toml:2:11: 'effects' lists \"x\" already"));
     EXPECT_THAT(
         input_error([] { without("[model]\neffects = [\"torque-offset\"]\n", "torq-offset"); }),
-        AllOf(StartsWith("study.toml:2:11: 'effects' does not list \"torq-offset\""),
+        AllOf(StartsWith("study.toml:2:11: the study does not list the effect \"torq-offset\""),
               HasSubstr("did you mean 'torque-offset'?")));
     EXPECT_THAT(input_error([] { without("[grains]\n"); }), HasSubstr("lists no effects"));
     EXPECT_THAT(input_error([] { with("[model\n"); }), StartsWith("study.toml:1:"));
