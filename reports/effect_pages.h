@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/catalogue/effect.h"
+#include "sim/catalogue/effect_catalogue.h"
 
 namespace pendular {
 
@@ -13,7 +13,7 @@ namespace pendular {
 struct EffectStatus {
     bool listed = false;  ///< whether the study's model has the effect
     /// Reason why the effect does not apply to the study; empty: it applies.
-    std::optional<std::string> why_not;
+    std::optional<Obstacle> obstacle;
 };
 
 /// Entry of the catalogue of effects, the list of all known physical effects that `pendular
