@@ -26,27 +26,28 @@ namespace pendular::app {
 namespace {
 
 const char* const about_add =
-    R"(Adds an effect to the list of effects in study.toml, whose comments and layout are kept, and fits
-the study with the effect. Reports the error before and after the change: chi2, the RMS error, and
-the RMS error in cross-validation (each condition predicted by a fit to the others), which should
-fall too. Reports the fitted parameters before and after the change.
+    R"(Adds an effect to the model (the list 'effects' in study.toml, whose comments and layout are kept)
+and fits the model again. Prints the error before and after the change: chi2, the RMS error of the
+readings, and the RMS error in cross-validation, in which a fit to the other conditions predicts each
+condition. An effect that is truly missing should lower all three. Prints the fitted parameters before
+and after the change.
 )";
 
 const char* const about_drop =
-    R"(Removes an effect from the list of effects in study.toml, whose comments and layout are kept, and
-fits the study without the effect. Reports the error and the fitted parameters before and after the
+    R"(Removes an effect from the model (the list 'effects' in study.toml, whose comments and layout are
+kept) and fits the model again. Prints the error and the fitted parameters before and after the
 change.
 )";
 
 const char* const about_both =
     R"(
-Writes fit.json, ladder.json (the sequence of the study's models) and the figure 'ladder' to the
-results folder. study.toml is changed last; it remains unchanged if the fit does not converge or is
-interrupted.
+Writes fit.json, ladder.json (all models of the study so far, with their errors) and the figure
+'ladder' to the results folder. study.toml is changed last: it stays as it is if the fit does not
+converge or is interrupted.
 
 An emulator trained on the atlas and all stored simulations predicts the readings, at the fidelity
-of the study's earlier fit. No simulation is made unless --confirm is given. 'pendular effects' lists
-the known effects.)";
+of the study's earlier fit unless --fidelity is given. New simulations are made only with --confirm
+or --cold. 'pendular effects' lists the known effects.)";
 
 struct AddOptions {
     FitOptions fit;
@@ -75,16 +76,16 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
     std::optional<double> confirming;
     options.add_time(
         "confirm", &confirming, std::numeric_limits<double>::infinity(),
-        "confirm the new optimum by simulations, until they agree with the emulator and "
-        "their noise enlarges no error by more than a fifth, or for MINUTES");
+        "check the new fit by new simulations, for at most MINUTES (default: no limit)");
     options.add_switch(
         "cold", &own.fit.cold,
-        "use neither the atlas nor earlier simulations: simulate all states that the fit needs");
+        "use neither the atlas nor stored simulations: simulate all states that the fit needs");
     std::int64_t number = 0;
     if (adds) {
-        options.add("proposed", &number,
-                    "add the effects of this proposal, which 'pendular diagnose' wrote to "
-                    "proposed.toml");
+        options.add(
+            "proposed", &number,
+            "number of a proposal in proposed.toml, which 'pendular diagnose' wrote: add the "
+            "effects of this proposal");
     }
     auto common = options.parse(arguments);
     if (!common) {

@@ -124,15 +124,20 @@ int calibrate(const std::vector<std::string>& arguments) {
     FitOptions fit;
     Options options(
         "calibrate STUDY [options]",
-        "Fits the intergranular friction to shear stress and solid fraction of all dry "
-        "readings together,\n"
-        "by discrete-element simulation inside a Ceres least-squares loop, and "
-        "predicts the wet readings\n"
-        "with it (fit_to = \"all\" in the study fits them too). An emulator that is "
-        "trained on the atlas\n"
-        "and on all stored simulations gives a first answer; simulations at the optimum confirm\n"
-        "it, until both agree. "
-        "Writes fit.json to the results folder.",
+        "Fits the friction between grains to the shear stress and solid fraction of all dry "
+        "readings "
+        "together,\n"
+        "and predicts the wet readings with it (fit_to = \"all\" in study.toml fits them too). The "
+        "model is a\n"
+        "discrete-element simulation. In the least-squares fit, an emulator stands for it: a "
+        "statistical model\n"
+        "trained on the simulations that come with the program (the atlas) and on those in the "
+        "store.\n"
+        "Then new simulations at the fitted friction train the emulator further, and the fit is "
+        "repeated,\n"
+        "until simulations and emulator agree and the noise of the simulations enlarges no error "
+        "by more\n"
+        "than a fifth. Writes fit.json to the results folder.",
         "  pendular calibrate examples/polystyrene --no-confirm\n"
         "  pendular calibrate examples/polystyrene --fidelity quick --confirm 5\n"
         "  pendular calibrate my-study --cold --profile --json -\n",
@@ -141,16 +146,14 @@ int calibrate(const std::vector<std::string>& arguments) {
     options.add("seed", &seed, "seed of the simulations (default 1)");
     bool no_confirm = false;
     std::optional<double> confirming = std::numeric_limits<double>::infinity();
-    options.add_time(
-        "confirm", &confirming, std::numeric_limits<double>::infinity(),
-        "confirm the fit by simulations for MINUTES at most (default: until they agree "
-        "with the emulator and their noise enlarges no error by more than a fifth)");
-    options.add_switch(
-        "no-confirm", &no_confirm,
-        "use the emulator without confirming simulations (with --cold: one round fewer)");
+    options.add_time("confirm", &confirming, std::numeric_limits<double>::infinity(),
+                     "check the fit by new simulations, for at most MINUTES (default: no limit)");
+    options.add_switch("no-confirm", &no_confirm,
+                       "do not check the fit by new simulations (with --cold: simulations are made "
+                       "for the fit, but none to check it)");
     options.add_switch("cold", &fit.cold,
-                       "use neither the atlas nor earlier simulations: simulate all states that "
-                       "the fit needs, and keep them in the store");
+                       "use neither the atlas nor stored simulations: simulate all states that "
+                       "the fit needs, and keep the results in the store");
     options.add("lowest-reduced-pressure", &fit.cohesion.lowest_reduced_pressure,
                 "lowest reduced pressure P* = a^2 s22/F0 of the points to which cohesion lines are "
                 "fitted [1] (default 2.3)");

@@ -140,25 +140,26 @@ void report(std::size_t runs, const Survey& before, const Survey& after, const R
 int campaign(const std::vector<std::string>& arguments) {
     Options options(
         "campaign FILE [options]",
-        "Makes the simulations of a campaign file (grids, lists, Sobol sequences), the longest "
-        "first,\n"
-        "and keeps each in the store as it ends. The same command resumes a stopped campaign; "
-        "simulations\nthat are in the store are not repeated.",
+        "Makes the simulations that a campaign file lists (grids, lists, Sobol sequences), the "
+        "longest first,\n"
+        "and keeps the result of each in the store as soon as it ends. The same command resumes a "
+        "stopped\n"
+        "campaign; simulations that are in the store are not repeated.",
         "  pendular campaign sim/atlas/campaign.toml\n"
-        "  mpirun -n 9 pendular campaign my.toml        # one manages, eight work\n"
-        "  pendular campaign my.toml --shard 2/8 --store part-2.sqlite   # one of eight machines\n"
-        "  pendular runs merge part-*.sqlite                             # then, together again\n"
+        "  mpirun -n 9 pendular campaign my.toml        # 1 process distributes, 8 simulate\n"
+        "  pendular campaign my.toml --shard 2/8 --store part-2.sqlite   # machine 2 of 8\n"
+        "  pendular runs merge part-*.sqlite                             # merge the results\n"
         "  pendular campaign my.toml --dry-run\n",
         true);
     options.set_first_word("FILE, the file that lists the simulations,");
-    options.set_out("not used by this command");
+    options.leave_out({"out", "fidelity"});
     std::string shard;
     options.add("shard", &shard,
-                "i/n: make only the i-th of n shares of equal cost (for a Slurm array)");
+                "i/n: make only share i of n shares of equal computing time, for n machines or the "
+                "tasks of a Slurm array");
     bool dry_run = false;
-    options.add_switch(
-        "dry-run", &dry_run,
-        "print how many simulations remain and how long they will take; write nothing");
+    options.add_switch("dry-run", &dry_run,
+                       "print how many simulations remain and how long they would take; make none");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

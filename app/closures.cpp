@@ -9,11 +9,11 @@ namespace pendular::app {
 
 void print_closures(const closures::ClosureValues& values, double stress_ratio, Console& console) {
     console.line(
-        fmt::format("By the formulas of Badetti et al. (2018), from these values; the stress ratio "
-                    "itself is {:.4g}:",
+        fmt::format("Formulas of Badetti et al. (2018), from the values above without their errors "
+                    "(stress ratio above: {:.4g}):",
                     stress_ratio));
     for (const auto& each : closures::closure_quantities) {
-        console.line(fmt::format("  {:<32} {:>20.4g}", each.text, values.*each.value));
+        console.line(fmt::format("  {:<52} {:.4g}", each.text, values.*each.value));
     }
 }
 
@@ -32,8 +32,10 @@ std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& r
         print_closures(*values, run[dem::Observable::stress_ratio].value, console);
     } else {
         console.line(
-            "No formulas are evaluated: the simulations in atlas and store do not give the stress "
-            "ratio of dry grains for this friction, inertial number, damping and these effects.");
+            "The formulas of Badetti et al. (2018) are not evaluated: they need the stress ratio "
+            "of "
+            "dry grains, which the simulations in atlas and store do not give for this friction, "
+            "inertial number, damping and these effects.");
     }
     return values;
 }

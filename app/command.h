@@ -58,8 +58,9 @@ struct ProgramTexts {
 };
 extern const ProgramTexts program_texts;
 
-/// Exit codes of the program `pendular` and all its commands. `not_converged`: the fit did not
-/// converge or is meaningless. `interrupted`: a signal stopped the work.
+/// Exit codes of the program `pendular`, equal for all its commands. `not_converged`: the fit did
+/// not converge, or its numbers mean nothing (`Belief::meaningless`); `interrupted`: a signal
+/// stopped the work.
 enum ExitCode {
     done = 0,
     program_failed = 1,

@@ -50,21 +50,19 @@ std::string verdict_on_predicted(const Calibration& c, const Comparison& compari
 int compare(const std::vector<std::string>& arguments) {
     Options options(
         "compare STUDY [options]",
-        "Compares the calibrated model with the readings. Prints the misfit by observable, "
-        "condition and\n"
-        "file, and says where the model fails beyond what its parameters can imitate: lack of "
-        "fit, trends\n"
-        "with the varied quantities, measurements that deviate. Draws figures as SVG, PNG and PDF "
-        "with\n"
-        "their numbers as CSV: readings and model, residuals and their normal quantiles (qq), "
-        "parts "
-        "of chi2\n"
-        "(chi2_ledger), profile likelihood (profile) and confidence regions of the parameters "
-        "(corner).\n"
-        "Run 'pendular calibrate' first. No simulation is made.",
+        "Compares the calibrated model with the readings. Prints chi2 by quantity, condition and "
+        "file, and\n"
+        "tests for lack of fit, trends and outliers. Draws figures as SVG, PNG and PDF with their "
+        "numbers as\n"
+        "CSV: readings and model, residuals, quantiles of the residuals against normal quantiles "
+        "(qq), parts\n"
+        "of chi2 (chi2_ledger), profile likelihood (profile) and confidence regions of the "
+        "parameters\n"
+        "(corner). Run 'pendular calibrate' first. No simulation is made.",
         "  pendular compare examples/polystyrene\n"
         "  pendular compare my-study --out results --json -\n",
         true);
+    options.leave_out({"fidelity", "store", "threads", "quiet"});
     CohesionOptions cohesion;
     options.add("lowest-reduced-pressure", &cohesion.lowest_reduced_pressure,
                 "lowest reduced pressure P* = a^2 s22/F0 of the points to which cohesion lines are "

@@ -41,34 +41,37 @@ namespace {
 
 const char* const about_diagnose =
     R"(Tests whether the study's model is complete and, if not, which physical effects explain the
-residuals. The command fits all readings jointly, tests the residuals for every effect that applies,
-refits with the likely effects, and keeps the smallest models that fit. Verdicts:
-  nothing-missing       the model describes the readings, and no effect that they can show is missing
-  inconclusive          the model describes the readings, but some effects might not show in them
+residuals. The command fits all readings together, tests the residuals for every effect that applies
+to the study, refits the model with the likely effects, and keeps the smallest models that describe
+the readings. Verdicts:
+  nothing-missing       the model describes the readings, and each effect that can show in them would
+                        have shown if it were large enough to matter
+  inconclusive          the model describes the readings, but some effects that would matter might not
+                        show in them
   missing               one effect, or one set of effects, explains the residuals, or most of them
   indistinguishable     several effects explain the residuals equally well
   suspect-measurement   an error in one condition or file explains the residuals
   unknown               something is missing, and no known effect explains it
-If no known effect explains the residuals, the command tries changes of unknown cause: each quantity
-of the instrument, the flow, the beads and the liquid may change with each quantity that varies
-between the readings. Changes that explain the readings are written to proposed.toml as [[effect]]
-tables; 'add --proposed 1' adds the first one.
+If no known effect explains the residuals, the command tries empirical corrections, for example a
+torque that depends on the normal stress. Corrections that explain the readings are written to
+proposed.toml as [[effect]] tables; 'pendular add STUDY --proposed 1' adds the first one.
 Decisions on an effect:
-  missing               adding the effect explains the residuals
-  missing, with others  adding the effect explains most of the residuals, not all
-  may be missing        one of several effects that explain the residuals equally well
-  contains what is missing  the effect alone explains the residuals too, but a simpler one is named
-  does not explain it   the residuals point to the effect, and adding it leaves a misfit
-  no sign of it         something is missing, and the residuals do not point to this effect
-  absent                nothing is missing, and an effect large enough to matter would show
-  cannot be excluded    an effect large enough to matter might not show in the readings
-  refit not converged   the fit with the effect ended early: it is neither missing nor ruled out
-  cannot be seen        the effect would not show even at the bounds of its parameter
-An emulator predicts the readings from the atlas and all stored simulations. No simulation is made
-unless --confirm is given. With --confirm, the command simulates the states that reduce the errors of
-the best models most, and repeats the diagnosis with the results. It ends when the verdict stays the
-same, the simulations agree with the emulator and their noise enlarges no error by more than a fifth,
-or when the time is over. All results are kept; after Ctrl-C the same command continues with them.)";
+  missing                   adding the effect explains the residuals
+  missing, with others      adding the effect explains most of the residuals, but not all
+  may be missing            one of several effects that explain the residuals equally well
+  may be missing too        part of another set of effects that explains the residuals as well
+  contains what is missing  the effect explains the residuals, but a smaller model does so too
+  does not explain it       the residuals resemble the effect, but adding it leaves a misfit
+  no sign of it             something is missing, and the residuals do not resemble this effect
+  absent                    nothing is missing, and an effect that matters would have shown
+  cannot be excluded        an effect large enough to matter might not show in the readings
+  refit not converged       the fit with the effect did not converge: it is not tested
+  cannot be seen            the effect would not show even at the bounds of its parameter
+An emulator trained on the atlas and all stored simulations predicts the readings. New simulations are
+made only with --confirm: the command then simulates the states that reduce the errors of the best
+models most, and repeats the diagnosis with the results. It ends when the verdict stays the same, the
+simulations agree with the emulator and their noise enlarges no error by more than a fifth, or when
+the time is over. All results are kept; after Ctrl-C the same command continues with them.)";
 
 /// Time for --confirm without a number [min].
 constexpr double usual_minutes = 5;
@@ -278,15 +281,18 @@ int diagnose(const std::vector<std::string>& arguments) {
                     true);
     options.set_threads(0, "number of refits, or of simulations, at a time");
     std::int64_t seed = 1;
-    options.add("seed", &seed,
-                "seed of the random errors that set the limits, and of simulations (default 1)");
+    options.add(
+        "seed", &seed,
+        "seed of the simulated random errors from which p values and power are computed, and of "
+        "new simulations (default 1)");
     std::optional<double> confirming;
     options.add_time("confirm", &confirming, usual_minutes,
-                     "confirm the verdict by simulations for MINUTES at most");
+                     "check the verdict by new simulations, for at most MINUTES (default: 5)");
     std::size_t repetitions = 0;
-    options.add("repetitions", &repetitions,
-                "number of repetitions of the experiment to simulate, such as 100, to find how "
-                "often the verdict would be the same (default 0: none)");
+    options.add(
+        "repetitions", &repetitions,
+        "number of simulated repetitions of the whole experiment, such as 100, which show how "
+        "often the verdict would be the same (default 0: none)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

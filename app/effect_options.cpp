@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "data/input_error.h"
+#include "data/printed_unit.h"
 #include "data/quantities/number.h"
 #include "data/quantities/units.h"
 
@@ -16,18 +17,12 @@ std::string key(const Effect& effect, const EffectParameter& parameter) {
     return effect.name + "." + parameter.name;
 }
 
-/// Text of a value [SI] with the unit of its parameter, for messages.
-std::string with_unit(double value, const EffectParameter& parameter) {
-    return parameter.unit == "1" ? fmt::format("{:.4g}", value)
-                                 : fmt::format("{:.4g} {}", value, parameter.unit);
-}
-
-std::string description(const EffectParameter& parameter) {
-    if (parameter.is_switch()) {
-        return parameter.meaning;
-    }
-    return fmt::format("{} [{}], {:.3g} to {:.3g}; {:g}: no effect", parameter.meaning,
-                       parameter.unit, parameter.lower, parameter.upper, parameter.neutral);
+std::string description(const Effect& effect, const EffectParameter& parameter) {
+    if (parameter.is_switch()) return "1: " + parameter.meaning;
+    const std::string text = parameter.meaning + "; " + printed_bounds(parameter);
+    return effect.given_by_liquid
+               ? text
+               : text + ", no effect at " + printed_value(parameter.neutral, parameter);
 }
 
 /// Checks an argument of the form --EFFECT.PARAMETER; any other argument passes.
@@ -75,8 +70,8 @@ double checked_value(const std::string& words, const std::string& option,
     }
     if (!(value >= parameter.lower && value <= parameter.upper)) {
         throw InputError(fmt::format("--{} {}: it must lie between {} and {}", option, words,
-                                     with_unit(parameter.lower, parameter),
-                                     with_unit(parameter.upper, parameter)));
+                                     printed_value(parameter.lower, parameter),
+                                     printed_value(parameter.upper, parameter)));
     }
     return value;
 }
@@ -95,7 +90,7 @@ EffectOptions::EffectOptions(Options& options, const std::vector<std::string>& a
         }
         for (const EffectParameter& parameter : effect.parameters) {
             const std::string name = key(effect, parameter);
-            options.add(name.c_str(), &words_[name], description(parameter));
+            options.add(name.c_str(), &words_[name], description(effect, parameter));
         }
     }
 }
@@ -134,8 +129,10 @@ std::string example_of(const std::function<bool(const Effect&)>& wanted) {
         return "";
     }
     const EffectParameter& parameter = found->parameters.front();
-    return fmt::format("--{} {:g}", key(*found, parameter),
-                       parameter.neutral + parameter.smallest_of_interest);
+    const std::string value =
+        printed_value(parameter.neutral + parameter.smallest_of_interest, parameter);
+    const bool quoted = value.find(' ') != std::string::npos;
+    return fmt::format("--{} {}", key(*found, parameter), quoted ? '"' + value + '"' : value);
 }
 
 }  // namespace pendular::app

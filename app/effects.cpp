@@ -23,35 +23,36 @@ namespace pendular::app {
 namespace {
 
 const char* const about_effects =
-    R"(Lists the physical effects that a model may lack: effects of the instrument, the beads, the liquid
-and the forces between grains. With a name, describes one effect in full. A study lists its effects
-in [model], effects = ["torque-offset"]. A study may also define effects by formulas, which the
-option --study shows:
+    R"(Lists the physical effects that a model may lack: effects of the instrument, the grains, the liquid
+and the forces between grains. With a name, describes one effect in full. 'pendular add' writes an
+effect into study.toml: effects = ["torque-offset"] in section [model].
+
+A study may also define its own effects by formulas. The option --study lists them too:
 
   [[effect]]
   name = "speed-drag"                         # lower-case words joined by hyphens
-  parameter = "drag"                          # the fitted parameter; "on": a switch, without bounds
+  parameter = "drag"                          # the fitted parameter; "on" makes a switch (no bounds)
   unit = "mN m s/rad"
   lower = -1
   upper = 1
-  torque = "torque + drag*angular_velocity"   # shown torque from the true torque
+  torque = "torque + drag*angular_velocity"   # torque that the instrument shows, from the true one
 
 Optional keys: neutral (value at which the effect vanishes, default 0), matters (smallest effect of
 interest, default a tenth of the range), summary. A formula sets a quantity that the instrument
 shows (torque, normal_force, height or angular_velocity), a quantity of the flow (stress_ratio or
-solid_fraction), or a property of the beads and their liquid (friction_difference from the fitted
-friction, or surface_tension). A formula may contain the parameter and, in SI units,
+solid_fraction), or a property of grains and liquid (friction_difference, which is added to the
+fitted friction, or surface_tension). A formula may contain the parameter and, in SI units,
   on the instrument  torque, normal_force, height, angular_velocity, liquid_content, bead_volume,
                      time, inner_radius, outer_radius, density, diameter, normal_stress
   on the flow        stress_ratio, solid_fraction, normal_stress, inertial_number, liquid_content,
                      height, time
-  on the beads       friction_difference, surface_tension, normal_stress, inertial_number,
+  on the grains      friction_difference, surface_tension, normal_stress, inertial_number,
                      liquid_content, height, time
 with + - * / ^ ( ), comparisons, && ||, CONDITION ? A : B, pi, and abs acos asin atan atan2 avg cos
 cosh exp ln log (ln) log10 log2 max min rint sign sin sinh sqrt sum tan tanh.
 
-With --manual DIR, writes the catalogue as Markdown: DIR/index.md and a page per effect, with a
-figure of the change in readings that the emulator predicts.)";
+With --manual DIR, the command writes a page on each effect in Markdown, with a figure of the
+predicted change of the readings, and DIR/index.md with a list of the pages.)";
 
 const char* const effects_examples = R"(  pendular effects
   pendular effects torque-offset
@@ -66,7 +67,7 @@ EffectEntry entry_of(const Effect& effect, const EffectCatalogue& catalogue,
     if (study) {
         const auto& listed = study->model.effects;
         entry.status = {std::ranges::find(listed, effect.name, &ListedEffect::name) != listed.end(),
-                        why_not(effect, *study)};
+                        obstacle(effect, *study)};
     }
     return entry;
 }
@@ -95,10 +96,16 @@ void show_all(Console& console, const std::vector<EffectEntry>& entries) {
     for (const auto& line : effects_table(entries)) {
         console.line(line);
     }
+    if (std::ranges::any_of(entries, [](const EffectEntry& entry) {
+            return entry.status && entry.status->obstacle;
+        })) {
+        console.line(
+            "'pendular effects NAME --study STUDY' says what the study lacks for an effect.");
+    }
     nlohmann::ordered_json json = {{"effects", nlohmann::ordered_json::array()}};
     for (const EffectEntry& entry : entries) {
-        if (entry.status && entry.status->why_not) {
-            console.note(*entry.status->why_not);
+        if (console.all() && entry.status && entry.status->obstacle) {
+            console.note(entry.status->obstacle->sentence);
         }
         json["effects"].push_back(to_json(entry));
     }
@@ -156,15 +163,15 @@ void write_manual(Console& console, const std::filesystem::path& folder,
         pages.push_back({{"effect", name}, {"figure", !figure.empty()}});
         if (figure.empty()) {
             console.note(fmt::format("{} has no figure: {}", name, signatures.why_none()));
-            figure = fmt::format("It has no figure: {}.", signatures.why_none());
+            figure = fmt::format("There is no figure: {}.", signatures.why_none());
         } else {
             ++drawn;
         }
         write_whole(folder / (name + ".md"), manual_page(entry, figure));
     }
     write_whole(folder / "index.md", manual_index(entries));
-    console.line(fmt::format("{} effects, {} of them with a figure, written to {}", entries.size(),
-                             drawn, (folder / "index.md").string()));
+    console.line(fmt::format("Pages on {} effects, {} of them with a figure, are written to {}.",
+                             entries.size(), drawn, (folder / "index.md").string()));
     console.json({{"index", (folder / "index.md").string()}, {"pages", std::move(pages)}});
 }
 
@@ -175,9 +182,13 @@ int effects(const std::vector<std::string>& arguments) {
     std::vector<std::string> words;
     std::string study_path, manual;
     options.take(&words, one_of(names_of_effects()));
+    options.leave_out({"out", "store", "threads", "quiet"});
+    options.set_fidelity(
+        "stiffness number for which --manual predicts the figures: quick and standard "
+        "1000, paper 8400");
     options.add("study", &study_path,
-                "study whose own effects are listed too; the list then says whether each effect "
-                "applies to it",
+                "study whose own effects are listed too; the table then says whether each effect "
+                "applies to this study",
                 a_study());
     options.add("manual", &manual, "folder for a manual of all effects: Markdown and figures",
                 a_folder());

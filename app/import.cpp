@@ -66,24 +66,28 @@ int import(const std::vector<std::string>& arguments) {
     ImportFileOptions file;
     Options options(
         "import STUDY | FILE [options]",
-        "Turns the recordings of a study into readings: shear stress and solid "
-        "fraction of each steady\n"
-        "step, with standard errors. Writes readings.csv and excluded.csv to the "
-        "results folder;\n"
-        "excluded.csv lists each range of rows that was left out, with the reason. "
-        "Reports what is\n"
-        "wrong in the rows, such as a saturated torque or a lid that wobbles.\n\n"
-        "For a single FILE, exported by an instrument, prints how the file is understood: "
-        "layout, encoding,\n"
-        "columns with units, intervals with roles, checks, points of failure. --figures draws "
-        "the recordings\n"
-        "with the rows that are averaged, and yield loci with their Mohr circles.",
+        "Turns the recordings of a study into readings. A reading is the mean shear stress and "
+        "solid "
+        "fraction\n"
+        "over the steady part of a step, with standard errors. Writes readings.csv and "
+        "excluded.csv "
+        "to the\n"
+        "results folder; excluded.csv lists each range of rows that was not averaged, with the "
+        "reason.\n"
+        "Reports faults that show in the rows, such as a saturated torque or a tilted lid.\n\n"
+        "For a single FILE that an instrument exported, prints how the file is understood: layout, "
+        "encoding,\n"
+        "columns with units, intervals and what each is used for, checks, and peaks (failure "
+        "points).\n"
+        "--figures draws the recordings with the rows that are averaged, and yield loci with their "
+        "Mohr\ncircles.",
         "  pendular import examples/dry-recordings\n"
         "  pendular import my-study --json -\n"
         "  pendular import export.csv --study my-study\n"
         "  pendular import export.csv --figures figures\n",
         true);
     options.set_first_word("STUDY or FILE, the folder of a study or a file of an instrument,");
+    options.leave_out({"fidelity", "store", "threads", "quiet"});
     file.declare(options);
     const auto common = options.parse(arguments);
     if (!common) {

@@ -86,15 +86,16 @@ std::map<std::string, std::string> files_of_study(const std::filesystem::path& f
 
 void ImportFileOptions::declare(Options& options) {
     options.begin_section("Options for a single file");
-    options.add("study", &study,
-                "folder for a new study with this file; guesses in its study.toml are marked",
-                a_folder());
+    options.add(
+        "study", &study,
+        "folder for a new study with this file; guessed values in its study.toml are marked "
+        "GUESS",
+        a_folder());
     options.add("figures", &figures,
                 "folder for figures: the recording with the rows that are averaged, and yield "
-                "loci; of a study, each recording",
+                "loci; for a study: all its recordings",
                 a_folder());
-    options.add("tidy", &tidy,
-                "CSV file for all rows in SI units, below a row of names and a row of units",
+    options.add("tidy", &tidy, "CSV file for all rows in SI units, with header and unit rows",
                 a_file());
     options.add("layout", &layout, "layout of the file (default: recognised by its content)",
                 one_of(layout_names()));

@@ -18,12 +18,12 @@ namespace {
 
 const char* const about_next =
     R"(Diagnoses the study and plans the next measurement. If several models explain the readings equally
-well, the command searches the settings of the rig for the condition at which the predictions differ
-most beyond their errors, and states how many readings tell the models apart. If no single condition
-tells them apart, it combines several conditions, or states that the rig cannot tell the models
-apart. If only one model fits, it finds the condition that makes the parameters of the model most
-precise. The section [rig] of study.toml lists the settings; without this section, the plan stays
-within the range of the readings:
+well, the command looks for the condition at which their predictions differ most compared with the
+errors, and states how many readings tell the models apart. If no single condition does, it combines
+several conditions, or states that the rheometer cannot tell the models apart. If only one model fits,
+the command looks for the condition that reduces the standard errors of its parameters most. The
+section [rig] of study.toml lists the settings that the rheometer can reach; without this section, the
+plan stays within the range of the readings:
 
   [rig]
   normal_stress = ["0.1 kPa", "5 kPa"]
@@ -37,12 +37,12 @@ within the range of the readings:
   wait = ["0 h", "4 h"]                   # waiting time after the last reading (default 0)
   hour_cost = 0.5                         # cost of an hour of waiting (default 1)
 
-  [[rig.direct]]                          # an effect that can be measured directly,
-  effect = "torque-offset"                # such as drag, by the torque of the empty cell
+  [[rig.direct]]                          # an effect that can be measured directly: drag, by the
+  effect = "torque-offset"                # torque of the empty cell
   error = "0.05 mN m"                     # standard error of one such measurement
   cost = 0.5                              # (default 1)
 
-A direct measurement that was made goes into study.toml and counts in every fit and diagnosis:
+Write the result of a direct measurement into study.toml; every fit and diagnosis then uses it:
 
   [[direct]]
   effect = "torque-offset"
@@ -58,7 +58,9 @@ int next(const std::vector<std::string>& arguments) {
                     true);
     options.set_threads(0, "number of refits at a time");
     std::int64_t seed = 1;
-    options.add("seed", &seed, "seed of the random errors of the diagnosis (default 1)");
+    options.add("seed", &seed,
+                "seed of the simulated random errors from which p values and power are computed "
+                "(default 1)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

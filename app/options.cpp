@@ -1,16 +1,14 @@
 #include "app/options.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
+#include <boost/make_shared.hpp>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
 #include <iostream>
+#include <memory>
 #include <thread>
 
 #include "data/input_error.h"
@@ -63,72 +61,6 @@ std::uint64_t checked_seed(std::int64_t seed) {
     return static_cast<std::uint64_t>(seed);
 }
 
-void demand_table(const std::filesystem::path& file, const std::string& first) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error) ||
-        std::filesystem::file_size(file, error) == 0) {
-        return;
-    }
-    std::string begin(first.size(), '\0');
-    std::ifstream(file, std::ios::binary).read(begin.data(), std::ssize(begin));
-    if (begin != first) {
-        throw InputError(fmt::format(
-            "{} holds something other than such a table; nothing was written: name another file",
-            file.string()));
-    }
-}
-
-void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder) {
-    namespace fs = std::filesystem;
-    std::error_code error;
-    if (path.empty()) {
-        throw InputError(fmt::format("{} needs a name", option));
-    }
-    if (fs::exists(path, error) && fs::is_directory(path, error) != folder) {
-        throw InputError(fmt::format("option {} needs {}, but '{}' is {}", option,
-                                     folder ? "a folder" : "a file", path.string(),
-                                     folder ? "a file" : "a folder"));
-    }
-    fs::path there = fs::absolute(path, error);
-    while (!fs::exists(there, error) && there.has_relative_path()) {
-        there = there.parent_path();
-    }
-    if (there != fs::absolute(path, error) && !fs::is_directory(there, error)) {
-        throw InputError(fmt::format("{} {} cannot be written: {} is no folder", option,
-                                     path.string(), there.string()));
-    }
-    if (access(there.c_str(), W_OK) != 0) {
-        throw InputError(fmt::format("{} {} cannot be written: {}", option, path.string(),
-                                     std::strerror(errno)));
-    }
-}
-
-namespace {
-
-/// First character of a file that is no blank; empty where the file is missing, empty or no regular
-/// file.
-std::optional<char> first_character(const std::filesystem::path& file) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
-    std::ifstream stream(file, std::ios::binary);
-    char first = 0;
-    return stream >> first ? std::optional(first) : std::nullopt;
-}
-
-/// @throws InputError where the file exists and holds something else than JSON, a recording for
-///         example
-void demand_json(const std::filesystem::path& file, const std::string& option) {
-    const auto first = first_character(file);
-    if (first && *first != '{' && *first != '[') {
-        throw InputError(
-            fmt::format("{} {}: that file holds something other than JSON; nothing was written: "
-                        "name another file",
-                        option, file.string()));
-    }
-}
-
-}  // namespace
-
 std::string shell_word(const std::filesystem::path& path) {
     const std::string text = path.string();
     const auto plain = [](unsigned char c) {
@@ -166,19 +98,15 @@ void Options::add_time(const char* name, std::optional<double>* seconds, double 
                        const std::string& description) {
     const std::string option = std::string("--") + name;
     times_[option] = fmt::format("{}", alone);
-    const std::string shown = std::isinf(alone) ? "no limit" : fmt::format("{:g}", alone);
     sections_.back().add_options()(
         name,
-        po::value<double>()
-            ->implicit_value(alone, shown)
-            ->value_name("MINUTES")
-            ->notifier([seconds, option](double minutes) {
-                if (!(minutes >= 0)) {
-                    throw InputError(
-                        fmt::format("{} {}: minutes of 0 or more are needed", option, minutes));
-                }
-                *seconds = 60 * minutes;
-            }),
+        po::value<double>()->value_name("[MINUTES]")->notifier([seconds, option](double minutes) {
+            if (!(minutes >= 0)) {
+                throw InputError(
+                    fmt::format("{} {}: minutes of 0 or more are needed", option, minutes));
+            }
+            *seconds = 60 * minutes;
+        }),
         description.c_str());
 }
 
@@ -201,15 +129,14 @@ thread_local CommandDeclaration* requested_declaration = nullptr;
 /// First word of most commands and its meaning, for the message that it is missing.
 const char* const standard_missing_word = "STUDY, the folder of a study or its file study.toml,";
 
-/// Names of the fidelities with the settings of each, for the help text.
+/// Names of the fidelities with the settings of each, one line per fidelity, for the help text.
 std::string fidelity_text() {
-    std::string text = "size and accuracy of the simulations";
+    std::string text =
+        "size and accuracy of the simulations; I: inertial number, strain: length of the averages";
     for (const Fidelity& each : fidelities()) {
-        text += fmt::format(
-            "; {}: {} beads, stiffness number {:g}, inertial number {:g} or more, averages over a "
-            "strain of {:g}",
-            each.name, each.grains, each.stiffness_number, each.lowest_inertial_number,
-            each.strain);
+        text += fmt::format("\n{} {} grains, stiffness number {:g}, I >= {:g}, strain {:g}",
+                            each.name + ':', each.grains, each.stiffness_number,
+                            each.lowest_inertial_number, each.strain);
     }
     return text;
 }
@@ -220,6 +147,15 @@ std::vector<std::string> fidelity_names() {
         names.push_back(each.name);
     }
     return names;
+}
+
+/// Text with "; " in place of line ends.
+std::string on_one_line(const std::string& text) {
+    std::string line;
+    for (const char c : text) {
+        line += c == '\n' ? "; " : std::string{c};
+    }
+    return line;
 }
 
 /// Values of the first word of a command, from the usage line.
@@ -274,7 +210,8 @@ CommandDeclaration Options::declaration(const po::options_description& common) c
             result.sections.back().options.push_back(
                 {name,
                  number_may_follow || takes_value ? option->format_parameter() : std::string(),
-                 option->description(), takes_value ? value : ValueKind{ValueKind::Kind::none}});
+                 on_one_line(option->description()),
+                 takes_value ? value : ValueKind{ValueKind::Kind::none}});
         }
     };
     auto heading = headings_.begin();
@@ -288,29 +225,40 @@ CommandDeclaration Options::declaration(const po::options_description& common) c
     return result;
 }
 
+po::options_description Options::common_options(CommonValues& values, bool shown) const {
+    po::options_description options("Common options", 100);
+    const auto add = [&](const char* name, const po::value_semantic* value,
+                         const std::string& meaning) {
+        std::unique_ptr<const po::value_semantic> owner(value);
+        if (unused_.contains(name) == shown) return;
+        options.add(
+            boost::make_shared<po::option_description>(name, owner.release(), meaning.c_str()));
+    };
+    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    const int threads = default_threads_ > 0 ? default_threads_ : cores;
+    add("json", po::value(&values.json)->value_name("FILE"),
+        "file for the result as JSON; '-': standard output, which then holds nothing else");
+    add("out", po::value(&values.out)->value_name("DIR"), out_meaning_);
+    add("fidelity", po::value(&values.fidelity)->default_value("standard")->value_name("NAME"),
+        fidelity_meaning_.empty() ? fidelity_text() : fidelity_meaning_);
+    add("store", po::value(&values.store)->value_name("FILE"), store_meaning_);
+    add("threads",
+        po::value(&values.options.threads)
+            ->default_value(threads, default_threads_ > 0 ? std::to_string(threads) : "cores")
+            ->value_name("N"),
+        threads_meaning_);
+    add("quiet", po::bool_switch(&values.options.quiet), "print no progress on standard error");
+    add("all", po::bool_switch(&values.options.all), "print all rows of tables and all notes");
+    add("help", new po::untyped_value(true), "print this text");
+    return options;
+}
+
 std::optional<CommonOptions> Options::parse(const std::vector<std::string>& words_given) {
     const std::vector<std::string> arguments = with_attached_times(words_given, times_);
-    CommonOptions result;
-    std::string json, out, fidelity, store, study;
-    po::options_description common("Common options", 100);
-    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    common.add_options()(
-        "json", po::value(&json)->value_name("FILE"),
-        "file for the result as JSON; '-': standard output, which then holds nothing else")(
-        "out", po::value(&out)->value_name("DIR"), out_meaning_.c_str())(
-        "fidelity", po::value(&fidelity)->default_value("standard")->value_name("NAME"),
-        fidelity_text().c_str())("store", po::value(&store)->value_name("FILE"),
-                                 "SQLite file that keeps the result of every simulation (default: "
-                                 "$PENDULAR_STORE, else ~/.local/share/pendular/runs.sqlite)")(
-        "threads",
-        po::value(&result.threads)
-            ->default_value(default_threads_ > 0 ? default_threads_ : cores,
-                            default_threads_ > 0 ? std::to_string(default_threads_) : "cores")
-            ->value_name("N"),
-        threads_meaning_.c_str())("quiet", po::bool_switch(&result.quiet),
-                                  "print no progress on standard error")(
-        "all", po::bool_switch(&result.all), "print all rows of tables and all notes")(
-        "help", "print this text");
+    std::string study;
+    CommonValues values;
+    const po::options_description common = common_options(values, true),
+                                  unused = common_options(values, false);
     po::options_description all, hidden;
     std::vector<std::string> words;
     if (takes_study_) {
@@ -322,7 +270,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
         visible.add(section);
     }
     visible.add(common);
-    all.add(visible).add(hidden);
+    all.add(visible).add(unused).add(hidden);
     po::positional_options_description positional;
     positional.add("named-study", takes_study_ ? 1 : 0);
     if (words_) {
@@ -358,6 +306,8 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
     if (words_) {
         *words_ = words;
     }
+    CommonOptions result = values.options;
+    const std::string& json = values.json;
     if (takes_study_ && study.empty()) {
         throw InputError(fmt::format("{} is missing; usage: pendular {}",
                                      missing_word_.empty() ? standard_missing_word : missing_word_,
@@ -368,7 +318,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
             fmt::format("--threads {}: at least one thread is needed", result.threads));
     }
     result.study = study;
-    result.fidelity = fidelity_named(fidelity);
+    result.fidelity = fidelity_named(values.fidelity);
     if (variables_.count("json") > 0) {
         result.json = json;
         if (json != "-") {
@@ -381,10 +331,11 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
             }
         }
     }
-    result.store_named = !store.empty() || std::getenv("PENDULAR_STORE");
-    result.store = store.empty() ? RunStore::standard_file() : std::filesystem::path(store);
+    result.store_named = !values.store.empty() || std::getenv("PENDULAR_STORE");
+    result.store =
+        values.store.empty() ? RunStore::standard_file() : std::filesystem::path(values.store);
     if (variables_.count("out") > 0) {
-        result.out = out;
+        result.out = values.out;
         demand_writable(*result.out, "--out", true);
     }
     if (takes_study_ && std::filesystem::exists(study)) {

@@ -6,11 +6,13 @@
 #include <list>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/declaration.h"
+#include "app/output_paths.h"
 #include "sim/runs/fidelity.h"
 
 namespace pendular::app {
@@ -18,17 +20,6 @@ namespace pendular::app {
 /// Returns the seed of random numbers that the user gave by option --seed.
 /// @throws InputError for a negative seed
 std::uint64_t checked_seed(std::int64_t seed);
-
-/// Checks, before long work, that a file or folder can be written. Creates nothing.
-/// @param option command-line option that gave the path, for the message
-/// @param folder whether `path` is a folder; otherwise it is a file
-/// @throws InputError where `path` is empty or cannot be written
-void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder);
-
-/// Checks that writing to `file` replaces nothing but an earlier table of the same kind.
-/// @param first first characters of every table of this kind
-/// @throws InputError where the file contains something else, such as a recording
-void demand_table(const std::filesystem::path& file, const std::string& first);
 
 /// Values of the command-line options that every command has, and the study that it reads.
 struct CommonOptions {
@@ -86,7 +77,15 @@ class Options {
     void set_first_word(std::string name_and_meaning) {
         missing_word_ = std::move(name_and_meaning);
     }
-    /// Sets the text in the help on option --out, the folder for results.
+    /// Leaves common options (names without "--") out of the help text, the manual and the
+    /// completion of words, because the command makes no use of them. `parse` still accepts them,
+    /// so that scripts can give the same options to every command.
+    void leave_out(std::set<std::string> unused) { unused_ = std::move(unused); }
+    /// Sets the text on option --fidelity in the help text, for a command that makes no simulation.
+    void set_fidelity(std::string meaning) { fidelity_meaning_ = std::move(meaning); }
+    /// Sets the text on option --store, the file that keeps simulations, in the help text.
+    void set_store(std::string meaning) { store_meaning_ = std::move(meaning); }
+    /// Sets the text on option --out, the folder for results, in the help text.
     void set_out(std::string meaning) { out_meaning_ = std::move(meaning); }
     /// Makes the command accept any number of words that belong to no option; they follow the study
     /// if the command reads one.
@@ -95,9 +94,9 @@ class Options {
     void take(std::vector<std::string>* words, ValueKind kind = {}) {
         words_ = words, words_kind_ = std::move(kind);
     }
-    /// Adds the option --NAME [MINUTES], which limits the time that some work may take.
-    /// @param seconds where `parse` stores the time [s]; empty: the option was not given
-    /// @param alone time where no number follows the option [min]; infinity: no limit
+    /// Adds the option --NAME [MINUTES], the time that work may take, which `parse` stores in
+    /// `seconds`: MINUTES is the next word where this is a number, else `alone`; empty without the
+    /// option. An infinite `alone` sets no limit. `description` states the default.
     void add_time(const char* name, std::optional<double>* seconds, double alone,
                   const std::string& description);
     /// Adds the option --NAME without a value: `parse` sets `value` to whether it was given.
@@ -116,6 +115,15 @@ class Options {
     }
 
   private:
+    /// Texts and values of the common options as the user gives them.
+    struct CommonValues {
+        std::string json, out, fidelity, store;
+        CommonOptions options;  ///< receives --threads, --quiet and --all
+    };
+    /// Declares the common options, whose values go to `values`.
+    /// @param shown whether to declare the options of the help text or those it leaves out
+    boost::program_options::options_description common_options(CommonValues& values,
+                                                               bool shown) const;
     void print_help(const boost::program_options::options_description& common) const;
     CommandDeclaration declaration(const boost::program_options::options_description& common) const;
 
@@ -129,7 +137,12 @@ class Options {
     /// Times [min] that apply where no number follows an option of `add_time`, by the name of the
     /// option.
     std::map<std::string, std::string> times_;
-    int default_threads_ = 0;  ///< default of --threads; 0: one per core
+    int default_threads_ = 0;       ///< default of --threads; 0: one per core
+    std::set<std::string> unused_;  ///< common options that the help text leaves out
+    std::string fidelity_meaning_;  ///< empty: the settings of simulations
+    std::string store_meaning_ =
+        "SQLite file that keeps the result of every simulation (default: $PENDULAR_STORE, else "
+        "~/.local/share/pendular/runs.sqlite)";
     std::string threads_meaning_ = "number of simulations at a time";
     std::string out_meaning_ = "folder for results of a study (default: STUDY/out)";
     std::vector<std::string> headings_;  ///< headings of the `sections_`

@@ -10,6 +10,7 @@
 #include "app/command.h"
 #include "app/console.h"
 #include "app/interrupt.h"
+#include "app/observable_line.h"
 #include "app/options.h"
 #include "app/stored_runs.h"
 #include "calib/emulator/emulated_observables.h"
@@ -24,16 +25,11 @@
 namespace pendular::app {
 namespace {
 
-/// Line with the name of an observable, its value and its standard error.
-std::string observable_line(dem::Observable which, double value, double standard_error) {
-    return fmt::format("{:<32} {:>22}", dem::observable_names[static_cast<std::size_t>(which)],
-                       with_error(value, standard_error));
-}
-
-/// Answer of the command: "Predicted: stress ratio 0.30 +- 0.01, solid fraction 0.600 +- 0.001.";
-/// `how` is the first word.
-std::string answer_of(const Mean& stress_ratio, const Mean& solid_fraction, const char* how) {
-    return fmt::format("{}: stress ratio {}, solid fraction {}.", how,
+/// First line of the answer, "Predicted at friction 0.12, inertial number 0 (quasi-static), dry:
+/// stress ratio 0.30 +- 0.01, solid fraction 0.600 +- 0.001."; `how` is the first word.
+std::string answer_of(const char* how, const RequestedState& at, const Mean& stress_ratio,
+                      const Mean& solid_fraction) {
+    return fmt::format("{} at {}: stress ratio {}, solid fraction {}.", how, at.text(),
                        with_error(stress_ratio.value, stress_ratio.standard_error),
                        with_error(solid_fraction.value, solid_fraction.standard_error));
 }
@@ -43,10 +39,11 @@ std::string answer_of(const Mean& stress_ratio, const Mean& solid_fraction, cons
 void note_differences(const RequestedState& requested, const dem::RunResult& run,
                       Console& console) {
     if (run.parameters.inertial_number != requested.inertial_number) {
-        console.note(fmt::format(
-            "The simulation has an inertial number of {:g}, the lowest of this fidelity, instead "
-            "of {:g}.",
-            run.parameters.inertial_number, requested.inertial_number));
+        console.note(
+            fmt::format("The simulation has an inertial number of {:g}, the lowest one at this "
+                        "fidelity, instead "
+                        "of {:g}.",
+                        run.parameters.inertial_number, requested.inertial_number));
     }
     if (requested.liquid_content) {
         const Mean& content = run[dem::Observable::liquid_content];
@@ -80,10 +77,12 @@ void simulate_one(const RequestedState& requested, const StatePredictor& predict
         throw std::runtime_error("the simulation failed: " + run.failure);
     }
     const auto simulated = [&run](dem::Observable which) { return run[which]; };
-    console.answer(answer_of(simulated(dem::Observable::stress_ratio),
-                             simulated(dem::Observable::solid_fraction), "Simulated"));
+    RequestedState at = requested;
+    at.inertial_number = run.parameters.inertial_number;
+    console.answer(answer_of("Simulated", at, simulated(dem::Observable::stress_ratio),
+                             simulated(dem::Observable::solid_fraction)));
     for (const dem::Observable which : observables_of(emulated::flow_state_of(wanted))) {
-        console.line(observable_line(which, run[which].value, run[which].standard_error));
+        console.line(observable_line(which, run[which]));
     }
     console.line(fmt::format(
         "Simulated at {} fidelity, since the simulations in atlas and store do not cover this "
@@ -102,10 +101,10 @@ void predict_one(const RequestedState& requested, const StatePredictor& predicto
             prediction.observables, [which](const auto& one) { return one.which == which; });
         return Mean{found->value.value, found->value.standard_error};
     };
-    console.answer(answer_of(predicted(dem::Observable::stress_ratio),
-                             predicted(dem::Observable::solid_fraction), "Predicted"));
+    console.answer(answer_of("Predicted", requested, predicted(dem::Observable::stress_ratio),
+                             predicted(dem::Observable::solid_fraction)));
     for (const auto& one : prediction.observables) {
-        console.line(observable_line(one.which, one.value.value, one.value.standard_error));
+        console.line(observable_line(one.which, {one.value.value, one.value.standard_error}));
     }
     if (prediction.closures) {
         print_closures(*prediction.closures, predicted(dem::Observable::stress_ratio).value,
@@ -160,12 +159,15 @@ void predict_along(const RequestedState& requested, const VariedQuantity& varied
 int predict(const std::vector<std::string>& arguments) {
     Options options(
         "predict [options]",
-        "Predicts the observables of steady shear at once, with standard errors, "
-        "from the\nsimulations in the atlas, which comes with the program, and in the store. "
-        "Refuses a "
-        "state that these do\nnot cover: outside of their convex hull, with a standard error above "
-        "15 % of the stress ratio or 2 % of\nthe solid fraction, or with impossible values. With "
-        "--along, writes a curve as CSV and figure, as far\nas the simulations reach.",
+        "Predicts steady shear, with standard errors, from the simulations that come with the "
+        "program (the\n"
+        "atlas) and those in the store, without a new simulation. Refuses a state that these "
+        "simulations do\n"
+        "not cover: outside of their convex hull, with a standard error above 15 % of the stress "
+        "ratio or 2 %\n"
+        "of the solid fraction, or with impossible values. With --along, writes a curve as CSV and "
+        "figure, as\n"
+        "far as the simulations reach.",
         "  pendular predict --friction 0.09\n"
         "  pendular predict --friction 0.09 --reduced-pressure 1 --liquid-content 0.03\n"
         "  pendular predict --reduced-pressure 3 --bridge-volume 0.004 --json -\n"
@@ -176,23 +178,26 @@ int predict(const std::vector<std::string>& arguments) {
         "rumpf_cohesion --draw generalised_cohesion\n",
         false);
     options.set_out("folder for prediction.csv and the figure of --along (default: here)");
+    options.leave_out({"threads"});
     RequestedState requested;
     double pressure = 0, volume = 0, content = 0, stiffness_number = 0;
     options.add("friction", &requested.friction,
-                "intergranular friction coefficient [1] (default 0.09)");
-    options.add("inertial-number", &requested.inertial_number,
-                "shear rate times sqrt(m/(a s22)) with mass m and diameter a of a bead and normal "
-                "stress s22 [1] (default 0, the quasi-static limit)");
+                "friction coefficient between grains [1] (default 0.09)");
+    options.add(
+        "inertial-number", &requested.inertial_number,
+        "shear rate times sqrt(m/(a s22)), with mass m and diameter a of a grain and normal "
+        "stress s22 [1] (default 0, the quasi-static limit)");
     options.add("reduced-pressure", &pressure,
-                "P* = a^2 s22/F0 of wet beads, with the pull-off force F0 of a liquid bridge [1] "
+                "P* = a^2 s22/F0 of wet grains, with the pull-off force F0 of a liquid bridge [1] "
                 "(default: dry)");
-    options.add("bridge-volume", &volume, "volume of a liquid bridge over a^3 [1]");
+    options.add("bridge-volume", &volume,
+                "volume of a liquid bridge over a^3, with the grain diameter a [1]");
     options.add("liquid-content", &content,
-                "liquid volume over bead volume [1], instead of --bridge-volume");
+                "liquid volume over grain volume [1], instead of --bridge-volume");
     options.add(
         "stiffness-number", &stiffness_number,
-        "stiffness number (E/((1 - nu^2) s22))^(2/3), of the grains, with the normal stress "
-        "s22 [1] (default: the value that belongs to --fidelity)");
+        "(E/((1 - nu^2) s22))^(2/3), with Young's modulus E and Poisson ratio nu of the grains and "
+        "the normal stress s22 [1] (default: the value that belongs to --fidelity)");
     std::string along;
     int points = 60;
     options.add("along", &along, "NAME=FROM:TO: quantity to vary, with its first and last value");
@@ -202,9 +207,10 @@ int predict(const std::vector<std::string>& arguments) {
                 "observable or formula to draw along the curve (default: stress_ratio and "
                 "solid_fraction); may be repeated");
     bool simulate = false;
-    options.add_switch("simulate", &simulate,
-                       "simulate the state at the --fidelity if atlas and store do not cover it, "
-                       "keep the result in the store and print the averages");
+    options.add_switch(
+        "simulate", &simulate,
+        "if atlas and store do not cover the state, simulate it at the --fidelity, keep "
+        "the result in the store and print the averages");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

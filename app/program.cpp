@@ -16,27 +16,26 @@ namespace {
 
 const std::vector<CommandGroup> groups = {
     {"Measure and calibrate",
-     {{"import", "turn recordings into shear stresses and solid fractions with their errors",
+     {{"import", "turn recordings into readings: shear stress and solid fraction with their errors",
        import},
-      {"calibrate", "fit the intergranular friction to the dry readings, predict the wet ones",
+      {"calibrate", "fit the friction between grains to the dry readings, predict the wet ones",
        calibrate},
-      {"compare", "compare model and measurement: misfit and figures", compare},
-      {"report", "write one page with live figures, switches for effects and sliders", report},
-      {"serve", "show this page on live data in the browser: drop recordings, add effects",
-       serve}}},
+      {"compare", "show where the model misses the readings, with figures", compare},
+      {"report", "write one HTML page on a study, with switches for effects and sliders", report},
+      {"serve", "show the report in the browser and update it as recordings arrive", serve}}},
     {"Find the missing physical effect",
      {{"diagnose", "test which physical effect is missing from the model", diagnose},
-      {"next", "plan the most informative next measurement", next},
-      {"add", "add an effect to the model, show the error before and after", add},
-      {"drop", "remove an effect from the model, show the error before and after", drop},
+      {"next", "plan the measurement that would tell most", next},
+      {"add", "add an effect to the model, refit it, show the error before and after", add},
+      {"drop", "remove an effect from the model, refit it, show the error before and after", drop},
       {"effects", "list the known effects, or describe one", effects}}},
     {"Simulate",
-     {{"predict", "predict a state of steady shear at once from earlier simulations", predict},
-      {"simulate", "shear one sample of grains by the discrete-element method", simulate},
-      {"campaign", "simulate many states; resumable, also on a cluster", campaign},
+     {{"predict", "predict steady shear from stored simulations, without a new one", predict},
+      {"simulate", "simulate one sheared sample by the discrete-element method", simulate},
+      {"campaign", "make many simulations; resumable, also on a cluster", campaign},
       {"runs", "list, compare, plot, export, import, merge and prune stored simulations", runs},
-      {"virtual-lab", "simulate recordings of an instrument with hidden effects", virtual_lab},
-      {"reproduce", "compare the simulations with a published study, figures included",
+      {"virtual-lab", "make test recordings with known, hidden effects", virtual_lab},
+      {"reproduce", "compare the simulations with the numbers of Badetti et al. (2018)",
        reproduce}}}};
 
 void print_overview() {
@@ -82,7 +81,10 @@ const ProgramTexts program_texts = {
         "  pendular diagnose my-study\n",
     .exit_codes =
         "0 done; 1 the program failed; 2 the input or the command line is wrong;\n"
-        "3 the fit did not converge or is meaningless; 130 interrupted.\n"};
+        "3 the fit did not converge, or its numbers mean nothing: the friction is at the end of "
+        "its\n"
+        "range and the model misses the readings, or more readings were set aside than kept;\n"
+        "130 interrupted.\n"};
 
 namespace {
 

@@ -17,13 +17,14 @@ namespace pendular::app {
 namespace {
 
 const char* const about_report =
-    R"(Writes a page on a study: one HTML file that needs no other file and no network. It shows the
+    R"(Writes a page on a study: one HTML file that needs no other file and no network. The page shows the
 verdict, measured values and model, the recordings with the rows that are averaged, where the model
-fails, which effects explain it, what they do to the friction, the ladder of models, what to measure
-next, the fit with its correlations, and the sources of all effects. Switches add the leading
-effects to the model and remove them, sliders move the parameters; curves, residuals, chi2 and RMS
-errors follow. Every combination of the leading effects is fitted beforehand, as 'pendular add'
-fits it without new simulations. Every figure saves its numbers as CSV and its drawing as SVG.)";
+fails, which effects explain the misfit and how they shift the friction, all models of the study so
+far, what to measure next, the fit with its correlations, and the sources of all effects. Switches add
+the leading effects to the model or remove them, and sliders move the parameters: curves, residuals,
+chi2 and RMS errors are updated. Every combination of the leading effects is fitted beforehand, as
+'pendular add' fits it without new simulations. Every figure saves its numbers as CSV and its drawing
+as SVG.)";
 
 }  // namespace
 
@@ -34,7 +35,9 @@ int report(const std::vector<std::string>& arguments) {
                     true);
     options.set_threads(0, "number of refits at a time");
     std::int64_t seed = 1;
-    options.add("seed", &seed, "seed of the random errors of the diagnosis (default 1)");
+    options.add("seed", &seed,
+                "seed of the simulated random errors from which p values and power are computed "
+                "(default 1)");
     std::size_t switches = 6;
     options.add("switches", &switches,
                 "largest number N of effects with a switch, 0 to 8 (default 6); 2^N models are "

@@ -21,9 +21,9 @@ namespace {
 
 const char* const about_reproduce =
     R"(Compares the simulations with every number of Badetti et al. (2018), Shear strength of wet
-granular materials, and draws each of its figures that shows simulations. The command uses the
-simulations that come with the program and those of the store. It prints the numbers that disagree
-(--all: every number), and with --out it writes reproduction.md and the figures.)";
+granular materials, and draws each figure of that article that shows simulations. Uses the simulations
+that come with the program (the atlas) and those in the store. Prints the numbers that disagree (with
+--all every number); with --out, writes reproduction.md and the figures.)";
 
 /// Simulates the states of the paper's study that no earlier run simulates, and keeps the runs.
 void simulate_missing(const Reproduction& reproduction, const CommonOptions& common,
@@ -52,7 +52,8 @@ int reproduce(const std::vector<std::string>& arguments) {
     bool simulate = false;
     options.add_switch(
         "simulate", &simulate,
-        "simulate the missing states at the --fidelity and keep the results in the store");
+        "simulate the states of the article that neither atlas nor store has, at the --fidelity, "
+        "and keep the results in the store");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -71,8 +72,8 @@ int reproduce(const std::vector<std::string>& arguments) {
     console.table(scoreboard_table(reproduction.rows(), common->all), 40);
     if (const std::size_t missing = reproduction.study().missing().size(); missing > 0) {
         console.note(
-            fmt::format("{} of the {} states of the paper's grid have not been simulated; "
-                        "'pendular reproduce --simulate' simulates them.",
+            fmt::format("{} of the {} states of the article have not been simulated; 'pendular "
+                        "reproduce --simulate' simulates them.",
                         missing, missing + reproduction.study().states().size()));
     }
     if (common->out) {

@@ -34,19 +34,23 @@ double positive(const std::string& words, const char* unit, const std::string& o
 RunEffects::RunEffects(Options& options, const std::vector<std::string>& arguments)
     : options_([&]() -> EffectOptions {
           options.begin_section(
-              "Quantities that convert effects from SI units to the units of the simulation");
+              "Scale of the sample (needed for effects whose parameters have units)");
           options.add("diameter", &diameter_,
-                      "diameter of the beads, with its unit (default 500 um)");
+                      "diameter of the grains, with its unit (default 500 um)");
           options.add("density", &density_,
-                      "density of the beads, with its unit (default 1050 kg/m^3)");
-          options.add("normal-stress", &normal_stress_,
-                      "normal stress on dry beads, with its unit (default 1 kPa); on wet beads the "
-                      "normal stress is P* pi Gamma/a, with the diameter a");
-          options.add("surface-tension", &surface_tension_,
-                      "surface tension Gamma of the liquid, with its unit (default 20.6 mN/m)");
+                      "density of the grains, with its unit (default 1050 kg/m^3)");
+          options.add(
+              "normal-stress", &normal_stress_,
+              "normal stress on dry grains, with its unit (default 1 kPa); on wet grains it is "
+              "P* pi Gamma/a, with the surface tension Gamma and the diameter a");
+          options.add(
+              "surface-tension", &surface_tension_,
+              "surface tension of the liquid, with its unit (default 20.6 mN/m): sets the normal "
+              "stress that belongs to P*; --capillary-bridges.surface_tension changes the "
+              "surface tension, and with it P*, at this normal stress");
           return {options, arguments,
-                  "Effects on beads and liquid (values with a unit, or numbers in the unit in "
-                  "brackets)",
+                  "Effects on grains and liquid (values with their unit, \"3 uN\"; a number "
+                  "without a unit is in SI units)",
                   why_no_run_has};
       }()) {}
 
@@ -58,7 +62,7 @@ void RunEffects::read_scale(const dem::RunParameters& run, const Options& option
     }
     if (!run.wetting && options.given("surface-tension")) {
         throw InputError(
-            "--surface-tension needs --reduced-pressure: without it the beads are dry");
+            "--surface-tension needs --reduced-pressure: without it the grains are dry");
     }
     scale_.grains.diameter = positive(diameter_, "m", "diameter");
     scale_.grains.density = positive(density_, "kg/m^3", "density");
@@ -93,7 +97,7 @@ void RunEffects::print(Console& console, const dem::RunParameters& changed) cons
             fmt::format("; friction {:g} in place of {:g}", changed.friction, without_.friction);
     }
     if (!changed.wetting && without_.wetting) {
-        text += "; the beads are dry";
+        text += "; the grains are dry";
     } else if (changed.wetting &&
                changed.wetting->reduced_pressure != without_.wetting->reduced_pressure) {
         text += fmt::format("; reduced pressure {:.4g} in place of {:g}",
@@ -104,7 +108,7 @@ void RunEffects::print(Console& console, const dem::RunParameters& changed) cons
     }
     if (scaled_) {
         console.line(fmt::format(
-            "The normal stress is {:.4g} Pa, on beads of {:.4g} um and {:g} kg/m^3{}.",
+            "The normal stress is {:.4g} Pa, on grains of {:.4g} um and {:g} kg/m^3{}.",
             scale_.normal_stress, 1e6 * scale_.grains.diameter, scale_.grains.density,
             without_.wetting
                 ? fmt::format(", surface tension {:.4g} mN/m", 1e3 * scale_.liquid.surface_tension)

@@ -12,7 +12,9 @@
 
 #include "app/command.h"
 #include "app/console.h"
+#include "app/observable_line.h"
 #include "app/options.h"
+#include "app/runs_request.h"
 #include "app/stored_runs.h"
 #include "app/terminal.h"
 #include "calib/emulator/emulated_observables.h"
@@ -32,41 +34,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Arguments of an action of `pendular runs`.
-struct Request {
-    CommonOptions common;
-    std::vector<std::string> words;
-    std::string condition, x = "inertial_number", y = "stress_ratio";
-    bool atlas = false, yes = false;
-
-    /// Runs of the store, or with --atlas of the atlas, for which the condition of --where holds.
-    /// @throws InputError where the store or the atlas does not exist, and for a wrong condition
-    std::vector<StoredRun> selected() const {
-        if (!atlas) {
-            return RunStore(common.store, true).select(condition);
-        }
-        const auto file = atlas_file();
-        if (file.empty()) {
-            throw InputError("there is no atlas; name one in PENDULAR_ATLAS");
-        }
-        RunStore store(RunStore::in_memory);
-        for (const StoredRun& run : read_runs(file)) {
-            store.add(run.run, run.physics_version);
-        }
-        return store.select(condition);
-    }
-};
-
-void demand_words(const Request& request, std::size_t least, const std::string& what) {
-    if (request.words.size() < least) {
-        throw InputError("name " + what);
-    }
-}
-
 std::string wetness(const dem::RunParameters& p) {
-    return p.wetting ? fmt::format("{:>6.3g} {:>8.3g}", p.wetting->reduced_pressure,
+    return p.wetting ? fmt::format("{:>8.3g} {:>8.3g}", p.wetting->reduced_pressure,
                                    p.wetting->bridge_volume)
-                     : fmt::format("{:>6} {:>8}", "dry", "");
+                     : fmt::format("{:>8} {:>8}", "dry", "");
 }
 
 std::string flags(const dem::RunResult& run) {
@@ -99,26 +70,36 @@ ordered_json stored_json(const StoredRun& stored) {
     return json;
 }
 
-int list(const Request& request, Console& console) {
+int list(const RunsRequest& request, Console& console) {
     const auto runs = request.selected();
     const bool effects = std::ranges::any_of(
         runs, [](const StoredRun& stored) { return !stored.run.parameters.effects.empty(); });
-    console.answer(fmt::format("{} run{}.", runs.size(), runs.size() == 1 ? "" : "s"));
+    console.answer(fmt::format("{} simulation{}.", runs.size(), runs.size() == 1 ? "" : "s"));
     console.line(
-        fmt::format("   id friction     I      P*  V0/a^3  kappa beads strain  stress ratio        "
-                    "solid fraction{}",
-                    effects ? "      remarks, effects (in the units of the simulation)" : ""));
+        "                inertial  reduced   bridge stiffness               stress              "
+        "solid");
+    console.line(fmt::format(
+        "  run friction    number pressure   volume    number grains strain ratio               "
+        "fraction            remarks{}",
+        effects ? "       effects" : ""));
     for (const auto& [id, version, run] : runs) {
         const auto& p = run.parameters;
         const Mean &ratio = run[dem::Observable::stress_ratio],
                    &solid = run[dem::Observable::solid_fraction];
-        console.line(fmt::format(
-            "{:>5} {:>8.4g} {:>6.3g} {} {:>6.4g} {:>5} {:>6.3g}  {:<18}  {:<18} {}{}", id,
+        std::string row = fmt::format(
+            "{:>5} {:>8.4g} {:>9.3g} {} {:>9.4g} {:>6} {:>6.3g} {:<19} {:<19} {:<13} {}", id,
             p.friction, p.inertial_number, wetness(p), p.stiffness_number, p.grains, p.strain,
             run.failure.empty() ? with_error(ratio.value, ratio.standard_error) : "",
             run.failure.empty() ? with_error(solid.value, solid.standard_error) : "", flags(run),
-            with_effects(p, flags(run).empty() ? "" : "; ")));
+            with_effects(p, ""));
+        row.erase(row.find_last_not_of(' ') + 1);
+        console.line(row);
     }
+    console.line(
+        fmt::format("  (reduced pressure: P* = a^2 s22/F0; bridge volume: V0/a^3; a: grain "
+                    "diameter, s22: normal "
+                    "stress, F0: pull-off force of a bridge{})",
+                    effects ? "; effects: in units of a, s22 and the grain mass" : ""));
     ordered_json json = ordered_json::array();
     for (const StoredRun& run : runs) {
         json.push_back(stored_json(run));
@@ -127,21 +108,19 @@ int list(const Request& request, Console& console) {
     return done;
 }
 
-int show(const Request& request, Console& console) {
-    demand_words(request, 1, "a run: pendular runs show 12");
-    const RunStore store(request.common.store, true);
+int show(const RunsRequest& request, Console& console) {
+    request.demand_words(1, "a run: pendular runs show 12");
+    const auto store = request.source();
     ordered_json json = ordered_json::array();
     for (const std::string& word : request.words) {
-        const StoredRun stored = store.get(run_number(word));
+        const StoredRun stored = numbered_run(*store, word);
         json.push_back(stored_json(stored));
         console.line(fmt::format("run {}\n{}", stored.id,
                                  run_description(stored.run.parameters, stored.run.threads)));
         for (std::size_t k = 0; k < dem::observable_count; ++k) {
             const auto which = static_cast<dem::Observable>(k);
             if (stored.run.parameters.wetting || !dem::needs_bridges(which)) {
-                const Mean& mean = stored.run[which];
-                console.line(fmt::format("  {:<32} {}", dem::observable_names[k],
-                                         with_error(mean.value, mean.standard_error)));
+                console.line(observable_line(which, stored.run[which]));
             }
         }
         if (const std::string words = flags(stored.run); !words.empty()) {
@@ -155,11 +134,11 @@ int show(const Request& request, Console& console) {
     return done;
 }
 
-int compare_two(const Request& request, Console& console) {
-    demand_words(request, 2, "two runs: pendular runs compare 12 15");
-    const RunStore store(request.common.store, true);
-    const StoredRun first = store.get(run_number(request.words[0])),
-                    second = store.get(run_number(request.words[1]));
+int compare_two(const RunsRequest& request, Console& console) {
+    request.demand_words(2, "two runs: pendular runs compare 12 15");
+    const auto store = request.source();
+    const StoredRun first = numbered_run(*store, request.words[0]),
+                    second = numbered_run(*store, request.words[1]);
     console.line(fmt::format("{:<32} {:>20} {:>20} {:>26}", "", fmt::format("run {}", first.id),
                              fmt::format("run {}", second.id), "difference / standard error"));
     for (const StoredRun* stored : {&first, &second}) {
@@ -189,7 +168,7 @@ int compare_two(const Request& request, Console& console) {
     return done;
 }
 
-int plot(const Request& request, Console& console) {
+int plot(const RunsRequest& request, Console& console) {
     const auto folder = request.common.out.value_or(".");
     const auto runs = request.selected();
     const Figure figure = runs_figure(runs, request.x, request.y);
@@ -199,8 +178,8 @@ int plot(const Request& request, Console& console) {
     return done;
 }
 
-int export_runs(const Request& request, Console& console) {
-    demand_words(request, 1, "the file to write: pendular runs export runs.csv");
+int export_runs(const RunsRequest& request, Console& console) {
+    request.demand_words(1, "the file to write: pendular runs export runs.csv");
     demand_writable(request.words[0], "export", false);
     demand_table(request.words[0], "physics_version,");
     const auto runs = request.selected();
@@ -211,10 +190,13 @@ int export_runs(const Request& request, Console& console) {
 
 /// Adds runs to the store by calling `take` for each file among the words; `take` returns the
 /// number of runs that it added.
-/// @throws InputError without a file, with `what` to name, and for a file that does not exist
-int take_in(const Request& request, Console& console, const std::string& what,
+/// @throws InputError with --atlas, without a file (with `what` to name), and for a file that does
+///         not exist
+int take_in(const RunsRequest& request, Console& console, const std::string& action,
+            const std::string& what,
             const std::function<std::size_t(RunStore&, const std::string&)>& take) {
-    demand_words(request, 1, what);
+    request.refuse_atlas(action);
+    request.demand_words(1, what);
     for (const std::string& file : request.words) {
         if (std::error_code error; !std::filesystem::exists(file, error)) {
             // Checked first, so that a missing file creates no empty store.
@@ -232,7 +214,7 @@ int take_in(const Request& request, Console& console, const std::string& what,
     return done;
 }
 
-int import_runs(const Request& request, Console& console) {
+int import_runs(const RunsRequest& request, Console& console) {
     // Read before the store is opened, so that a wrong table makes no store.
     std::map<std::string, std::vector<StoredRun>> tables;
     for (const std::string& file : request.words) {
@@ -246,16 +228,18 @@ int import_runs(const Request& request, Console& console) {
         }
         return added;
     };
-    return take_in(request, console, "the file to read: pendular runs import runs.csv", add);
+    return take_in(request, console, "import", "the file to read: pendular runs import runs.csv",
+                   add);
 }
 
-int merge(const Request& request, Console& console) {
+int merge(const RunsRequest& request, Console& console) {
     return take_in(
-        request, console, "the stores to add: pendular runs merge part-*.sqlite",
+        request, console, "merge", "the stores to add: pendular runs merge part-*.sqlite",
         [](RunStore& store, const std::string& file) { return store.merge(RunStore(file, true)); });
 }
 
-int prune(const Request& request, Console& console) {
+int prune(const RunsRequest& request, Console& console) {
+    request.refuse_atlas("prune");
     if (request.condition.empty()) {
         throw InputError(
             "name what to remove: pendular runs prune --where \"failure IS NOT NULL\" --yes");
@@ -273,8 +257,8 @@ int prune(const Request& request, Console& console) {
 }
 
 /// Fits the hyperparameters of the emulator to the selected runs and writes them to a CSV file.
-int learn(const Request& request, Console& console) {
-    demand_words(request, 1, "the file to write, emulator.csv beside its atlas");
+int learn(const RunsRequest& request, Console& console) {
+    request.demand_words(1, "the file to write, emulator.csv beside its atlas");
     demand_table(request.words[0], "observable,");
     std::vector<dem::RunResult> runs;
     for (const StoredRun& stored : request.selected()) {
@@ -304,7 +288,7 @@ int learn(const Request& request, Console& console) {
     return done;
 }
 
-const std::vector<std::pair<std::string, int (*)(const Request&, Console&)>> actions = {
+const std::vector<std::pair<std::string, int (*)(const RunsRequest&, Console&)>> actions = {
     {"list", list},   {"show", show},          {"compare", compare_two},
     {"plot", plot},   {"export", export_runs}, {"import", import_runs},
     {"merge", merge}, {"prune", prune},        {"learn", learn}};
@@ -312,22 +296,25 @@ const std::vector<std::pair<std::string, int (*)(const Request&, Console&)>> act
 }  // namespace
 
 int runs(const std::vector<std::string>& arguments) {
-    Request request;
+    RunsRequest request;
     Options options(
         "runs list|show|compare|plot|export|import|merge|prune|learn [arguments] [options]",
-        "Lists, shows, compares, draws, exports, adds and removes stored simulations (runs).\n"
-        "  list              one line per run\n"
-        "  show ID...        one run in full; with --out, a figure of its time series\n"
-        "  compare ID ID     two runs side by side\n"
+        "Lists, shows, compares, draws, exports, adds and removes stored simulations (runs). The "
+        "columns for\n"
+        "--where, --x and --y are those of the table that 'export' writes.\n"
+        "  list              one line per simulation\n"
+        "  show ID...        one simulation in full; with --out, a figure of its time series\n"
+        "  compare ID ID     two simulations side by side\n"
         "  plot              a figure of one column against another, in the folder --out\n"
-        "  export FILE.csv   write the runs as a table\n"
-        "  import FILE.csv   add the runs of such a table\n"
-        "  merge STORE...    add the runs of other stores\n"
-        "  prune             remove the runs that --where selects\n"
-        "  learn FILE.csv    fit the emulator's hyperparameters; other commands use them from "
-        "emulator.csv\n                    beside the atlas",
+        "  export FILE.csv   write the simulations as a table\n"
+        "  import FILE.csv   add the simulations of such a table to the store\n"
+        "  merge STORE...    add the simulations of other stores to the store\n"
+        "  prune             remove the simulations that --where selects from the store\n"
+        "  learn FILE.csv    retrain the emulator (for developers of Pendular): fit its "
+        "hyperparameters",
         "  pendular runs list --where \"friction = 0.09 AND reduced_pressure IS NULL\"\n"
         "  pendular runs list --atlas\n"
+        "  pendular runs compare 1 2 --atlas\n"
         "  pendular runs list --where \"effects IS NULL\"\n"
         "  pendular runs learn --atlas sim/atlas/emulator.csv\n"
         "  pendular runs plot --x inertial_number --y solid_fraction --out figures\n"
@@ -337,12 +324,19 @@ int runs(const std::vector<std::string>& arguments) {
                                          "merge", "prune", "learn"}));
     options.set_out("folder for figures (default: here)");
     options.add("where", &request.condition,
-                "only runs for which this SQL condition on the columns holds");
+                "only simulations for which this SQL condition on the columns holds");
     options.add("x", &request.x, "column on the x axis of the plot (default inertial_number)");
     options.add("y", &request.y, "column on the y axis of the plot (default stress_ratio)");
-    options.add_switch("atlas", &request.atlas,
-                       "use the runs that come with pendular in place of the store");
-    options.add_switch("yes", &request.yes, "remove without asking");
+    options.add_switch(
+        "atlas", &request.atlas,
+        "use the simulations that come with pendular (the atlas) instead of the store");
+    options.add_switch(
+        "yes", &request.yes,
+        "with prune: remove the simulations; without it, only their number is printed");
+    options.leave_out({"fidelity", "threads"});
+    options.set_store(
+        "SQLite file with the simulations (default: $PENDULAR_STORE, else "
+        "~/.local/share/pendular/runs.sqlite)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

@@ -24,16 +24,17 @@ namespace pendular::app {
 namespace {
 
 const char* const about_serve =
-    R"(Shows the page of 'pendular report' on live data, in browsers on this computer: open the address
-that the command prints. The page is made again whenever study.toml or a recording changes on the
-disk, and says after each recording what to measure next. A recording that is dropped onto the page
-is stored in the study's folder, if a 'file' pattern of a [[recording]] matches its name and it can
-be read. Buttons beside the switches add an effect to the study or remove it, as 'pendular add' and
-'pendular drop' do. An error in a file is shown; the last good page stays until it is mended.
+    R"(Shows the page of 'pendular report' in browsers on this computer and keeps it up to date: open the
+address that the command prints. The page is made again whenever study.toml or a recording changes on
+the disk, and says after each recording what to measure next. A recording that is dragged onto the page
+is stored in the study's folder, if it can be read and its name matches a 'file' pattern of a
+[[recording]]. Buttons beside the switches add an effect to the study or remove it, as 'pendular add'
+and 'pendular drop' do. After an error in a file, the page shows the error and the results from before
+it, until the file is corrected.
 
-The server answers only to this computer (127.0.0.1) and to those who know the random token in the
-address. It reads and writes the study, its results folder and the store of runs, and nothing else.
-Ctrl-C ends it.)";
+The server answers only to this computer (127.0.0.1) and only to addresses with the random token that
+the command prints. It reads and writes the study, its results folder and the store of simulations,
+and nothing else. Ctrl-C ends it.)";
 
 /// Options of the command.
 struct ServeOptions {
@@ -101,7 +102,9 @@ int serve(const std::vector<std::string>& arguments) {
     options.set_threads(0, "number of refits at a time");
     ServeOptions own;
     options.add("port", &own.port, "port of the address (default: any free one)");
-    options.add("seed", &own.seed, "seed of the random errors of the diagnosis (default 1)");
+    options.add("seed", &own.seed,
+                "seed of the simulated random errors from which p values and power are computed "
+                "(default 1)");
     options.add("switches", &own.switches,
                 "largest number N of effects with a switch, 0 to 8 (default 6); 2^N models are "
                 "fitted");

@@ -12,6 +12,7 @@
 #include "app/command.h"
 #include "app/console.h"
 #include "app/interrupt.h"
+#include "app/observable_line.h"
 #include "app/options.h"
 #include "app/run_effects.h"
 #include "app/stored_runs.h"
@@ -95,16 +96,15 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
         if (!p.wetting && dem::needs_bridges(static_cast<dem::Observable>(k))) {
             continue;
         }
-        const auto& about = quantity(dem::observable_names[k]);
-        console.line(fmt::format("  {:<32} {:<22} {}", about.name,
-                                 with_error(run.means[k].value, run.means[k].standard_error),
-                                 about.meaning));
+        console.line(observable_line(static_cast<dem::Observable>(k), run.means[k]));
     }
-    console.line(
-        fmt::format("{} grains; averages over a strain of {:.2f} after a transient strain of "
-                    "{:.2f}; {} steps of {:.3g} sqrt(m/(a s22)); {:.1f} s, {:.3g} grain-steps/s.",
-                    p.grains, run.strain_averaged, run.strain_transient, run.steps, run.time_step,
-                    run.wall_seconds, run.particle_steps_per_second()));
+    console.line(fmt::format(
+        "{} grains; averages over a strain of {:.2f} after a transient strain of "
+        "{:.2f}; {} time steps, each {:.3g} sqrt(m/(a s22)) (m: grain mass, a: grain "
+        "diameter, s22: normal stress); computing time {:.1f} s, {:.3g} time steps of a "
+        "grain per second.",
+        p.grains, run.strain_averaged, run.strain_transient, run.steps, run.time_step,
+        run.wall_seconds, run.particle_steps_per_second()));
 }
 
 /// Requested standard error of an observable, parsed from "OBSERVABLE=STANDARD_ERROR".
@@ -225,7 +225,7 @@ std::optional<StoredRun> start_of(const dem::RunParameters& run, const std::stri
         if (stored.run.final_state.grains.empty()) {
             throw InputError(
                 fmt::format("--start {}: this stored simulation has no final state to start from; "
-                            "one that failed or has beads of several sizes has none",
+                            "one that failed or has grains of several sizes has none",
                             word));
         }
         return stored;
@@ -325,11 +325,14 @@ int simulate(const std::vector<std::string>& arguments) {
     dem::RunParameters run;
     Options options(
         "simulate [options]",
-        "Shears a random sample of monosized beads, dry or joined by liquid bridges, at "
-        "constant normal\n"
-        "stress until it is steady, and prints time averages with standard errors. "
-        "Results hold for the\nsimulated stiffness number, without correction. Options "
-        "--EFFECT.PARAMETER add physical effects.",
+        "Simulates a sample of equal grains, dry or joined by liquid bridges, that is sheared at "
+        "constant\n"
+        "normal stress until the flow is steady, and prints time averages with standard errors. "
+        "The "
+        "results\n"
+        "hold for the simulated stiffness number, without correction. Options --EFFECT.PARAMETER "
+        "add physical\n"
+        "effects.",
         "  pendular simulate --friction 0.09 --inertial-number 0.003\n"
         "  pendular simulate --reduced-pressure 3 --bridge-volume 0.002\n"
         "  pendular simulate --fidelity quick --friction 0.3 --json run.json\n"
@@ -344,20 +347,22 @@ int simulate(const std::vector<std::string>& arguments) {
     options.set_out(
         "folder for run.json, profiles and distributions as CSV and figures, and snapshots "
         "(default: no files)");
-    options.add("friction", &run.friction, "intergranular friction coefficient [1] (default 0.09)");
-    options.add("inertial-number", &run.inertial_number,
-                "shear rate times sqrt(m/(a s22)) with mass m and diameter a of a bead and normal "
-                "stress s22 [1] (default: the lowest that belongs to --fidelity)");
+    options.add("friction", &run.friction,
+                "friction coefficient between grains [1] (default 0.09)");
+    options.add(
+        "inertial-number", &run.inertial_number,
+        "shear rate times sqrt(m/(a s22)), with mass m and diameter a of a grain and normal "
+        "stress s22 [1] (default: the lowest that belongs to --fidelity)");
     options.add("stiffness-number", &run.stiffness_number,
                 "(E/((1 - nu^2) s22))^(2/3) with Young's modulus E, Poisson ratio nu and normal "
                 "stress s22 [1] (default: the value that belongs to --fidelity)");
     options.add("poisson-ratio", &run.poisson_ratio,
-                "Poisson ratio of the beads [1] (default 0.3)");
+                "Poisson ratio of the grains [1] (default 0.3)");
     options.add("damping", &run.damping,
                 "viscous damping of a contact along its normal, over the critical damping [1] "
                 "(default 0.98)");
     options.add("beads", &run.grains,
-                "number of beads (default: the number that belongs to --fidelity)");
+                "number of grains (default: the number that belongs to --fidelity)");
     options.add("strain", &run.strain,
                 "shear strain over which averages are taken, after the transient [1] (default: the "
                 "value that belongs to --fidelity)");
@@ -368,20 +373,23 @@ int simulate(const std::vector<std::string>& arguments) {
     dem::Wetting wetting{.bridge_volume = 2e-3};
     std::string bridge_force = to_string(FormulaVariant::derived);
     options.add("reduced-pressure", &wetting.reduced_pressure,
-                "P* = a^2 s22/F0 of wet beads, with the pull-off force F0 of a liquid bridge [1] "
+                "P* = a^2 s22/F0 of wet grains, with the pull-off force F0 of a liquid bridge [1] "
                 "(default: dry)");
-    options.add("bridge-volume", &wetting.bridge_volume,
-                "volume of a liquid bridge over a^3, with the diameter a [1] (default 0.002)");
-    options.add("bridge-force", &bridge_force,
-                "formula of the bridge force: derived (default) or as_printed",
-                one_of({"derived", "as_printed"}));
+    options.add(
+        "bridge-volume", &wetting.bridge_volume,
+        "volume of a liquid bridge over a^3, with the grain diameter a [1] (default 0.002)");
+    options.add(
+        "bridge-force", &bridge_force,
+        "formula of the force of a bridge without contact: derived (default), or as_printed in "
+        "Badetti et al. (2018), Eq. (5)",
+        one_of({"derived", "as_printed"}));
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the random initial state (default 1)");
     Extras extras;
     options.add("start", &extras.start,
                 "number of the stored simulation ('pendular runs list') whose final state is the "
-                "initial state, or 'nearest' for the one of the nearest parameters (a random state "
-                "if there is none): shortens the transient");
+                "initial state, or 'nearest': the stored simulation with the nearest parameters (a "
+                "random state if there is none); shortens the transient");
     options.add("snapshot-every", &extras.snapshot_every,
                 "strain between snapshots for OVITO and ParaView in the folder of --out [1]");
     options.add("checkpoint", &extras.checkpoint,
@@ -401,7 +409,7 @@ int simulate(const std::vector<std::string>& arguments) {
         run.wetting = wetting;
     } else if (options.given("bridge-volume") || options.given("bridge-force")) {
         throw InputError(
-            "--bridge-volume and --bridge-force need --reduced-pressure: without it the beads are "
+            "--bridge-volume and --bridge-force need --reduced-pressure: without it the grains are "
             "dry");
     }
     run.inertial_number =

@@ -69,8 +69,8 @@ void demand_new(const std::filesystem::path& folder) {
 void print_wet_step(Console& console, const LabRecording& recording, const LabStep& step) {
     const Mean& found = step.run[dem::Observable::liquid_content];
     const auto& wetting = *step.run.parameters.wetting;
-    console.line(fmt::format("  {:<16} {:>8g} {:>8.3g} {:>8g} {:>10.3e}   {:g}: {}", recording.file,
-                             step.condition.normal_stress, wetting.reduced_pressure,
+    console.line(fmt::format("  {:<16} {:>11g} {:>9.3g} {:>9g} {:>10.3e}   {:g}: {}",
+                             recording.file, step.condition.normal_stress, wetting.reduced_pressure,
                              step.condition.inertial_number, wetting.bridge_volume,
                              step.imposed.liquid_content,
                              with_error(found.value, found.standard_error)));
@@ -82,11 +82,13 @@ void print_result(Console& console, const LabResult& result, const std::filesyst
     for (const auto& recording : result.recordings) {
         steps += recording.steps.size();
     }
+    const auto counted = [](std::size_t count, const char* what) {
+        return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+    };
     console.answer(fmt::format(
-        "{} holds {} recordings of {} steps in all with noise {:g}; truth.json states the hidden "
-        "friction{}.",
-        folder.string(), result.recordings.size(), steps, plan.instrument.noise,
-        plan.effects.empty() ? "" : " and the hidden effects"));
+        "{} holds {} with {} in all, with noise {:g}; truth.json states the hidden friction{}.",
+        folder.string(), counted(result.recordings.size(), "recording"), counted(steps, "step"),
+        plan.instrument.noise, plan.effects.empty() ? "" : " and the hidden effects"));
     console.line(fmt::format(
         "Each step has its own simulation and seed: {} grains, stiffness number {:g}, averages "
         "over a strain of {:g}.{}",
@@ -96,8 +98,11 @@ void print_result(Console& console, const LabResult& result, const std::filesyst
             ? fmt::format(" {} shorter simulations found the bridge volumes.", result.pilots)
             : ""));
     if (!plan.liquid_contents.empty()) {
-        console.line(fmt::format("  {:<16} {:>8} {:>8} {:>8} {:>10}   {}", "file", "s22 [Pa]", "P*",
-                                 "I", "V0/a^3", "liquid content requested: reached"));
+        console.line(fmt::format("  {:<16} {:>11} {:>9} {:>9} {:>10}   {}", "wet", "normal",
+                                 "reduced", "inertial", "bridge", "liquid content"));
+        console.line(fmt::format("  {:<16} {:>11} {:>9} {:>9} {:>10}   {}", "recording",
+                                 "stress [Pa]", "pressure", "number", "volume/a^3",
+                                 "requested: reached"));
     }
     for (const auto& recording : result.recordings) {
         for (const auto& step : recording.steps) {
@@ -111,29 +116,29 @@ void print_result(Console& console, const LabResult& result, const std::filesyst
 
 void declare(Options& options, LabPlan& plan, Words& words) {
     options.add("friction", &plan.friction,
-                "hidden intergranular friction coefficient [1] (default 0.09)");
+                "hidden friction coefficient between grains [1] (default 0.09)");
     options.add(
         "noise", &plan.instrument.noise,
-        "factor on the scatter of a step's means [1]; 1 (default): 1 % in torque and 0.2 % in "
-        "solid fraction");
+        "scatter of the mean values of steps, as a multiple of 1 % in torque and 0.2 % in solid "
+        "fraction (default 1)");
     options.add("drift", &plan.instrument.drift,
-                "standard deviation of the drift of torque and solid fraction over a recording, in "
-                "the same unit as --noise (default 0)");
+                "drift of torque and solid fraction over a recording (standard deviation), as a "
+                "multiple of the scatter of --noise 1 [1] (default 0)");
     options.add("dry-normal-stresses", &words.dry_normal_stresses,
                 "normal stresses of dry recordings, with a unit (default \"0.3, 1, 3 kPa\")");
     options.add("wet-normal-stresses", &words.wet_normal_stresses,
                 "normal stresses of wet recordings, with a unit (default \"0.3, 0.6, 1, 3 kPa\")");
     options.add("liquid-contents", &words.liquid_contents,
-                "liquid volume over bead volume [1] (default \"0.007, 0.03\")");
+                "liquid volume over grain volume [1] (default \"0.007, 0.03\")");
     options.add("inertial-numbers", &words.inertial_numbers,
-                "inertial numbers, shear rate times sqrt(m/(a s22)) with mass m and diameter a of "
-                "a bead and normal stress s22 [1] (default \"0.003, 0.03\")");
+                "inertial numbers: shear rate times sqrt(m/(a s22)), with mass m and diameter a of "
+                "a grain and normal stress s22 [1] (default \"0.003, 0.03\")");
     options.add("replicates", &plan.replicates,
                 "number of recordings of each liquid content (default 2)");
     options.add("rows", &plan.instrument.rows,
                 "number of recorded rows of each step (default 400)");
     options.add("bead-mass", &words.bead_mass,
-                "mass of beads in the cell, with its unit (default \"60 g\")");
+                "mass of the beads in the cell, with its unit (default \"60 g\")");
     options.add("surface-tension", &words.surface_tension,
                 "surface tension of the liquid, with its unit (default \"20.6 mN/m\")");
 }
@@ -160,14 +165,19 @@ int virtual_lab(const std::vector<std::string>& arguments) {
     Words words;
     Options options(
         "virtual-lab OUT [options]",
-        "Simulates recordings of an annular cell whose friction and effects are known, and writes "
-        "them to the\nnew folder OUT with study.toml and truth.json. study.toml lists no effects; "
-        "truth.json states the\nhidden friction and effects, and no command reads it. The "
-        "simulations are not stored, so that no calibration uses them.\nBeads of 500 um and 1050 "
-        "kg/m^3 are in a "
-        "cell with radii of 21 and 45 mm. The contact angle is 0 and\nthe weight of the beads is "
-        "neglected, unless a hidden effect changes this. Set points are values that\nthe "
-        "instrument shows.",
+        "Makes test recordings of an annular cell whose friction and effects are known, and writes "
+        "them to\n"
+        "the new folder OUT as a study. Its study.toml lists no effects; truth.json states the "
+        "hidden friction\n"
+        "and the hidden effects, and no command reads it. The recordings come from new simulations "
+        "with 1.5\n"
+        "times the number of grains of --fidelity, which are not stored, so that no calibration "
+        "uses them.\n"
+        "The cell has radii of 21 and 45 mm and holds grains of 500 um and 1050 kg/m^3. Unless a "
+        "hidden effect\n"
+        "changes this, the contact angle is 0 and the weight of the beads is neglected. Set points "
+        "are values\n"
+        "that the instrument shows.",
         examples(), true);
     options.set_first_word("OUT, the folder for the new study,");
     declare(options, plan, words);
@@ -175,9 +185,12 @@ int virtual_lab(const std::vector<std::string>& arguments) {
     options.add("seed", &seed, "seed of simulations and instrument (default 1)");
     bool dry = false;
     options.add_switch("dry", &dry, "make no wet recordings");
-    const EffectOptions effects(
-        options, arguments,
-        "Hidden effects (values with a unit, or numbers in the unit in brackets)");
+    const EffectOptions effects(options, arguments,
+                                "Hidden effects (values with their unit, as in \"0.1 mN m\"; a "
+                                "number without a unit is in SI "
+                                "units)",
+                                why_no_lab_has);
+    options.leave_out({"out", "store"});
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -217,6 +230,7 @@ int virtual_lab(const std::vector<std::string>& arguments) {
     demand_new(folder);
     write_whole_folder(folder, files);
     print_result(console, result, folder);
+    console.next("pendular import " + shell_word(folder));
     console.json(truth);
     return done;
 }

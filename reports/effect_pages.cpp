@@ -9,6 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "data/printed_unit.h"
+#include "sim/lab/lab_plan.h"
+
 namespace pendular {
 namespace {
 
@@ -21,10 +24,13 @@ struct Group {
 
 constexpr std::array<Group, 5> groups = {{
     {"instrument", "the instrument", false, true},
-    {"beads-and-liquid", "the beads and the liquid", true, true},
-    {"grains", "the grains, in the simulation", true, true},
-    {"closure", "closures, of base = \"mohr-coulomb\" or \"rumpf\"", false, false},
-    {"flow", "the flow of the beads", false, false},
+    {"beads-and-liquid", "the properties of the grains and the liquid", true, true},
+    {"grains", "the forces between grains and the grain sizes", true, true},
+    {"closure",
+     "the formula of the strength of wet grains (base = \"mohr-coulomb\" or \"rumpf\"; base = "
+     "\"dem\" simulates and needs none)",
+     false, false},
+    {"flow", "the predicted shear stress and solid fraction", false, false},
 }};
 
 std::size_t group_index(const Effect& effect) {
@@ -53,22 +59,51 @@ const char* touched(const Effect& effect) {
     }
 }
 
-std::string in_study(const EffectEntry& entry) {
-    if (!entry.status) {
-        return "";
-    }
-    return entry.status->why_not ? "no" : entry.status->listed ? "yes" : "may be added";
+/// Readings that an effect can change, as a sentence has them: "wet readings".
+std::string readings_text(const Effect& effect) {
+    return effect.touches == Touches::failure ? "readings at failure (peaks)"
+                                              : fmt::format("{} readings", touched(effect));
+}
+
+/// Entry of the column "applies" of a table.
+std::string applies(const EffectEntry& entry) {
+    if (!entry.status) return "";
+    if (entry.status->obstacle) return entry.status->obstacle->brief;
+    return entry.status->listed ? "in the model" : "yes";
 }
 
 std::string unit_of(const EffectParameter& parameter) {
-    return parameter.is_switch() ? "switch" : parameter.unit;
+    return parameter.is_switch() ? "switch" : printed_unit(parameter).name;
+}
+
+/// Value at which an effect of one parameter vanishes, as text.
+std::string neutral_text(const Effect& effect, const EffectParameter& p) {
+    return effect.given_by_liquid ? "the value in study.toml" : printed_value(p.neutral, p);
+}
+
+/// Name of a quantity without underscores, "normal stress".
+std::string spoken(std::string name) {
+    std::ranges::replace(name, '_', ' ');
+    return name;
+}
+
+/// Quantities on which the change of the readings by an effect depends, "normal stress (largest at
+/// small values), height".
+std::string dependences(const Effect& effect) {
+    std::vector<std::string> texts;
+    for (const std::string& name : effect.acts_through) {
+        texts.push_back(name.starts_with("1/")
+                            ? spoken(name.substr(2)) + " (largest at small values)"
+                            : spoken(name));
+    }
+    return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 std::string table_line(const std::string& name, const std::string& parameter,
                        const std::string& unit, const std::string& touches,
                        const std::string& status, const std::string& summary) {
     return fmt::format("  {:<23} {:<16} {:<8} {:<8} {}{}", name, parameter, unit, touches,
-                       status.empty() ? "" : fmt::format("{:<13}", status), summary);
+                       status.empty() ? "" : fmt::format("{:<20} ", status), summary);
 }
 
 /// Adds the lines of an effect to a table, one per parameter. Only the first line names the effect.
@@ -77,7 +112,7 @@ void add_effect(std::vector<std::string>& lines, const EffectEntry& entry) {
     for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
         const EffectParameter& p = effect.parameters[k];
         lines.push_back(k == 0 ? table_line(effect.name, p.name, unit_of(p), touched(effect),
-                                            in_study(entry), effect.summary)
+                                            applies(entry), effect.summary)
                                : table_line("", p.name, unit_of(p), "", "", p.meaning));
     }
 }
@@ -94,49 +129,57 @@ void add_lines(std::vector<std::string>& page, const char* name, const std::stri
     }
 }
 
-std::string parameter_text(const EffectParameter& p) {
-    if (p.is_switch()) {
-        return fmt::format("{}, a switch: 1 on, 0 off: {}", p.name, p.meaning);
-    }
-    return fmt::format(
-        "{} [{}], {:g} to {:g}; no effect at {:g}; a difference of {:g} from that matters: {}",
-        p.name, p.unit, p.lower, p.upper, p.neutral, p.smallest_of_interest, p.meaning);
+std::string parameter_text(const Effect& effect, const EffectParameter& p) {
+    if (p.is_switch()) return fmt::format("{}, a switch (1 on, 0 off): {}", p.name, p.meaning);
+    return fmt::format("{}: {}; {}, no effect at {}, smallest change that matters {}", p.name,
+                       p.meaning, printed_bounds(p), neutral_text(effect, p),
+                       printed_value(p.smallest_of_interest, p));
 }
 
-/// Options that set an effect to its smallest size that matters, "--torque-offset.torque 0.0001".
+/// Options that set an effect to its smallest size that matters, `--torque-offset.torque "0.1
+/// mN m"`.
 std::string options_of(const Effect& effect) {
     std::vector<std::string> options;
     for (const EffectParameter& p : effect.parameters) {
-        options.push_back(fmt::format("--{}.{} {:g}", effect.name, p.name,
-                                      p.is_switch() ? 1 : p.neutral + p.smallest_of_interest));
+        const double from =
+            effect.given_by_liquid ? effect.unlisted_value(LabPlan().liquid) : p.neutral;
+        const std::string value =
+            p.is_switch() ? "1" : printed_value(from + p.smallest_of_interest, p);
+        const bool quoted = value.find(' ') != std::string::npos;
+        options.push_back(
+            fmt::format("--{}.{} {}", effect.name, p.name, quoted ? '"' + value + '"' : value));
     }
     return fmt::format("{}", fmt::join(options, " "));
+}
+
+/// Command that simulates one sample with an effect.
+std::string simulate_command(const Effect& effect) {
+    return fmt::format("pendular simulate {}{}",
+                       effect.touches == Touches::wet ? "--reduced-pressure 3 " : "",
+                       options_of(effect));
 }
 
 void add_how_to(std::vector<std::string>& page, const EffectEntry& entry) {
     const Effect& effect = *entry.effect;
     const Group& group = groups[group_index(effect)];
-    page.push_back(field("in a study", fmt::format("[model] effects = [\"{0}\"], or 'pendular add "
-                                                   "STUDY {0}'",
+    page.push_back(field("in a study", fmt::format("pendular add STUDY {0}, which writes [model] "
+                                                   "effects = [\"{0}\"]",
                                                    effect.name)));
     if (entry.written) {
         return;
     }
     if (group.in_virtual_lab) {
         page.push_back(
-            field("in a lab", fmt::format("pendular virtual-lab OUT {}", options_of(effect))));
+            field("virtual lab", fmt::format("pendular virtual-lab OUT {}", options_of(effect))));
     }
     if (group.in_simulate) {
-        page.push_back(
-            field("in simulate", fmt::format("pendular simulate {}", options_of(effect))));
+        page.push_back(field("simulation", simulate_command(effect)));
     }
 }
 
 std::string status_text(const EffectEntry& entry) {
-    if (entry.status->why_not) {
-        return *entry.status->why_not;
-    }
-    return entry.status->listed ? "switched on" : "can be added";
+    if (entry.status->obstacle) return entry.status->obstacle->sentence;
+    return entry.status->listed ? "the model has the effect" : "the effect can be added";
 }
 
 /// Text with the special characters of Markdown escaped.
@@ -153,14 +196,14 @@ std::string code_block(const std::string& language, const std::string& text) {
     return fmt::format("```{}\n{}\n```\n", language, text);
 }
 
-std::string parameter_row(const EffectParameter& p) {
+std::string parameter_row(const Effect& effect, const EffectParameter& p) {
     if (p.is_switch()) {
         return fmt::format("| `{}` | switch | 0 or 1 | 0 | 1 | {} |\n", p.name,
                            markdown(p.meaning));
     }
-    return fmt::format("| `{}` | {} | {:g} to {:g} | {:g} | {:g} | {} |\n", p.name,
-                       markdown(p.unit), p.lower, p.upper, p.neutral, p.smallest_of_interest,
-                       markdown(p.meaning));
+    return fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", p.name, markdown(unit_of(p)),
+                       printed_bounds(p), neutral_text(effect, p),
+                       printed_value(p.smallest_of_interest, p), markdown(p.meaning));
 }
 
 std::string parameter_table(const Effect& effect) {
@@ -168,7 +211,7 @@ std::string parameter_table(const Effect& effect) {
         "| parameter | unit | bounds | value without effect | smallest change that matters | "
         "meaning |\n|---|---|---|---|---|---|\n";
     for (const EffectParameter& p : effect.parameters) {
-        text += parameter_row(p);
+        text += parameter_row(effect, p);
     }
     return text;
 }
@@ -177,15 +220,15 @@ std::string manual_how_to(const EffectEntry& entry) {
     const Effect& effect = *entry.effect;
     const Group& group = groups[group_index(effect)];
     std::string text =
-        fmt::format("In a study, as `pendular add STUDY {}` writes it:\n\n", effect.name) +
+        fmt::format("`pendular add STUDY {}` writes in study.toml:\n\n", effect.name) +
         code_block("toml", fmt::format("[model]\neffects = [\"{}\"]", effect.name));
     if (!entry.written && group.in_virtual_lab) {
-        text += "\nAs a hidden truth of a virtual laboratory:\n\n" +
+        text += "\nTo make test recordings with the effect:\n\n" +
                 code_block("sh", fmt::format("pendular virtual-lab my-lab {}", options_of(effect)));
     }
     if (!entry.written && group.in_simulate) {
-        text += "\nIn a simulation:\n\n" +
-                code_block("sh", fmt::format("pendular simulate {}", options_of(effect)));
+        text += "\nTo simulate one sample with the effect:\n\n" +
+                code_block("sh", simulate_command(effect));
     }
     return text;
 }
@@ -204,7 +247,7 @@ std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries) 
     const bool study = std::ranges::any_of(
         entries, [](const EffectEntry& entry) { return entry.status.has_value(); });
     std::vector<std::string> lines = {
-        table_line("effect", "parameter", "unit", "readings", study ? "in study" : "", "meaning")};
+        table_line("effect", "parameter", "unit", "readings", study ? "applies" : "", "meaning")};
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const auto begin = lines.size();
         for (const EffectEntry& entry : entries) {
@@ -223,15 +266,17 @@ std::vector<std::string> effect_page(const EffectEntry& entry) {
     const Effect& effect = *entry.effect;
     std::vector<std::string> page = {fmt::format("{}: {}", effect.name, effect.summary)};
     add_lines(page, "equation", effect.equation);
+    if (effect.given_by_liquid) {
+        page.push_back(field("always on",
+                             "in a study with a liquid, at the value in study.toml; adding the "
+                             "effect fits the value"));
+    }
     page.push_back(field("acts on", groups[group_index(effect)].heading));
-    page.push_back(field("touches", fmt::format("{} readings", touched(effect))));
+    page.push_back(field("changes", readings_text(effect)));
     for (const EffectParameter& parameter : effect.parameters) {
-        page.push_back(field("parameter", parameter_text(parameter)));
+        page.push_back(field("parameter", parameter_text(effect, parameter)));
     }
-    if (!effect.acts_through.empty()) {
-        page.push_back(
-            field("grows with", fmt::format("{}", fmt::join(effect.acts_through, ", "))));
-    }
+    if (!effect.acts_through.empty()) page.push_back(field("depends on", dependences(effect)));
     if (!effect.directly.empty()) {
         page.push_back(field("measured by", effect.directly + "; see 'pendular next --help'"));
     }
@@ -251,17 +296,19 @@ std::string manual_page(const EffectEntry& entry, const std::string& figure) {
     if (!summary.empty()) summary[0] = static_cast<char>(std::toupper(summary[0]));
     std::string text = fmt::format("# {}\n\n{}.\n\n", effect.name, markdown(summary)) +
                        code_block("", effect.equation) + '\n' + parameter_table(effect) +
-                       fmt::format("\nIt changes {}; it touches {} readings.",
-                                   groups[group_index(effect)].heading, touched(effect));
+                       fmt::format("\nThe effect acts on {} and changes {}.",
+                                   groups[group_index(effect)].heading, readings_text(effect));
     if (!effect.acts_through.empty()) {
-        text += fmt::format(" It grows with `{}`.", fmt::join(effect.acts_through, "`, `"));
+        text += fmt::format(" The change of the readings depends on {}.", dependences(effect));
     }
     if (!effect.directly.empty()) {
-        text += fmt::format(" It can be measured directly by {}: `[[direct]]` in a study.",
-                            markdown(effect.directly));
+        text += fmt::format(
+            " The parameter can be measured directly by {}; the result goes into a table "
+            "`[[direct]]` of study.toml.",
+            markdown(effect.directly));
     }
-    text +=
-        "\n\n## Signature\n\n" + figure + "\n\n## How to switch it on\n\n" + manual_how_to(entry);
+    text += "\n\n## Change of the readings\n\n" + figure + "\n\n## How to switch it on\n\n" +
+            manual_how_to(entry);
     if (!effect.references.empty()) {
         text += "\n## Sources\n\n" + manual_sources(entry);
     }
@@ -270,8 +317,8 @@ std::string manual_page(const EffectEntry& entry, const std::string& figure) {
 
 std::string manual_index(const std::vector<EffectEntry>& entries) {
     std::string text =
-        "# Effects\n\nPhysical effects that a model may lack. Written by `pendular effects "
-        "--manual` from the registry of effects.\n";
+        "# Effects\n\nPhysical effects that a model may lack. `pendular effects --manual` writes "
+        "these pages.\n";
     for (std::size_t g = 0; g < groups.size(); ++g) {
         std::string rows;
         for (const EffectEntry& entry : entries) {
@@ -319,10 +366,8 @@ nlohmann::ordered_json to_json(const EffectEntry& entry) {
     }
     if (entry.status) {
         json["listed"] = entry.status->listed;
-        json["applies"] = !entry.status->why_not;
-        if (entry.status->why_not) {
-            json["why_not"] = *entry.status->why_not;
-        }
+        json["applies"] = !entry.status->obstacle;
+        if (entry.status->obstacle) json["why_not"] = entry.status->obstacle->sentence;
     }
     return json;
 }

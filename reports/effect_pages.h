@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "sim/catalogue/effect.h"
+#include "sim/catalogue/effect_catalogue.h"
 
 namespace pendular {
 
 /// Whether a study lists a physical effect, and whether the effect can be added to the study.
 struct EffectStatus {
     bool listed = false;  ///< whether the study's model has the effect
-    /// Reason why the effect does not apply to the study; empty where it applies.
-    std::optional<std::string> why_not;
+    /// Reason why the effect does not apply to the study; empty: it applies.
+    std::optional<Obstacle> obstacle;
 };
 
 /// Entry of the catalogue of effects, the list of all known physical effects that `pendular

@@ -10,6 +10,7 @@
 
 #include "calib/model/assemble_model.h"
 #include "calib/model/study_state.h"
+#include "data/printed_unit.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
 #include "reports/layout.h"
@@ -127,12 +128,14 @@ Changes changes_between(const Eigen::VectorXd& without, const Eigen::VectorXd& w
 
 /// Changes by an effect on grains, with the emulator's errors, most of which cancel in the change.
 Changes changes_of_grains(const ActiveEffect& active, const Study& study,
-                          const Predictor& simulation, const std::vector<Condition>& conditions) {
-    std::vector<Condition> both = conditions;
+                          const EmulatedSimulation& simulation,
+                          const std::vector<Condition>& conditions) {
+    std::vector<EffectiveCondition> both = without_effects(conditions);
     for (const Condition& condition : conditions) {
         both.push_back(changed_condition(condition, {active}, study.liquid));
     }
-    const Prediction said = simulation.predict(plain_parameters(), both);
+    const Prediction said =
+        simulation.predict_flow(plain_parameters(), both, PredictionPart::covariance);
     const Eigen::Index n = said.value.size() / 2;
     const Eigen::VectorXd without = said.value.head(n), with = said.value.tail(n);
     Eigen::VectorXd error(n);
@@ -192,14 +195,14 @@ std::vector<MeasuredStrength> simulated_strengths(const EmulatedSimulation& simu
 class Models {
   public:
     Models(const Effect& effect, Study study, std::shared_ptr<const EmulatedSimulation> simulation)
-        : effect_(effect), study_(std::move(study)) {
+        : effect_(effect), study_(std::move(study)), simulation_(std::move(simulation)) {
         const std::vector<const Effect*> below = levels_below(effect);
         if (effect.of_closure()) {
             study_.model.base = "mohr-coulomb";
-            if (below.empty()) study_.model.strengths = simulated_strengths(*simulation, study_);
+            if (below.empty()) study_.model.strengths = simulated_strengths(*simulation_, study_);
         }
-        without_ = assemble_model(study_, simulation, below);
-        model_ = assemble_model(study_, std::move(simulation), {&effect});
+        without_ = assemble_model(study_, simulation_, below);
+        model_ = assemble_model(study_, simulation_, {&effect});
     }
 
     const Predictor& without() const { return *without_; }
@@ -207,7 +210,7 @@ class Models {
     Changes changes(const std::vector<Condition>& conditions) const {
         const std::vector<double> sizes = shown_sizes(effect_, study_);
         if (effect_.of_grains()) {
-            return changes_of_grains({&effect_, sizes}, study_, *without_, conditions);
+            return changes_of_grains({&effect_, sizes}, study_, *simulation_, conditions);
         }
         std::vector<double> parameters = {friction};
         for (std::size_t k = 0; k < sizes.size(); ++k) {
@@ -225,7 +228,8 @@ class Models {
 
   private:
     const Effect& effect_;
-    Study study_;  ///< study with base `rumpf` for an effect on closures
+    Study study_;  ///< study with base `mohr-coulomb` for an effect on closures
+    std::shared_ptr<const EmulatedSimulation> simulation_;
     std::shared_ptr<const Predictor> without_, model_;
 };
 
@@ -301,16 +305,35 @@ void add_key(Panel& panel) {
     panel.headroom = band != panel.curves.end() ? 0.34 : 0.26;
 }
 
+/// Size of an effect in a figure: "torque 0.1 mN m", or "on" for a switch.
 std::string size_text(const Effect& effect, const Study& study) {
     std::vector<std::string> sizes;
     for (const EffectParameter& p : effect.parameters) {
         std::string name = p.name;
         std::ranges::replace(name, '_', ' ');
-        sizes.push_back(p.is_switch() ? "on"
-                                      : fmt::format("{} {:g}{}", name, shown_size(effect, p, study),
-                                                    p.unit == "1" ? "" : " " + p.unit));
+        sizes.push_back(
+            p.is_switch() ? "on" : name + " " + printed_value(shown_size(effect, p, study), p));
     }
     return fmt::format("{}", fmt::join(sizes, ", "));
+}
+
+/// Comparison that the figure of an effect shows, as the end of a sentence: "when torque-offset is
+/// present (torque 0.1 mN m)".
+std::string comparison_text(const Effect& effect, const Study& study) {
+    const std::string size = size_text(effect, study);
+    if (effect.given_by_liquid) {
+        const EffectParameter& p = effect.parameters.front();
+        return fmt::format("when {} instead of {}", size,
+                           printed_value(effect.unlisted_value(study.liquid), p));
+    }
+    if (!effect.is_switch()) return fmt::format("when {} is present ({})", effect.name, size);
+    std::string text = fmt::format("when {} is switched on", effect.name);
+    if (const auto below = levels_below(effect); !below.empty()) {
+        text += fmt::format(", relative to a model with {}", below.front()->name);
+    } else if (effect.of_closure()) {
+        text += ", relative to base `mohr-coulomb` with cohesions fitted to the simulation";
+    }
+    return text;
 }
 
 }  // namespace
@@ -370,32 +393,19 @@ Figure signature_figure(const Effect& effect, const Study& study,
 std::string signature_caption(const Effect& effect, const Study& study) {
     const AnnularCell cell = study.cell.value();
     std::string text = fmt::format(
-        "Changes by {} ({}) of readings of beads of {:g} µm and {:g} kg/m³ with friction {:g} in a "
-        "cell of radii {:g} and {:g} mm, as the emulator predicts them: shear stress above, solid "
-        "fraction below.",
-        effect.name, size_text(effect, study), 1e6 * study.grains.diameter, study.grains.density,
-        friction, 1e3 * cell.inner_radius, 1e3 * cell.outer_radius);
-    if (effect.given_by_liquid) {
-        text +=
-            fmt::format(" It changes from {:g} mN/m.", 1e3 * effect.unlisted_value(study.liquid));
-    }
-    if (const auto below = levels_below(effect); !below.empty()) {
-        text += fmt::format(" It changes from {}.", below.front()->name);
-    } else if (effect.of_closure()) {
-        text += " It changes from the base `mohr-coulomb`, fitted to the simulation.";
-    }
-    text += fmt::format(
-        " Quantities that do not vary in a panel are {:g} kPa, I = {:g}, liquid content {:g} "
-        "(wet), {:g} g of beads, {:g} s since the first recording began. The liquid's surface "
-        "tension is {:g} mN/m. "
-        "In the panels against reduced pressure, dry readings are drawn at the normal stress of "
-        "the wet readings. The panels at {:g} kPa share one scale.",
-        usual_stress / 1000, usual_inertial_number, usual_content,
-        1e3 * cell.bead_volume * study.grains.density, time_of_readings,
-        1e3 * study.liquid.value().surface_tension, usual_stress / 1000);
-    if (effect.of_grains()) {
-        text += " Bands are one standard error of the change.";
-    }
+        "The figure shows how the predicted readings change {}: shear stress in the upper row, "
+        "solid fraction in the lower row. The grains have a diameter of {:g} µm, a density of {:g} "
+        "kg/m³ and a friction of {:g}; the radii of the cell are {:g} and {:g} mm. A quantity that "
+        "is not on the horizontal axis has one value: normal stress {:g} kPa, inertial number "
+        "{:g}, liquid content {:g} (wet readings), bead mass {:g} g, time since the first "
+        "recording began {:g} s, surface tension {:g} mN/m. In the first column, dry readings are "
+        "drawn at the normal stress of the wet readings. The other columns share one vertical "
+        "scale.",
+        comparison_text(effect, study), 1e6 * study.grains.diameter, study.grains.density, friction,
+        1e3 * cell.inner_radius, 1e3 * cell.outer_radius, usual_stress / 1000,
+        usual_inertial_number, usual_content, 1e3 * cell.bead_volume * study.grains.density,
+        time_of_readings, 1e3 * study.liquid.value().surface_tension);
+    if (effect.of_grains()) text += " A band is one standard error of the change.";
     return text;
 }
 

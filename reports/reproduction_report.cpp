@@ -19,8 +19,8 @@ std::string cell(std::string text) {
 
 std::string how_far(const ScoreboardRow& row) {
     if (row.agrees) return row.values > 1 ? "" : fmt::format("{:.1f}", row.distance);
-    if (row.values == 1) return fmt::format("{:.1f} errors", row.distance);
-    return fmt::format("{} of {} outside; {}", row.outside, row.values, row.where);
+    if (row.values == 1) return fmt::format("differs by {:.1f} standard errors", row.distance);
+    return fmt::format("{} of {} values outside; {}", row.outside, row.values, row.where);
 }
 
 }  // namespace
@@ -29,17 +29,17 @@ std::string verdict_of(const Reproduction& r) {
     return fmt::format(
         "{} of {} numbers and ranges of Badetti et al. (2018) are reproduced, from {} simulated "
         "states of its parameter study: {} simulated at about its stiffness number, {:g}, and {} "
-        "changed to it by the emulator.",
+        "converted to this stiffness number with the emulator.",
         r.agreeing(), r.rows().size(), r.study().states().size(), r.study().stiff(),
         paper_stiffness, r.study().states().size() - r.study().stiff());
 }
 
 std::vector<std::string> scoreboard_table(const std::vector<ScoreboardRow>& rows, bool all) {
     std::vector<std::string> lines = {
-        fmt::format("{:<76} {:<24} {:<22} {}", "what", "published", "simulated", "agrees")};
+        fmt::format("{:<95} {:<26} {:<22} {}", "what", "published", "simulated", "agrees")};
     for (const ScoreboardRow& row : rows) {
         if (!all && row.agrees) continue;
-        lines.push_back(fmt::format("{:<76} {:<24} {:<22} {}", row.what, row.published, row.ours,
+        lines.push_back(fmt::format("{:<95} {:<26} {:<22} {}", row.what, row.published, row.ours,
                                     row.agrees ? "yes" : "no: " + how_far(row)));
     }
     return lines;

@@ -98,7 +98,7 @@ Curve distant(const dem::RunResult& run, Field which) {
 
 std::string title(const std::string& what, const dem::RunResult& run) {
     const auto& p = run.parameters;
-    std::string text = fmt::format("{}: μ = {:g}, {}, κ = {:g}, {} beads", what, p.friction,
+    std::string text = fmt::format("{}: μ = {:g}, {}, κ = {:g}, {} grains", what, p.friction,
                                    inertial_text(p.inertial_number), p.stiffness_number, p.grains);
     if (p.wetting) {
         text += fmt::format(", P* = {:g}, V_0 = {:g} a³", p.wetting->reduced_pressure,

@@ -33,6 +33,16 @@ std::string listed(const RequestedState& state, bool as_options) {
     return text;
 }
 
+/// Reason why a state is not covered, with the requested liquid content beside the bridge volume
+/// that follows from it.
+std::string with_liquid_content(const RequestedState& requested, std::string why) {
+    const std::string name = "bridge volume over a^3 ";
+    const auto at = why.find(name);
+    if (!requested.liquid_content || at == std::string::npos) return why;
+    const auto end = std::min(why.find(' ', at + name.size()), why.size());
+    return why.insert(end, fmt::format(" (liquid content {:.4g})", *requested.liquid_content));
+}
+
 }  // namespace
 
 void RequestedState::check_supported() const {
@@ -51,11 +61,11 @@ void RequestedState::check_supported() const {
         }
     }
     if (reduced_pressure && bridge_volume.has_value() == liquid_content.has_value()) {
-        throw InputError("wet beads need either --bridge-volume or --liquid-content");
+        throw InputError("wet grains need either --bridge-volume or --liquid-content");
     }
     if (!reduced_pressure && (bridge_volume || liquid_content)) {
         throw InputError(
-            "--bridge-volume and --liquid-content need --reduced-pressure: without it the beads "
+            "--bridge-volume and --liquid-content need --reduced-pressure: without it the grains "
             "are dry");
     }
 }
@@ -97,7 +107,12 @@ RequestedState RequestedState::with(const FlowState& state, const Emulator& emul
 }
 
 std::string RequestedState::text() const {
-    return listed(*this, false);
+    std::string text = listed(*this, false);
+    if (inertial_number == 0) {
+        const std::string zero = "inertial number 0";
+        text.insert(text.find(zero) + zero.size(), " (quasi-static)");
+    }
+    return reduced_pressure ? text : text + ", dry";
 }
 
 std::string RequestedState::options() const {
@@ -167,14 +182,13 @@ std::string unsupported_text(const RequestedState& requested, const FlowState& s
         "the simulations in atlas and store do not cover {}: {}.\n"
         "  The nearest state that they cover has {}:\n"
         "    pendular predict {}\n"
-        "  {}:\n    {}",
-        requested.text(), why, nearest_request.text(), nearest_request.options(),
-        impossible.empty() ? "To simulate the requested state instead, add --simulate, or"
-                           : fmt::format("The requested state cannot be simulated either: {}. To "
-                                         "simulate the nearest state that they cover",
-                                         impossible),
-        simulate_command(impossible.empty() ? run : run_of(nearest, fidelity, stiffness_number),
-                         fidelity));
+        "  {}",
+        requested.text(), with_liquid_content(requested, why), nearest_request.text(),
+        nearest_request.options(),
+        impossible.empty()
+            ? "To simulate the requested state, add --simulate, or:\n    " +
+                  simulate_command(run, fidelity)
+            : fmt::format("The requested state cannot be simulated either: {}.", impossible));
 }
 
 }  // namespace pendular

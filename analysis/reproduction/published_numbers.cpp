@@ -201,10 +201,10 @@ void add_effective_stress(Scoreboard& board) {
             ratio_of(s.closure(&ClosureValues::contact_stress_ratio), s.dry_stress_ratio());
         return Mean{100 * std::abs(ratio.value - 1), 100 * ratio.standard_error};
     };
-    board.each_friction("contact stress ratio off the dry stress ratio, P* 0.5 to 1 [%]",
+    board.each_friction("contact stress ratio: deviation from the dry one, P* 0.5 to 1 [%]",
                         "up to 5 to 10 %", 0, 10, deviation,
                         [](const PaperState& s) { return s.reduced_pressure() < 2; });
-    board.each_friction("contact stress ratio off the dry stress ratio, P* >= 2 [%]",
+    board.each_friction("contact stress ratio: deviation from the dry one, P* >= 2 [%]",
                         "less than 5 %", 0, 5, deviation, above(2));
     board.range(
         "localization, time average, P* >= 0.5 [1]", "at most 0.05", 0, 0.05,
@@ -220,13 +220,13 @@ void add_predicted_strength(Scoreboard& board) {
             return Mean{100 * (ratio.value - 1), 100 * ratio.standard_error};
         };
     };
-    board.each_friction("stress ratio from Z* and s12cap over the simulated one, less 1 [%]",
+    board.each_friction("stress ratio from Z* and s12cap, Eq. (22): deviation from simulation [%]",
                         "very good (within 10 %)", -10, 10, excess(&ClosureValues::strength2),
                         all_states);
-    board.each_friction("stress ratio from s22cap and s12cap over the simulated one, less 1 [%]",
-                        "very good (within 10 %)", -10, 10, excess(&ClosureValues::strength1),
-                        all_states);
-    board.each_friction("stress ratio from Z* alone over the simulated one, less 1 [%]",
+    board.each_friction(
+        "stress ratio from s22cap and s12cap, Eq. (19): deviation from simulation [%]",
+        "very good (within 10 %)", -10, 10, excess(&ClosureValues::strength1), all_states);
+    board.each_friction("stress ratio from Z* alone, Eq. (23): deviation from simulation [%]",
                         "too high by up to 20 to 30 %", -5, 30, excess(&ClosureValues::strength3),
                         all_states);
     if (const PaperState* state = study.at(0.25, 8e-3, 0.5)) {
@@ -261,7 +261,7 @@ void add_predicted_cohesion(Scoreboard& board) {
 void add_capillary_stresses(Scoreboard& board) {
     board.section("Capillary stresses");
     board.each_friction(
-        "a^2 s12cap/F0 [1]", "0 to about 0.1", 0, 0.11,
+        "capillary shear stress a^2 s12cap/F0 [1]", "0 to about 0.1", 0, 0.11,
         [](const PaperState& s) {
             return scaled(s[Observable::capillary_shear_stress], s.reduced_pressure());
         },
@@ -274,7 +274,8 @@ void add_capillary_stresses(Scoreboard& board) {
         },
         all_states);
     board.each_friction(
-        "s22cap over the mean capillary stress, less 1 [%]", "within 3 %", -3, 3,
+        "capillary normal stress s22cap: deviation from the mean of s11, s22, s33 [%]",
+        "within 3 %", -3, 3,
         [](const PaperState& s) {
             const Mean ratio =
                 ratio_of(s[Observable::capillary_stress_22], s[Observable::capillary_pressure]);
@@ -282,8 +283,8 @@ void add_capillary_stresses(Scoreboard& board) {
         },
         all_states);
     board.range(
-        "a^2 s12cap/F0 from coordination and anisotropies less the simulated one [1]",
-        "very good (within 0.01)", -0.01, 0.01,
+        "a^2 s12cap/F0 by Eq. (31): deviation from simulation [1]", "very good (within 0.01)",
+        -0.01, 0.01,
         board.values(
             [](const PaperState& s) {
                 return Mean{
@@ -292,8 +293,8 @@ void add_capillary_stresses(Scoreboard& board) {
             },
             all_states));
     board.range(
-        "s12cap of distant bridges from their anisotropies over the simulated one [1]",
-        "quite accurate (10 %)", 0.9, 1.1,
+        "s12cap of distant bridges by Eq. (30) over the simulated one [1]", "quite accurate (10 %)",
+        0.9, 1.1,
         board.values(
             [](const PaperState& s) {
                 const Mean simulated =
@@ -302,7 +303,8 @@ void add_capillary_stresses(Scoreboard& board) {
                             simulated.standard_error / std::abs(simulated.value)};
             },
             all_states));
-    board.range("length anisotropy over the sum of the anisotropies [1]", "of order 0.01", 0, 0.03,
+    board.range("length anisotropy of distant bridges over the sum of their anisotropies [1]",
+                "of order 0.01", 0, 0.03,
                 board.values(
                     [](const PaperState& s) {
                         const closures::State& n = s.network();
@@ -323,30 +325,31 @@ void add_structure(Scoreboard& board) {
     };
     const Scoreboard::Condition dense = above(2),
                                 loose = [](const PaperState&s) { return s.reduced_pressure() < 2; };
-    board.each_friction("Z_d [1]", "1 to 3.2", 0.95, 3.25, of(Observable::distant_coordination),
-                        all_states);
-    board.each_friction("F_d/F0, P* >= 2 [1]", "0.48 to 0.60", 0.475, 0.605,
-                        of(Observable::distant_force), dense);
+    board.each_friction("distant bridges per grain Z_d [1]", "1 to 3.2", 0.95, 3.25,
+                        of(Observable::distant_coordination), all_states);
+    board.each_friction("mean force of distant bridges F_d/F0, P* >= 2 [1]", "0.48 to 0.60", 0.475,
+                        0.605, of(Observable::distant_force), dense);
     std::vector<StateValue> low =
         board.values(of(Observable::distant_force),
                      [](const PaperState& s) { return same_setting(s.reduced_pressure(), 0.5); });
     std::ranges::sort(low, std::greater<>(), [](const StateValue& v) { return v.mean.value; });
     low.resize(std::min<std::size_t>(1, low.size()));
-    board.range("F_d/F0, lowest P*, largest value [1]", "near 0.7", 0.65, 0.75, low);
-    board.each_friction("F12c, P* >= 2 [1]", "-0.047 to -0.036", -0.0475, -0.0355,
-                        of(Observable::fabric_12_contact), dense);
-    board.each_friction("F12c, P* 0.5 to 1 [1]", "-0.047 to -0.036", -0.0475, -0.0355,
-                        of(Observable::fabric_12_contact), loose);
-    board.each_friction("F12d, P* >= 2 [1]", "0.07 to 0.14", 0.065, 0.145,
+    board.range("mean force of distant bridges F_d/F0, lowest P*, largest value [1]", "near 0.7",
+                0.65, 0.75, low);
+    board.each_friction("fabric of contacts F12c, P* >= 2 [1]", "-0.047 to -0.036", -0.0475,
+                        -0.0355, of(Observable::fabric_12_contact), dense);
+    board.each_friction("fabric of contacts F12c, P* 0.5 to 1 [1]", "-0.047 to -0.036", -0.0475,
+                        -0.0355, of(Observable::fabric_12_contact), loose);
+    board.each_friction("fabric of distant bridges F12d, P* >= 2 [1]", "0.07 to 0.14", 0.065, 0.145,
                         of(Observable::fabric_12_distant), dense);
-    board.each_friction("F12d, P* 0.5 to 1 [1]", "0.07 to 0.14", 0.065, 0.145,
-                        of(Observable::fabric_12_distant), loose);
+    board.each_friction("fabric of distant bridges F12d, P* 0.5 to 1 [1]", "0.07 to 0.14", 0.065,
+                        0.145, of(Observable::fabric_12_distant), loose);
     board.each_friction("force anisotropy of distant bridges [1]", "-0.04 to -0.02 (typical)",
                         -0.045, -0.015, of(Observable::force_anisotropy_12_distant), all_states);
-    board.each_friction("l0/a, V0/a^3 5e-4 [1]", "1.025", 1.0245, 1.0255,
-                        of(Observable::distant_length), volume(5e-4));
-    board.each_friction("l0/a, V0/a^3 8e-3 [1]", "nearly 1.06", 1.055, 1.065,
-                        of(Observable::distant_length), volume(8e-3));
+    board.each_friction("distance of centres at distant bridges l0/a, V0/a^3 5e-4 [1]", "1.025",
+                        1.0245, 1.0255, of(Observable::distant_length), volume(5e-4));
+    board.each_friction("distance of centres at distant bridges l0/a, V0/a^3 8e-3 [1]",
+                        "nearly 1.06", 1.055, 1.065, of(Observable::distant_length), volume(8e-3));
 }
 
 }  // namespace

@@ -185,7 +185,7 @@ void check_range(const std::vector<Reading>& readings, const Study& study,
         if (kappa && *kappa < softest_corrected) {
             throw InputError(
                 reading.origin,
-                fmt::format("at {:.3g} Pa these beads have a stiffness number of {:.3g}; the "
+                fmt::format("at {:.3g} Pa these grains have a stiffness number of {:.3g}; the "
                             "correction to the study's stiffness is valid only from {} upwards: "
                             "check youngs_modulus and its unit",
                             reading.condition.normal_stress, *kappa, softest_corrected));
@@ -194,7 +194,7 @@ void check_range(const std::vector<Reading>& readings, const Study& study,
             throw InputError(
                 reading.origin,
                 fmt::format(
-                    "inertial number {:.3g} is above {}, where beads no longer flow densely; "
+                    "inertial number {:.3g} is above {}, where grains no longer flow densely; "
                     "leave this reading out",
                     reading.condition.inertial_number, dem::largest_inertial_number));
         }

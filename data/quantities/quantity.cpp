@@ -31,10 +31,10 @@ const std::vector<Quantity>& table() {
         {"inertial_number",
          "I",
          "1",
-         "shear rate times sqrt(m/(a s22)) (m, a: mass and diameter of a bead)",
+         "shear rate times sqrt(m/(a s22)) (m, a: mass and diameter of a grain)",
          {"I"}},
         {"inertial_number_diameter_density", "I", "1",
-         "shear rate times a sqrt(density/s22) (a, density: of a bead); sqrt(6/pi) times the "
+         "shear rate times a sqrt(density/s22) (a, density: of a grain); sqrt(6/pi) times the "
          "inertial number"},
         {"height",
          "H",
@@ -45,15 +45,15 @@ const std::vector<Quantity>& table() {
         {"reduced_pressure",
          "P*",
          "1",
-         "a^2 s22 over the pull-off force of a bridge (a: bead diameter, s22: normal stress)",
+         "a^2 s22 over the pull-off force of a bridge (a: grain diameter, s22: normal stress)",
          {"P*"}},
         {"stiffness_number",
          "κ",
          "1",
-         "(E/((1 - nu^2) s22))^(2/3) (E, nu: Young's modulus and Poisson ratio of the beads, s22: "
+         "(E/((1 - nu^2) s22))^(2/3) (E, nu: Young's modulus and Poisson ratio of the grains, s22: "
          "normal stress)",
          {"kappa", "κ"}},
-        {"bridge_volume", "V0/a³", "1", "volume of a liquid bridge over a^3 (a: bead diameter)"},
+        {"bridge_volume", "V0/a³", "1", "volume of a liquid bridge over a^3 (a: grain diameter)"},
         // Measured or predicted quantities.
         {"shear_stress",
          "|σ12|",
@@ -62,9 +62,9 @@ const std::vector<Quantity>& table() {
          {"tau", "τ", "sigma12", "s12", "σ12", "|σ12|"}},
         {"error_correlation", "r", "1",
          "correlation between the errors of shear stress and solid fraction"},
-        {"friction", "μ", "1", "friction coefficient between beads", {"mu", "μ", "µ"}},
+        {"friction", "μ", "1", "friction coefficient between grains", {"mu", "μ", "µ"}},
         {"reduced_cohesion", "c*", "1",
-         "a^2 times the cohesion over the pull-off force of a bridge (a: bead diameter)"},
+         "a^2 times the cohesion over the pull-off force of a bridge (a: grain diameter)"},
 #define OBSERVABLE(name, symbol, unit, grains, meaning, ...) \
     {#name, symbol, unit, meaning, {__VA_ARGS__}},
 #include "data/quantities/observables.def"

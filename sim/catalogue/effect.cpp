@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "data/printed_unit.h"
 #include "data/quantities/nearest.h"
 
 namespace pendular {
@@ -62,9 +63,8 @@ std::string to_string(const ActiveEffect& active) {
     std::string text;
     for (std::size_t k = 0; k < active.values.size(); ++k) {
         const EffectParameter& parameter = active.effect->parameters[k];
-        text += fmt::format("{}{} {:.4g}{}{}", k > 0 ? ", " : "", parameter.name, active.values[k],
-                            parameter.unit == "1" ? "" : " ",
-                            parameter.unit == "1" ? "" : parameter.unit);
+        text += fmt::format("{}{} {}", k > 0 ? ", " : "", parameter.name,
+                            printed_value(active.values[k], parameter));
     }
     return fmt::format("{} ({})", active.effect->name, text);
 }

@@ -127,8 +127,8 @@ struct ActiveEffect {
     Values by_name() const { return {effect->parameters, values}; }
 };
 
-/// Returns an effect with its parameter values in SI units as text for messages, such as "lid-slip
-/// (fraction 0.1)".
+/// Returns an effect's name and the names and values of its parameters, in the units of
+/// `printed_unit`, as text for messages, as in "torque-offset (torque 0.1 mN m)".
 std::string to_string(const ActiveEffect& active);
 
 /// Whether an effect can change readings at a condition, by `Effect::touches`: some effects change

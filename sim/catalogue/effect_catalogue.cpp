@@ -21,41 +21,43 @@ bool may_be_dry(const Source& source) {
     return source.liquid_content.value_or(0) == 0;
 }
 
-std::optional<std::string> why_no_such_reading(const Effect& effect, const Study& study) {
+std::optional<Obstacle> no_such_reading(const Effect& effect, const Study& study) {
+    const auto none = [&](const auto& fits) { return std::ranges::none_of(study.sources, fits); };
     if (effect.touches == Touches::wet && !study.liquid) {
-        return fmt::format(
-            "{} acts on wet beads, but this study has no [liquid]: add it, with wet "
-            "recordings or readings, or leave the effect out",
-            effect.name);
+        return Obstacle{"needs [liquid]",
+                        effect.name +
+                            " acts on wet grains, but this study has no [liquid]: add it, with wet "
+                            "recordings or readings, or leave the effect out"};
     }
-    if (effect.touches == Touches::wet && std::ranges::none_of(study.sources, may_be_wet)) {
-        return fmt::format(
-            "{} acts on wet beads, but this study has no reading with a liquid_content above 0: "
-            "add wet recordings or readings, or leave the effect out",
-            effect.name);
+    if (effect.touches == Touches::wet && none(may_be_wet)) {
+        return Obstacle{"needs wet readings",
+                        effect.name +
+                            " acts on wet grains, but this study has no reading with a "
+                            "liquid_content above 0: add wet recordings or readings, or leave the "
+                            "effect out"};
     }
-    if (effect.touches == Touches::dry && std::ranges::none_of(study.sources, may_be_dry)) {
-        return fmt::format(
-            "{} acts on dry beads, but this study has no dry reading: add dry recordings or "
-            "readings, or leave the effect out",
-            effect.name);
+    if (effect.touches == Touches::dry && none(may_be_dry)) {
+        return Obstacle{"needs dry readings",
+                        effect.name +
+                            " acts on dry grains, but this study has no dry reading: add dry "
+                            "recordings or readings, or leave the effect out"};
     }
-    if (effect.touches == Touches::failure &&
-        std::ranges::none_of(study.sources, &Source::at_failure)) {
-        return fmt::format(
-            "{} acts on points of failure, but this study has none: write state = \"failure\" in "
-            "the entry [[readings]] of the peaks, or leave the effect out",
-            effect.name);
+    if (effect.touches == Touches::failure && none(&Source::at_failure)) {
+        return Obstacle{"needs failure points",
+                        effect.name +
+                            " acts on points of failure, but this study has none: write state = "
+                            "\"failure\" in the entry [[readings]] of the peaks, or leave the "
+                            "effect out"};
     }
     return std::nullopt;
 }
 
-std::optional<std::string> why_no_instrument(const Effect& effect, const Study& study) {
+std::optional<Obstacle> no_instrument(const Effect& effect, const Study& study) {
     if (!study.cell) {
-        return fmt::format(
-            "{} acts on the instrument, but this study has no [cell]: add it with "
-            "inner_radius, outer_radius and bead_mass, or leave the effect out",
-            effect.name);
+        return Obstacle{"needs [cell]",
+                        effect.name +
+                            " acts on the instrument, but this study has no [cell]: add it with "
+                            "inner_radius, outer_radius and bead_mass, or leave the effect out"};
     }
     const auto lacks_grains = [&](const Source& source) {
         return study.cell->bead_volume == 0 && !source.bead_volume;
@@ -64,25 +66,32 @@ std::optional<std::string> why_no_instrument(const Effect& effect, const Study& 
     if (source == study.sources.end()) {
         return std::nullopt;
     }
-    return fmt::format(
-        "{} acts on the instrument, but it is not known how many beads were in the "
-        "cell for the entry of line {}: add bead_mass or bead_volume there or to "
-        "[cell], or leave the effect out",
-        effect.name, source->position.line);
+    return Obstacle{
+        "needs bead_mass",
+        fmt::format("{} acts on the instrument, but it is not known how many beads were in the "
+                    "cell for the entry of line {}: add bead_mass or bead_volume there or to "
+                    "[cell], or leave the effect out",
+                    effect.name, source->position.line)};
 }
 
-std::optional<std::string> why_no_closure(const Effect& effect, const Study& study) {
+std::optional<Obstacle> no_closure(const Effect& effect, const Study& study) {
     const closures::Level level = effect.level().value();
     const std::string& base = study.model.base;
     if (closures::level_of_base(base) == closures::Level::simulation) {
-        return fmt::format(
-            "{0} applies only to base = \"mohr-coulomb\"{2}; this study has base = \"{1}\", which "
-            "makes no approximation that the effect could replace: leave the effect out",
-            effect.name, base, level > closures::Level::strength3 ? " or \"rumpf\"" : "");
+        return Obstacle{
+            fmt::format("not for base {}", base),
+            fmt::format("{} applies only to base = \"mohr-coulomb\"{}; this study has base = "
+                        "\"{}\", which makes no approximation that the effect could replace: leave "
+                        "the effect out",
+                        effect.name, level > closures::Level::strength3 ? " or \"rumpf\"" : "",
+                        base)};
     }
+    const auto part_of = [&](const std::string& brief, const std::string& sentence) {
+        return Obstacle{"in " + brief, fmt::format("{} is part of {} already: leave the effect out",
+                                                   effect.name, sentence)};
+    };
     if (closures::level_of_base(base) >= level) {
-        return fmt::format("{} is part of base = \"{}\" already: leave the effect out", effect.name,
-                           base);
+        return part_of("base " + base, fmt::format("base = \"{}\"", base));
     }
     const auto lists = [&](const std::string& name) {
         return std::ranges::find(study.model.effects, name, &ListedEffect::name) !=
@@ -92,18 +101,19 @@ std::optional<std::string> why_no_closure(const Effect& effect, const Study& stu
         return other.level() > level && lists(other.name);
     });
     if (lists(effect.name) || above == built_in_effects().end()) return std::nullopt;
-    return fmt::format("{} is part of {} already: leave the effect out", effect.name, above->name);
+    return part_of("the model", above->name);
 }
 
 /// Why an effect that is no level of the ladder of closures cannot act on the study's base model.
-std::optional<std::string> why_not_beside_lines(const Effect& effect, const Study& study) {
+std::optional<Obstacle> none_beside_lines(const Effect& effect, const Study& study) {
     const bool beside = effect.touches == Touches::failure;  // the lines have no such points
     if (beside || level_of(study) != closures::Level::mohr_coulomb) return std::nullopt;
     const auto next = std::ranges::find(built_in_effects(), closures::Level::rumpf, &Effect::level);
-    return fmt::format(
-        "{} cannot be told from the cohesions that base = \"mohr-coulomb\" fits to the wet "
-        "readings: add {} or a higher level of the ladder of closures first",
-        effect.name, next->name);
+    return Obstacle{
+        fmt::format("after {}", next->name),
+        fmt::format("{} cannot be told from the cohesions that base = \"mohr-coulomb\" fits to the "
+                    "wet readings: add {} or a higher level of the ladder of closures first",
+                    effect.name, next->name)};
 }
 
 }  // namespace
@@ -118,20 +128,16 @@ closures::Level level_of(const Study& study) {
     return level;
 }
 
+std::optional<Obstacle> obstacle(const Effect& effect, const Study& study) {
+    if (auto found = no_such_reading(effect, study)) return found;
+    if (effect.of_closure()) return no_closure(effect, study);
+    if (auto found = none_beside_lines(effect, study)) return found;
+    return effect.of_instrument() ? no_instrument(effect, study) : std::nullopt;
+}
+
 std::optional<std::string> why_not(const Effect& effect, const Study& study) {
-    if (auto why = why_no_such_reading(effect, study)) {
-        return why;
-    }
-    if (!effect.of_closure()) {
-        if (auto why = why_not_beside_lines(effect, study)) return why;
-    }
-    if (effect.of_instrument()) {
-        return why_no_instrument(effect, study);
-    }
-    if (effect.of_closure()) {
-        return why_no_closure(effect, study);
-    }
-    return std::nullopt;
+    const auto found = obstacle(effect, study);
+    return found ? std::optional(found->sentence) : std::nullopt;
 }
 
 EffectCatalogue::EffectCatalogue() : effects_(built_in_effects()) {}

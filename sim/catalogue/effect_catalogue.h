@@ -50,9 +50,18 @@ class EffectCatalogue {
 /// its base model and of the effects that it lists.
 closures::Level level_of(const Study& study);
 
-/// Returns the reason, with a remedy, why an effect does not apply to a study; empty if it applies.
-/// A study may lack readings that the effect changes, or the liquid, cell, volume of grains or base
-/// model that the effect needs.
+/// Reason why an effect does not apply to a study.
+struct Obstacle {
+    std::string brief;     ///< reason in two or three words, for a table: "needs [cell]"
+    std::string sentence;  ///< reason with a remedy, for a message
+};
+
+/// Returns the reason why an effect does not apply to a study: the study has no readings that the
+/// effect changes, or lacks the liquid, cell, bead volume or base model that the effect needs.
+/// Returns an empty optional where the effect applies.
+std::optional<Obstacle> obstacle(const Effect& effect, const Study& study);
+
+/// Returns the sentence of `obstacle`; an empty optional where the effect applies to the study.
 std::optional<std::string> why_not(const Effect& effect, const Study& study);
 
 }  // namespace pendular

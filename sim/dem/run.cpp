@@ -182,7 +182,7 @@ ShearCell new_sample(const RunParameters& p, const GrainEffects& effects,
                          effects);
     }
     if (!options.start || options.start->grains.size() != static_cast<std::size_t>(p.grains)) {
-        throw std::invalid_argument("the state to start from has another number of beads");
+        throw std::invalid_argument("the state to start from has another number of grains");
     }
     return ShearCell(options.start->sample(), material, {.shear_rate = p.inertial_number}, bridges,
                      options.threads, effects);
@@ -243,7 +243,7 @@ class Run {
         const bool reached = guarded([&] { return state_.sample.compress(options_.stop); });
         if (!reached) {
             throw SimulationError(
-                "the sample never reached its normal stress; use more beads or another seed");
+                "the sample never reached its normal stress; use more grains or another seed");
         }
     }
 
@@ -369,7 +369,7 @@ RunResult Run::result(bool steady) const {
     if (std::abs(held.value - 1) > 0.02 + 4 * held.standard_error) {
         throw SimulationError(
             fmt::format("the sample did not hold its normal stress: {:.3f} of the imposed one "
-                        "over a strain of {:.3g}; use more beads or a longer strain",
+                        "over a strain of {:.3g}; use more grains or a longer strain",
                         held.value, result.strain_averaged));
     }
     return result;

@@ -26,7 +26,7 @@ void check_wetting(const Wetting& w, double rupture_distance, double edge) {
     demand(
         rupture_distance <= edge / 4,
         fmt::format("a bridge of volume {:.3g} a^3 ruptures at a gap of {:.3g} a, above the limit of "
-                    "{:.3g} a, a quarter of the box: use more beads or a smaller bridge volume",
+                    "{:.3g} a, a quarter of the box: use more grains or a smaller bridge volume",
                     w.bridge_volume, rupture_distance, edge / 4));
 }
 
@@ -46,7 +46,7 @@ void check_run_parameters(const RunParameters& p, const GrainEffects& effects) {
            fmt::format("damping {} is not between 0 and 10", p.damping));
     demand(
         p.grains >= ShearCell::fewest_grains && p.grains <= 10'000'000,
-        fmt::format("{} beads: a sample needs {} to 10000000", p.grains, ShearCell::fewest_grains));
+        fmt::format("{} grains: a sample needs {} to 10000000", p.grains, ShearCell::fewest_grains));
     demand(
         p.strain >= 0.5 && p.strain <= 1e4,
         fmt::format(
@@ -65,7 +65,7 @@ void check_run_parameters(const RunParameters& p, const GrainEffects& effects) {
                       ShearCell::edge(p.grains));
     }
     demand(p.start == 0 || effects.diameters(2, 1).empty(),
-           "a run cannot start from the state of another where its beads are to be of other sizes");
+           "a run cannot start from the state of another where its grains are to be of other sizes");
 }
 
 Precision precision_named(std::string_view text) {

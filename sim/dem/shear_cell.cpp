@@ -130,7 +130,7 @@ double ShearCell::edge(int count) {
 
 Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diameters) {
     if (count < ShearCell::fewest_grains) {
-        throw std::invalid_argument("a sample needs at least 64 beads");
+        throw std::invalid_argument("a sample needs at least 64 grains");
     }
     // The cell is so tall that the sample is a cube once it has been compressed and flows.
     Sample sample{Grains(static_cast<std::size_t>(count)), {}};

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view units =
-    "reduced units: bead diameter, bead mass and imposed normal stress are 1";
+    "reduced units: grain diameter, grain mass and imposed normal stress are 1";
 
 std::string text_of(const Vector& v) {
     return fmt::format("{:.10g} {:.10g} {:.10g}", v[0], v[1], v[2]);

@@ -14,7 +14,7 @@ Effect bead_loss() {
                             .upper = 0.2,
                             .neutral = 0,
                             .smallest_of_interest = 0.01,
-                            .meaning = "part of the weighed beads that is no longer in the cell"}},
+                            .meaning = "share of the weighed beads that is no longer in the cell"}},
             .change = ChangeInstrument{.show =
                                            [](CellState shown, const Values& v) {
                                                shown.bead_volume /= 1 - v["fraction"];

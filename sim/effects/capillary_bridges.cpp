@@ -6,7 +6,7 @@ namespace pendular {
 /// surface tension. The effect is on in every study with a liquid, at the surface tension of the
 /// liquid. Without surface tension, wet beads behave like dry beads.
 Effect capillary_bridges() {
-    return {.summary = "liquid bridges pull beads together",
+    return {.summary = "the surface tension of the liquid differs from the value in study.toml",
             .equation = "F0 = pi a Gamma cos(theta)      Gamma = surface_tension",
             .parameters = {{.name = "surface_tension",
                             .unit = "N/m",

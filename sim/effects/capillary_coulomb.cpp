@@ -19,18 +19,20 @@ void net_limit(const dem::PairBatch& batch, const dem::PairContext& context) {
 /// to the total normal force, elastic force less attraction. Lightly loaded contacts then slide
 /// more easily, and capillary forces add no strength through the Coulomb limit.
 Effect capillary_coulomb() {
-    return {.summary =
-                "the Coulomb limit is proportional to the normal force minus the attraction of the "
-                "bridge",
-            .equation = "|F_T| <= friction max(0, F_N - F_capillary)",
-            .parameters = {on_switch("the Coulomb limit includes the capillary force")},
-            .change = dem::ChangePairs{.limit = net_limit},
-            .touches = Touches::wet,
-            .fades_with_capillarity = true,
-            .acts_through = {"reduced_pressure", "liquid_content"},
-            .references = {
-                "Badetti et al. (2018), section 2.2, for the limit on the elastic force",
-                "Richefeu, El Youssoufi, Radjai, Phys. Rev. E 73 (2006) 051304: both limits"}};
+    return {
+        .summary =
+            "a contact slides at the Coulomb limit of the elastic normal force minus the capillary "
+            "force, instead of the elastic force alone",
+        .equation = "|F_T| <= friction max(0, F_N - F_capillary)",
+        .parameters = {on_switch("Coulomb limit of the elastic normal force minus the capillary "
+                                 "force instead of the elastic force alone")},
+        .change = dem::ChangePairs{.limit = net_limit},
+        .touches = Touches::wet,
+        .fades_with_capillarity = true,
+        .acts_through = {"1/reduced_pressure", "liquid_content"},
+        .references = {
+            "Badetti et al. (2018), section 2.2, for the limit on the elastic force",
+            "Richefeu, El Youssoufi, Radjai, Phys. Rev. E 73 (2006) 051304: both limits"}};
 }
 
 }  // namespace pendular

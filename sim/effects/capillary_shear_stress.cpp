@@ -7,17 +7,17 @@ namespace pendular {
 Effect capillary_shear_stress() {
     return {
         .summary =
-            "adds the shear stress of capillary forces to Rumpf's cohesion (not for base dem)",
+            "the formula of the strength includes the shear stress of the capillary forces, which "
+            "Rumpf's formula neglects",
         .equation =
             "mu* = mu*_0 + (mu*_0 Phi_S Z*/pi - a^2 s12cap/F0)/P*      s12cap = 0 without the "
             "effect",
-        .parameters = {on_switch("1: the capillary shear stress is included, 0: it is neglected")},
+        .parameters = {on_switch("the capillary shear stress is included instead of neglected")},
         .change = ChangeClosure{.level = closures::Level::strength2},
         .touches = Touches::wet,
         .acts_through = {"1/reduced_pressure", "liquid_content"},
-        .references = {
-            "Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
-            "macroscopic cohesion and effective stress (2018), eq:strength2 and eq:strength3"}};
+        .references = {"Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
+                       "macroscopic cohesion and effective stress (2018), Eqs. (22) and (23)"}};
 }
 
 }  // namespace pendular

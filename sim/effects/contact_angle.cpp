@@ -16,7 +16,7 @@ constexpr double degree = std::numbers::pi / 180;
 /// since bridges do not attract above 90 degrees and a negative sum has no meaning. A negative
 /// value of the effect's angle is useful where the study's angle is too large.
 Effect contact_angle() {
-    return {.summary = "the contact angle of the liquid differs from the angle in the study",
+    return {.summary = "the contact angle of the liquid differs from the value in study.toml",
             .equation = "F0 = pi a Gamma cos(theta + angle)      0 <= theta + angle <= 89 degrees",
             .parameters = {{.name = "angle",
                             .unit = "rad",
@@ -24,7 +24,7 @@ Effect contact_angle() {
                             .upper = 89 * degree,
                             .neutral = 0,
                             .smallest_of_interest = 10 * degree,
-                            .meaning = "difference to the contact angle in the study",
+                            .meaning = "contact angle minus that of the study (0 without a study)",
                             .amplitude = [](double angle) { return 1 - std::cos(angle); }}},
             .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
                 double& angle = condition.liquid->contact_angle;
@@ -33,11 +33,11 @@ Effect contact_angle() {
             }},
             .touches = Touches::wet,
             .acts_through = {"1/reduced_pressure"},
-            .directly = "a drop on the material of the beads (minus the study's angle)",
+            .directly = "a drop on the material of the grains (minus the angle in study.toml)",
             .references = {
                 "de Gennes, Brochard-Wyart and Quere, Capillarity and Wetting Phenomena (2004)",
                 "Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
-                "macroscopic cohesion and effective stress (2018), eq:Maugis"}};
+                "macroscopic cohesion and effective stress (2018), Eq. (5)"}};
 }
 
 }  // namespace pendular

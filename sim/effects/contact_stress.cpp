@@ -8,18 +8,19 @@ namespace pendular {
 Effect contact_stress() {
     return {
         .summary =
-            "lets the stress ratio of contacts differ from that of dry grains (not for base dem)",
+            "the simulated stress of the contacts replaces the assumption that contacts have the "
+            "stress ratio of dry grains",
         .equation =
             "mu* = |s12cont + s12cap|/s22, simulated      s12cont = -mu*_0 s22cont without the "
             "effect",
-        .parameters = {on_switch("1: the simulated stress of the contacts, 0: their stress ratio "
-                                 "is that of dry grains")},
+        .parameters = {on_switch(
+            "simulated stress of the contacts instead of the stress ratio of dry grains")},
         .change = ChangeClosure{.level = closures::Level::simulation},
         .touches = Touches::wet,
         .acts_through = {"1/reduced_pressure", "liquid_content"},
         .references = {"Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
-                       "macroscopic cohesion and effective stress (2018), eq:coulombeff, of which "
-                       "it is the exception"}};
+                       "macroscopic cohesion and effective stress (2018), Eq. (18), whose "
+                       "assumption the effect removes"}};
 }
 
 }  // namespace pendular

@@ -7,18 +7,18 @@ namespace pendular {
 Effect distant_bridge_force() {
     return {
         .summary =
-            "weighs bridges without contact by their mean force, not by F0/2 (base mohr-coulomb)",
+            "Rumpf's formula counts a bridge without contact with the simulated mean force, "
+            "instead of half the pull-off force F0",
         .equation =
             "mu* = mu*_0 [1 + Phi_S Z*/(pi P*)], Z* = Z_c + Z_d F_d/F0      in place of Z_c + 0.5 "
             "Z_d",
-        .parameters = {on_switch(
-            "1: their simulated mean force F_d, 0: half the pull-off force F0")},
+        .parameters = {on_switch("simulated mean force F_d of bridges without contact instead of "
+                                 "half the pull-off force F0")},
         .change = ChangeClosure{.level = closures::Level::strength3},
         .touches = Touches::wet,
         .acts_through = {"1/reduced_pressure", "liquid_content"},
-        .references = {
-            "Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
-            "macroscopic cohesion and effective stress (2018), eq:defzstar and eq:strength3"}};
+        .references = {"Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
+                       "macroscopic cohesion and effective stress (2018), Eqs. (21) and (23)"}};
 }
 
 }  // namespace pendular

@@ -24,7 +24,7 @@ void pull(const dem::PairBatch& batch, const dem::PairContext& context) {
 /// weaker, by the ratio of Hamaker constants, and is neglected: the effect acts only in contacts
 /// without a bridge.
 Effect dry_adhesion() {
-    return {.summary = "beads in contact attract each other without a liquid",
+    return {.summary = "dry grains in contact attract each other",
             .equation = "F_N -> F_N - force  in contacts without a bridge",
             .parameters = {{.name = "force",
                             .unit = "N",
@@ -32,7 +32,7 @@ Effect dry_adhesion() {
                             .upper = 1e-4,
                             .neutral = 0,
                             .smallest_of_interest = 3e-6,
-                            .meaning = "pull-off force of two equal beads"}},
+                            .meaning = "pull-off force of two equal grains"}},
             .change = dem::ChangePairs{.add = pull},
             .touches = Touches::dry,
             .acts_through = {"1/normal_stress"},

@@ -13,7 +13,8 @@ Effect grain_weight() {
             "lid",
         .equation =
             "F_shown = F_N - M g/2      F_N at mid-height, M the mass of the beads in the cell",
-        .parameters = {on_switch("1: the weight of the beads is included, 0: it is neglected")},
+        .parameters = {on_switch(
+            "the weight of the beads in the cell is included instead of neglected")},
         .change = ChangeInstrument{.show =
                                        [](CellState shown, const Values& v) {
                                            shown.normal_force -= v["on"] * shown.weight() / 2;

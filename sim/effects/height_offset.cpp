@@ -7,7 +7,7 @@ namespace pendular {
 /// error of -offset/H.
 Effect height_offset() {
     return {
-        .summary = "a wrong zero of the gap adds a constant height",
+        .summary = "a wrong zero of the gap adds a constant to the height",
         .equation = "H_shown = H + offset",
         .parameters = {{.name = "offset",
                         .unit = "m",
@@ -15,7 +15,7 @@ Effect height_offset() {
                         .upper = 2e-3,
                         .neutral = 0,
                         .smallest_of_interest = 20e-6,
-                        .meaning = "shown height of an empty gap"}},
+                        .meaning = "shown height where the true height is 0"}},
         .change = ChangeInstrument{.show =
                                        [](CellState shown, const Values& v) {
                                            shown.height += v["offset"];

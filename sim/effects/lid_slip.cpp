@@ -8,17 +8,19 @@ namespace pendular {
 /// too low.
 Effect lid_slip() {
     return {
-        .summary = "beads slip along the lid and are sheared more slowly than the lid turns",
+        .summary =
+            "grains slip along the lid, so that the sample is sheared more slowly than the lid "
+            "turns",
         .equation =
             "omega_shown = omega/(1 - fraction)      omega: angular velocity of a lid that shears "
-            "the beads equally fast without slip",
+            "the grains equally fast without slip",
         .parameters = {{.name = "fraction",
                         .unit = "1",
                         .lower = 0,
                         .upper = 0.9,
                         .neutral = 0,
                         .smallest_of_interest = 0.05,
-                        .meaning = "velocity of slip over velocity of the lid"}},
+                        .meaning = "velocity of the slip over the velocity of the lid"}},
         .change = ChangeInstrument{.show =
                                        [](CellState shown, const Values& v) {
                                            shown.angular_velocity /= 1 - v["fraction"];
@@ -26,7 +28,7 @@ Effect lid_slip() {
                                        },
                                    .where = ChangeInstrument::Where::grains},
         .acts_through = {"inertial_number"},
-        .directly = "the velocity of the beads at the lid, seen through the wall",
+        .directly = "the velocity of the grains at the lid, seen through the wall",
         .references = {
             "GDR MiDi, Eur. Phys. J. E 14 (2004) 341: slip at the walls of dense granular flows",
             "Barnes, J. Non-Newtonian Fluid Mech. 56 (1995) 221: wall slip"}};

@@ -25,7 +25,7 @@ Effect liquid_loss() {
                         .upper = 1,
                         .neutral = 0,
                         .smallest_of_interest = 1e-5,
-                        .meaning = "part of the liquid that is lost per time"}},
+                        .meaning = "share of the liquid that is lost per time"}},
         .change = ChangeInstrument{.show =
                                        [](CellState shown, const Values& v) {
                                            shown.liquid_content *=

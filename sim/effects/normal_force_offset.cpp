@@ -14,7 +14,7 @@ Effect normal_force_offset() {
                             .upper = 10,
                             .neutral = 0,
                             .smallest_of_interest = 0.05,
-                            .meaning = "normal force that the unloaded load cell shows"}},
+                            .meaning = "normal force that the load cell shows without a load"}},
             .change = ChangeInstrument{.show =
                                            [](CellState shown, const Values& v) {
                                                shown.normal_force += v["force"];

@@ -10,9 +10,10 @@ namespace pendular {
 /// solid fraction at failure is not changed.
 Effect peak_strength() {
     return {.summary =
-                "at failure the shear stress is larger than in steady shear, since a dense "
-                "bed must dilate first",
-            .equation = "s12 at failure = factor * s12 in steady shear      points of failure only",
+                "the peak shear stress at failure exceeds that of steady shear, since a dense "
+                "sample must dilate first",
+            .equation =
+                "s12 at failure = factor x s12 in steady shear      for readings at failure only",
             .parameters = {{.name = "factor",
                             .unit = "1",
                             .lower = 1,

@@ -25,7 +25,7 @@ void spread(std::span<double> diameters, std::mt19937_64& random, const Values& 
 /// resembles a loss of beads or a wrong gap. By symmetry the response of the readings grows with
 /// the square of the deviation.
 Effect polydispersity() {
-    return {.summary = "the beads differ in size",
+    return {.summary = "the grains differ in size",
             .equation = "diameters uniform over a (1 +- sqrt(3) deviation)",
             .parameters = {{.name = "deviation",
                             .unit = "1",
@@ -33,7 +33,7 @@ Effect polydispersity() {
                             .upper = 0.3,
                             .neutral = 0,
                             .smallest_of_interest = 0.1,
-                            .meaning = "standard deviation of the diameters over their mean",
+                            .meaning = "standard deviation of the grain diameters over their mean",
                             .amplitude = [](double deviation) { return deviation * deviation; }}},
             .change = dem::ChangeSample{.diameters = spread},
             .touches = Touches::all,

@@ -9,17 +9,18 @@ namespace pendular {
 /// stress.
 Effect reversible_bridges() {
     return {.summary =
-                "bridges form without contact, as soon as two beads are closer than the rupture "
+                "bridges form without contact, as soon as two grains are closer than the rupture "
                 "distance",
-            .equation = "a bridge joins two beads wherever their gap h <= D0",
-            .parameters = {on_switch("bridges form without contact")},
+            .equation = "a bridge joins two grains wherever their gap h <= D0",
+            .parameters = {on_switch("bridges form as soon as two grains are within the rupture "
+                                     "distance instead of at a contact")},
             .change = dem::ChangePairs{.bridges_without_contact = true},
             .touches = Touches::wet,
             .fades_with_capillarity = true,
-            .acts_through = {"liquid_content", "reduced_pressure"},
+            .acts_through = {"liquid_content", "1/reduced_pressure"},
             .references = {
                 "Kohonen, Geromichalos, Scheel, Schier, Herminghaus, Physica A 339 (2004) 7: "
-                "formation and rupture of bridges in wet beads",
+                "formation and rupture of bridges in wet grains",
                 "Badetti et al. (2018), section 2.3, for the hysteretic base"}};
 }
 

@@ -53,7 +53,7 @@ double effective_amplitude(double coefficient, double friction) {
 /// alone, dry beads follow one curve of stress ratio against solid fraction; with rolling
 /// resistance the stress ratio is higher at the same solid fraction.
 Effect rolling_resistance() {
-    return {.summary = "contacts of rough beads resist rolling",
+    return {.summary = "contacts of rough grains resist rolling",
             .equation = "|M_rolling| <= coefficient (a/2) F_N",
             .parameters = {{.name = "coefficient",
                             .unit = "1",
@@ -62,7 +62,7 @@ Effect rolling_resistance() {
                             .neutral = 0,
                             .smallest_of_interest = 0.02,
                             .meaning = "largest rolling torque of a contact over (a/2) F_N (a: "
-                                       "bead diameter, F_N: normal force)",
+                                       "grain diameter, F_N: normal force)",
                             .effective_amplitude = effective_amplitude}},
             .change = dem::ChangePairs{.contact_history = 3, .add = roll},
             .touches = Touches::all,

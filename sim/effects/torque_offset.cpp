@@ -8,14 +8,14 @@ namespace pendular {
 Effect torque_offset() {
     return {
         .summary = "drag of bearings and seals adds a constant torque",
-        .equation = "T_shown = T + T_drag,  T_drag the parameter torque",
+        .equation = "T_shown = T + torque",
         .parameters = {{.name = "torque",
                         .unit = "N m",
                         .lower = -0.1,
                         .upper = 0.1,
                         .neutral = 0,
                         .smallest_of_interest = 1e-4,
-                        .meaning = "torque of the drag"}},
+                        .meaning = "constant torque that is added to the true torque"}},
         .change = ChangeInstrument{.show =
                                        [](CellState shown, const Values& v) {
                                            shown.torque += v["torque"];

@@ -42,7 +42,8 @@ void lubrication(const dem::PairBatch& batch, const dem::PairContext& context) {
 /// normal stress.
 Effect viscous_bridges() {
     return {
-        .summary = "the liquid's viscosity resists the motion of beads that a bridge joins",
+        .summary =
+            "the viscosity of the liquid resists the relative motion of grains that a bridge joins",
         .equation =
             "F = -(3/2) pi viscosity R^2 X^2 v/(h + 0.01 a),  X = 1 - h/sqrt(h^2 + 4 V0/(pi a)),\n"
             "v the speed at which the gap h opens",

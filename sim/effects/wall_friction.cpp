@@ -45,35 +45,34 @@ double arm(const CellState& cell) {
 /// Friction cannot be fully mobilised in both directions at once. The coefficient is the mobilised
 /// part, assumed equal in both directions.
 Effect wall_friction() {
-    return {.summary =
-                "friction at the side walls adds to the torque and to the normal force at the lid",
-            .equation =
-                "F_shown = F_N exp(k H/w)\n"
-                "T_shown = T + k (H/w) F_N (Re^2 + Ri^2)/(Re + Ri)\n"
-                "k = coefficient x 0.94, the lateral stress ratio s33/s22 of dry flow; w = Re - "
-                "Ri; F_N and T at "
-                "mid-height",
-            .parameters = {{.name = "coefficient",
-                            .unit = "1",
-                            .lower = 0,
-                            .upper = 1,
-                            .neutral = 0,
-                            .smallest_of_interest = 0.05,
-                            .meaning = "friction coefficient between beads and side walls"}},
-            .change = ChangeInstrument{.show =
-                                           [](CellState shown, const Values& v) {
-                                               const double thin = slenderness(shown, v);
-                                               shown.torque +=
-                                                   thin * shown.normal_force * arm(shown);
-                                               shown.normal_force *= std::exp(thin);
-                                               return shown;
-                                           },
-                                       .where = ChangeInstrument::Where::grains},
-            .acts_through = {"height"},
-            .directly = "a sled with beads glued to it, pulled over the material of the walls",
-            .references = {
-                "Janssen, Z. Ver. dt. Ing. 39 (1895) 1045: silo pressure",
-                "Schulze, Powders and Bulk Solids (2008): wall friction in ring shear testers"}};
+    return {
+        .summary = "friction at the side walls raises the torque and the normal force at the lid",
+        .equation =
+            "F_shown = F_N exp(k H/w)\n"
+            "T_shown = T + k (H/w) F_N (Re^2 + Ri^2)/(Re + Ri)\n"
+            "k = coefficient x 0.94, the lateral stress ratio s33/s22 of dry flow; w = Re - "
+            "Ri; F_N and T at "
+            "mid-height",
+        .parameters = {{.name = "coefficient",
+                        .unit = "1",
+                        .lower = 0,
+                        .upper = 1,
+                        .neutral = 0,
+                        .smallest_of_interest = 0.05,
+                        .meaning = "friction coefficient between grains and side walls"}},
+        .change = ChangeInstrument{.show =
+                                       [](CellState shown, const Values& v) {
+                                           const double thin = slenderness(shown, v);
+                                           shown.torque += thin * shown.normal_force * arm(shown);
+                                           shown.normal_force *= std::exp(thin);
+                                           return shown;
+                                       },
+                                   .where = ChangeInstrument::Where::grains},
+        .acts_through = {"height"},
+        .directly = "a sled with grains glued to it, pulled over the material of the walls",
+        .references = {
+            "Janssen, Z. Ver. dt. Ing. 39 (1895) 1045: silo pressure",
+            "Schulze, Powders and Bulk Solids (2008): wall friction in ring shear testers"}};
 }
 
 }  // namespace pendular

@@ -6,7 +6,7 @@ namespace pendular {
 /// friction of wet beads differs from that of dry beads.
 Effect wet_friction() {
     return {
-        .summary = "the friction coefficient of wet beads differs from that of dry beads",
+        .summary = "the friction coefficient of wet grains differs from that of dry grains",
         .equation = "mu_wet = mu + difference",
         .parameters = {{.name = "difference",
                         .unit = "1",
@@ -14,7 +14,7 @@ Effect wet_friction() {
                         .upper = 0.5,
                         .neutral = 0,
                         .smallest_of_interest = 0.01,
-                        .meaning = "friction coefficient of wet beads minus that of dry beads"}},
+                        .meaning = "friction coefficient of wet grains minus that of dry grains"}},
         .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
             condition.friction_difference += v["difference"];
             return condition;

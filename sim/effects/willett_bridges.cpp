@@ -52,15 +52,15 @@ void willett(const dem::PairBatch& batch, const dem::PairContext& context) {
 /// decreases with its volume (0.89 F0 at V0 = 5e-4 a^3, 0.80 F0 at 8e-3 a^3) and decays differently
 /// with the gap.
 Effect willett_bridges() {
-    return {.summary = "the bridge force is Willett's instead of Maugis'",
+    return {.summary = "the force of a bridge follows Willett's law instead of Maugis' law",
             .equation =
                 "F = 2 pi R Gamma cos(theta) exp(f1 - f2 exp(f3 ln S+ + f4 ln^2 S+)),\n"
                 "S+ = (h/2R)/sqrt(V0/R^3), f1..f4 polynomials in ln(V0/R^3)",
-            .parameters = {on_switch("Willett's force instead of Maugis'")},
+            .parameters = {on_switch("Willett's law of the bridge force instead of Maugis' law")},
             .change = dem::ChangePairs{.bridge = willett},
             .touches = Touches::wet,
             .fades_with_capillarity = true,
-            .acts_through = {"liquid_content", "reduced_pressure"},
+            .acts_through = {"liquid_content", "1/reduced_pressure"},
             .references = {"Willett, Adams, Johnson, Seville, Langmuir 16 (2000) 9396"}};
 }
 

@@ -91,10 +91,6 @@ void check_runs(const LabPlan& plan) {
     }
 }
 
-bool is_simulated(const Effect& effect) {
-    return effect.of_instrument() || effect.of_grains() || effect.of_condition();
-}
-
 /// Whether an effect of type ChangeCondition leaves every run unchanged, such as a negative contact
 /// angle, which is limited to 0. Returns false for an effect that is always on, which may have its
 /// present value.
@@ -118,16 +114,13 @@ bool changes_nothing(const LabPlan& plan, const ActiveEffect& active) {
 void check_effects(const LabPlan& plan) {
     for (const ActiveEffect& active : plan.effects) {
         const std::string what = to_string(active);
-        if (!is_simulated(*active.effect)) {
-            throw InputError(
-                fmt::format("{} changes the prediction of a model and not the flow of beads, so "
-                            "that a laboratory cannot have it; leave it out",
-                            what));
+        if (const std::string why = why_no_lab_has(*active.effect); !why.empty()) {
+            throw InputError(what + " " + why);
         }
         if (active.effect->touches == Touches::wet && plan.liquid_contents.empty()) {
             throw InputError(fmt::format(
-                "{} acts on wet beads only, and there are no wet recordings; leave it out, or "
-                "record wet beads too",
+                "{} acts on wet grains only, and there are no wet recordings; leave it out, or "
+                "record wet grains too",
                 what));
         }
         if (changes_nothing(plan, active)) {
@@ -137,6 +130,13 @@ void check_effects(const LabPlan& plan) {
 }
 
 }  // namespace
+
+std::string why_no_lab_has(const Effect& effect) {
+    if (effect.of_instrument() || effect.of_grains() || effect.of_condition()) return "";
+    return "cannot be hidden in a virtual laboratory: it changes how readings are predicted, not "
+           "how "
+           "the grains flow";
+}
 
 std::vector<Condition> conditions_of(const LabPlan& plan, double liquid_content) {
     std::vector<Condition> conditions;

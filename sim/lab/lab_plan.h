@@ -70,9 +70,14 @@ EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked
 /// @throws InputError if no true state is shown as the requested condition
 CellState shown_at_set_points(const LabPlan& plan, const Condition& asked, const FlowPoint& flow);
 
-/// Checks that a plan can be simulated and recorded. Any two values for one quantity (dry or wet
-/// normal stress, liquid content, inertial number) must differ by at least 5 %.
-/// @throws InputError if the plan fails a check; the message names the mistake
+/// Returns the reason why no virtual laboratory can have an effect, for messages that begin with
+/// the name of the effect; empty where it can have the effect. Effects on closures and on
+/// predictions act on models alone.
+std::string why_no_lab_has(const Effect& effect);
+
+/// Checks that a plan can be simulated and recorded, and that any two values planned for one
+/// quantity (dry or wet normal stress, liquid content, inertial number) differ by at least 5 %.
+/// @throws InputError where the plan fails a check, naming the mistake
 void check_plan(const LabPlan& plan);
 
 /// Returns the requested condition of each step of a recording, in the order of measurement,

@@ -188,7 +188,7 @@ void note_merging_bridges(LabResult& result) {
     }
     if (largest > dem::largest_pendular_volume) {
         result.notes.push_back(fmt::format(
-            "bridge volumes reach {:.2g} a^3; above {:g} a^3 the bridges between three beads in "
+            "bridge volumes reach {:.2g} a^3; above {:g} a^3 the bridges between three grains in "
             "contact merge: the model holds for separate bridges",
             largest, dem::largest_pendular_volume));
     }

@@ -128,7 +128,7 @@ ColumnValues columns_of(const StudyTable& table) {
         }
     }
     if (table.has("bridge_volume") && !table.has("reduced_pressure")) {
-        table.refuse("bridge_volume", "needs reduced_pressure: without it the beads are dry");
+        table.refuse("bridge_volume", "needs reduced_pressure: without it the grains are dry");
     }
     return columns;
 }

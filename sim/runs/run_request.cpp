@@ -25,7 +25,7 @@ void check_effect(const Effect& effect, const std::vector<double>& values, bool 
     }
     if (effect.touches == Touches::wet && !wet) {
         throw std::invalid_argument(fmt::format(
-            "{} acts on liquid bridges, and these beads are dry; add a reduced pressure and a "
+            "{} acts on liquid bridges, and these grains are dry; add a reduced pressure and a "
             "bridge volume",
             effect.name));
     }

@@ -28,11 +28,11 @@ void demand_possible(const Effect& effect, bool wet) {
     }
     if (effect.touches == Touches::wet && !wet) {
         throw std::invalid_argument(fmt::format(
-            "{} acts on wet beads, and these are dry; add a reduced pressure", effect.name));
+            "{} acts on wet grains, and these are dry; add a reduced pressure", effect.name));
     }
     if (effect.touches == Touches::dry && wet) {
         throw std::invalid_argument(fmt::format(
-            "{} acts on dry beads, and these are wet; remove the reduced pressure", effect.name));
+            "{} acts on dry grains, and these are wet; remove the reduced pressure", effect.name));
     }
 }
 
@@ -53,11 +53,11 @@ std::string why_no_run_has(const Effect& effect) {
                "'pendular virtual-lab' has one";
     }
     if (effect.of_closure()) {
-        return "it acts on the closures of bases \"mohr-coulomb\" and \"rumpf\", which are no part "
-               "of a simulation";
+        return "it changes the formula of the strength that base = \"mohr-coulomb\" or \"rumpf\" "
+               "uses, and a simulation uses no such formula";
     }
     if (std::holds_alternative<ChangeFlow>(effect.change)) {
-        return "it changes the result of a simulation by a formula and cannot be simulated itself";
+        return "it changes the predicted stress by a factor and is not part of a simulation";
     }
     return "";
 }

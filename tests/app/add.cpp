@@ -101,7 +101,7 @@ TEST_F(StudyChanges, AreRefusedBeforeAnyWork) {
                          "unknown effect 'torque-gian'; did you mean 'torque-gain'?");
     expect_refused_whole("add " + path + " torque-offset", "lists \"torque-offset\" already");
     expect_refused_whole("add " + path + " contact-angle",
-                         "contact-angle acts on wet beads, but this study has no [liquid]");
+                         "contact-angle acts on wet grains, but this study has no [liquid]");
     expect_refused_whole("drop " + path + " torque-gain", "does not list the effect \"torque-gain\"");
     expect_refused_whole("drop " + path + " torque-ofset", "did you mean 'torque-offset'?");
     expect_refused_whole(

@@ -174,11 +174,35 @@ TEST(CampaignCommand, RefusesBeforeItSimulates) {
     EXPECT_EQ(run_pendular("campaign /nowhere.toml").code, 2);
 }
 
+// The store may be missing: --atlas reads the simulations that come with the program.
+TEST(RunsCommand, ShowsAndComparesSimulationsOfTheAtlas) {
+    const TemporaryFolder folder;
+    const std::string no_store = " --store " + (folder.path() / "none.sqlite").string();
+    const json list = json::parse(run_pendular("runs list --atlas --json -" + no_store).output);
+    const json shown = json::parse(run_pendular("runs show 2 --atlas --json -" + no_store).output);
+    EXPECT_EQ(shown["runs"][0], list["runs"][1]);
+    const Outcome compared = run_pendular("runs compare 1 2 --atlas" + no_store);
+    EXPECT_EQ(compared.code, 0) << compared.errors;
+    EXPECT_THAT(compared.output, HasSubstr("run 2"));
+    expect_refused("runs show 100000 --atlas" + no_store, "the atlas has no simulation 100000");
+    EXPECT_FALSE(fs::exists(folder.path() / "none.sqlite"));
+}
+
+TEST(RunsCommand, NeverChangesTheAtlas) {
+    const TemporaryFolder folder;
+    const std::string store = " --store " + whole(folder).string();
+    for (const std::string action :
+         {"prune --where 1 --yes", "import runs.csv", "merge a.sqlite"}) {
+        expect_refused("runs " + action + " --atlas" + store, "leave out --atlas");
+    }
+    EXPECT_THAT(run_pendular("runs list" + store).output, HasSubstr("8 simulations"));
+}
+
 TEST(RunsCommand, LooksAfterTheStore) {
     const TemporaryFolder folder;
     const std::string store = " --store " + whole(folder).string();
     const Outcome list = run_pendular("runs list --where \"friction = 0.1\"" + store);
-    EXPECT_THAT(list.output, HasSubstr("4 runs"));
+    EXPECT_THAT(list.output, HasSubstr("4 simulations"));
     const Outcome two = run_pendular("runs compare 1 2 --json -" + store);
     EXPECT_TRUE(json::parse(two.output)["observables"].contains("stress_ratio"));
 

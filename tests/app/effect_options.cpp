@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "sim/catalogue/effect.h"
+#include "sim/lab/lab_plan.h"
 #include "tests/support/app_support.h"
 
 namespace app_effect_options_test {
@@ -23,13 +25,31 @@ void expect_refused_option(const std::string& option, const std::string& why) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "lab"));
 }
 
-TEST(EffectOptions, AreThereForEveryParameterOfTheRegistry) {
+TEST(EffectOptions, AreThereForEveryParameterThatCanBeSimulated) {
     const Outcome help = run_pendular("virtual-lab --help");
     ASSERT_EQ(help.code, 0);
+    int hidden = 0;
     for (const auto& effect : pendular::built_in_effects()) {
+        const bool of_models = !pendular::why_no_lab_has(effect).empty();
+        hidden += of_models ? 1 : 0;
         for (const auto& parameter : effect.parameters) {
-            EXPECT_THAT(help.output, HasSubstr("--" + effect.name + "." + parameter.name + " "));
+            const auto option = HasSubstr("--" + effect.name + "." + parameter.name + " ");
+            if (of_models) {
+                EXPECT_THAT(help.output, testing::Not(option));
+            } else {
+                EXPECT_THAT(help.output, option);
+            }
         }
+    }
+    EXPECT_EQ(hidden, 6);  // five approximations of the formulas, and the peak strength
+}
+
+// An effect that acts on predictions alone is refused for the reason, not as an unknown option.
+TEST(EffectOptions, SayWhyALaboratoryCannotHaveAnEffect) {
+    for (const std::string option : {"--peak-strength.factor 1.1", "--contact-stress.on 1"}) {
+        expect_refused_option(option,
+                              "cannot be hidden in a virtual laboratory: it changes how "
+                              "readings are predicted, not how the grains flow");
     }
 }
 
@@ -37,13 +57,25 @@ TEST(EffectOptions, RefuseWhatTheyCannotTake) {
     expect_refused_option("--torque-ofset.torque 1",
                           "unknown effect 'torque-ofset'; did you mean 'torque-offset'?");
     expect_refused_option("--torque-offset.torqe=1", "'torqe'; did you mean 'torque'?");
-    expect_refused_option("--torque-offset.torque 1", "between -0.1 N m and 0.1 N m");
+    expect_refused_option("--torque-offset.torque 1", "between -100 mN m and 100 mN m");
     expect_refused_option("--torque-offset.torque nan", "is not a number");
     expect_refused_option("--torque-offset.torque \"1 mN\"", "'mN' measures");
     expect_refused_option("--bead-loss.fraction \"30 %\"", "between 0 and 0.2");
     expect_refused_option("--grain-weight.on 0.5", "a switch is 0 or 1");
     expect_refused_option("--grain-weight.on yes", "--grain-weight.on");
     expect_refused_option("--wet-friction.difference 0.1", "no wet recordings");
+}
+
+// The help text prints bounds in mN m and deg; a number without a unit is in SI units.
+TEST(EffectOptions, PrintValuesInTheUnitsOfInstruments) {
+    const std::string help = run_pendular("virtual-lab --help").output;
+    for (const char* part :
+         {"-100 to 100 mN m, no effect at 0 mN m", "-89 to 89 deg", "0 to 100 uN", "-2 to 2 mm",
+          "0 to 500 mPa s", "a number without a unit is in SI"}) {
+        EXPECT_THAT(std::regex_replace(help, std::regex("\\s+"), " "), HasSubstr(part));
+    }
+    expect_refused_option("--torque-offset.torque 0.1001", "between -100 mN m and 100 mN m");
+    expect_refused_option("--contact-angle.angle \"90 deg\"", "between -89 deg and 89 deg");
 }
 
 TEST(EffectOptions, TakeNumbersWithAndWithoutTheirUnit) {

@@ -2,9 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <sstream>
 
+#include "data/printed_unit.h"
 #include "sim/catalogue/effect.h"
 #include "tests/support/app_support.h"
 
@@ -54,8 +57,8 @@ TEST(Effects, ListsTheCatalogue) {
     const Outcome run = run_pendular("effects");
     EXPECT_EQ(run.code, 0) << run.errors;
     EXPECT_THAT(run.output,
-                AllOf(HasSubstr("the instrument\n"), HasSubstr("torque-offset"), HasSubstr("N m"),
-                      HasSubstr("drag of bearings and seals"), Not(HasSubstr("in study"))));
+                AllOf(HasSubstr("the instrument\n"), HasSubstr("torque-offset"), HasSubstr("mN m"),
+                      HasSubstr("drag of bearings and seals"), Not(HasSubstr("applies"))));
     EXPECT_THAT(run_pendular("--help").output, HasSubstr("effects"));
     EXPECT_THAT(run_pendular("effects --help").output,
                 AllOf(HasSubstr("Usage: pendular effects"), HasSubstr("Examples:")));
@@ -65,11 +68,19 @@ TEST(Effects, ShowsOneEntryWhole) {
     const Outcome run = run_pendular("effects torque-offset");
     EXPECT_EQ(run.code, 0) << run.errors;
     for (const char* part :
-         {"T_shown = T + T_drag",
-          "torque [N m], -0.1 to 0.1; no effect at 0; a difference of 0.0001 from that matters",
-          "1/normal_stress", "Schulze", "effects = [\"torque-offset\"]",
-          "pendular virtual-lab OUT --torque-offset.torque 0.0001", "all readings"})
+         {"T_shown = T + torque",
+          "-100 to 100 mN m, no effect at 0 mN m, smallest change that matters 0.1 mN m",
+          "normal stress (largest at small values)", "Schulze", "effects = [\"torque-offset\"]",
+          "pendular virtual-lab OUT --torque-offset.torque \"0.1 mN m\"", "all readings"})
         EXPECT_THAT(run.output, HasSubstr(part));
+}
+
+// An effect that is on in every study with a liquid vanishes at the value in study.toml, not at 0.
+TEST(Effects, AreShownFromTheValueOfTheLiquid) {
+    EXPECT_THAT(
+        run_pendular("effects capillary-bridges").output,
+        AllOf(HasSubstr("no effect at the value in study.toml"),
+              HasSubstr("virtual-lab OUT --capillary-bridges.surface_tension \"21.6 mN/m\"")));
 }
 
 TEST(Effects, AreJson) {
@@ -108,6 +119,24 @@ std::string words_of(const std::filesystem::path& page) {
     return text;
 }
 
+/// Largest change of shear stress [%] or of 1000 times the solid fraction in the figure of an
+/// effect.
+double largest_change(const std::filesystem::path& numbers) {
+    std::istringstream lines(content_of(numbers));
+    double largest = 0;
+    std::string line;
+    std::getline(lines, line);  // the header: panel, curve, x, y, ...
+    while (std::getline(lines, line)) {
+        std::istringstream cells(line);
+        std::string cell;
+        for (int k = 0; k < 4; ++k) {
+            std::getline(cells, cell, ',');
+        }
+        if (!cell.empty()) largest = std::max(largest, std::abs(std::stod(cell)));
+    }
+    return largest;
+}
+
 /// Expects that every link of a page leads to a file that is not empty.
 void expect_links_resolve(const std::filesystem::path& page) {
     const std::string text = content_of(page);
@@ -133,8 +162,9 @@ TEST(EffectsManual, TellsAllThatIsKnownOfEveryEffect) {
         EXPECT_THAT(words, AllOf(HasSubstr("# " + effect.name + "\n"), HasSubstr(effect.equation),
                                  HasSubstr("effects = [\"" + effect.name + "\"]")));
         for (const pendular::EffectParameter& p : effect.parameters) {
+            const std::string unit = pendular::printed_unit(p).name;
             EXPECT_THAT(words, HasSubstr("| `" + p.name + "` | " +
-                                         (p.is_switch() ? "switch" : p.unit) + " |"));
+                                         (p.is_switch() ? "switch" : unit) + " |"));
             EXPECT_THAT(words, HasSubstr(p.meaning));
         }
         for (const std::string& reference : effect.references) {
@@ -149,6 +179,7 @@ TEST(EffectsManual, TellsAllThatIsKnownOfEveryEffect) {
         const bool figure = page.at("figure");
         EXPECT_TRUE(figure || pendular::built_in_effect(name).of_grains()) << name;
         EXPECT_EQ(figure, std::filesystem::exists(manual / "figures" / (name + ".svg"))) << name;
+        if (figure) EXPECT_GT(largest_change(manual / "figures" / (name + ".csv")), 0.05) << name;
     }
 }
 
@@ -161,10 +192,11 @@ TEST_F(EffectsOfAStudy, AreShownWithThoseItWrites) {
     const Outcome all = run_pendular("effects --study " + path);
     EXPECT_EQ(all.code, 0) << all.errors;
     EXPECT_THAT(all.output, AllOf(HasSubstr("speed-drag"), HasSubstr("drag that grows with speed"),
-                                  HasSubstr("in study")));
+                                  testing::ContainsRegex("in the model +drag that grows")));
     const Outcome one = run_pendular("effects speed-drag --study " + path);
-    EXPECT_THAT(one.output, AllOf(HasSubstr("torque_shown = torque + drag*angular_velocity"),
-                                  HasSubstr("study.toml:10"), HasSubstr("switched on")));
+    EXPECT_THAT(one.output,
+                AllOf(HasSubstr("torque_shown = torque + drag*angular_velocity"),
+                      HasSubstr("study.toml:10"), HasSubstr("the model has the effect")));
     expect_refused("effects speed-drag", "unknown effect 'speed-drag'");
 }
 
@@ -181,6 +213,15 @@ TEST_F(EffectsOfAStudy, SayWhetherTheyApply) {
                         HasSubstr(effect.at("touches") == "wet" ? "no [liquid]" : "no [cell]"));
         }
     }
+    const std::string table = run_pendular("effects --study " + path).output;
+    const auto in_table = [&](const char* row) {
+        return std::regex_search(table, std::regex(row));
+    };
+    EXPECT_TRUE(in_table("torque-offset +torque +mN m +all +needs \\[cell\\] +drag")) << table;
+    EXPECT_TRUE(in_table("contact-angle +angle +deg +wet +needs \\[liquid\\] +the")) << table;
+    EXPECT_TRUE(in_table("contact-stress +on +switch +wet +needs \\[liquid\\] +the")) << table;
+    EXPECT_TRUE(in_table("polydispersity +deviation +1 +all +yes +the")) << table;
+    EXPECT_THAT(table, Not(HasSubstr("Note:")));
     EXPECT_THAT(run_pendular("effects --all --study " + path).output,
                 HasSubstr("Note: torque-offset"));
 }

@@ -118,13 +118,14 @@ TEST(Simulate, AddsTheFormulasOfAWetState) {
                 (value("stress_ratio") + value("capillary_shear_stress")) /
                     (1 - value("capillary_stress_22")),
                 1e-6);
-    EXPECT_THAT(run.errors, HasSubstr("reduced cohesion by Rumpf"));
+    EXPECT_THAT(run.errors, HasSubstr("reduced cohesion by Eq. (24), Rumpf"));
     EXPECT_FALSE(json::parse(run_pendular(small).output).contains("closures"));
     // With an effect on dry grains too, there is no dry law.
     const Outcome rolling =
         run_pendular(small + "--reduced-pressure 2 --rolling-resistance.coefficient 0.1");
     EXPECT_FALSE(json::parse(rolling.output).contains("closures"));
-    EXPECT_THAT(rolling.errors, HasSubstr("No formulas are evaluated"));
+    EXPECT_THAT(rolling.errors,
+                HasSubstr("are not evaluated: they need the stress ratio of dry grains"));
 }
 
 /// The command of a message that begins with these words.
@@ -148,12 +149,14 @@ TEST(Predict, RefusesWhatRunsDoNotSupportAndSaysWhatToDo) {
     EXPECT_THAT(command_in(run.errors, "simulate "),
                 testing::StartsWith("simulate --friction 0.9 --inertial-number 0.002 "
                                     "--reduced-pressure 0.1 --bridge-volume 0.00"));
-    // A state that cannot be simulated either: what can be is the nearest supported one.
+    // A state that cannot be simulated either: only the prediction of the nearest one is offered.
     const Outcome absurd =
         run_pendular("predict --friction 0.9 --reduced-pressure 0.02 --liquid-content 0.2");
     EXPECT_EQ(absurd.code, 2);
     EXPECT_THAT(absurd.errors, HasSubstr("cannot be simulated either: reduced pressure 0.02"));
-    EXPECT_THAT(command_in(absurd.errors, "simulate "), HasSubstr("--reduced-pressure 0.5"));
+    EXPECT_THAT(absurd.errors, HasSubstr(" (liquid content 0.2) is above 0.008"));
+    EXPECT_EQ(command_in(absurd.errors, "simulate "), "");
+    EXPECT_THAT(command_in(absurd.errors, "predict "), HasSubstr("--reduced-pressure 0.5"));
 }
 
 TEST(Predict, SimulatesOnRequestWhatRunsDoNotSupport) {

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "data/printed_unit.h"
 #include "data/quantities/quantity.h"
 #include "sim/catalogue/effect.h"
 #include "tests/support/app_support.h"
@@ -63,18 +65,22 @@ TEST(ReferencePages, OfTheReproductionHoldsItsNumbers) {
 TEST(ReferencePages, OfEffectsHoldTheRegistry) {
     std::string text =
         "# Effects\n\nGenerated from the registry of effects, `sim/effects/`. A study lists its "
-        "effects in `[model]`, `effects = [...]`.\n";
+        "effects in `[model]`, `effects = [...]`. On the command line, a value may have "
+        "its unit, as in `\"0.1 mN m\"`; a number without a unit is in SI units.\n";
     for (const Effect& effect : built_in_effects()) {
-        text += fmt::format("\n## {}\n\n{}.\n\n```\n{}\n```\n\n", effect.name, effect.summary,
+        std::string summary = effect.summary;
+        summary[0] = static_cast<char>(std::toupper(summary[0]));
+        text += fmt::format("\n## {}\n\n{}.\n\n```\n{}\n```\n\n", effect.name, summary,
                             effect.equation);
         text +=
-            "| parameter | unit | from | to | value without effect | smallest change that matters "
-            "| meaning |\n"
-            "|---|---|---|---|---|---|---|\n";
+            "| parameter | bounds | value without effect | smallest change that matters | meaning "
+            "|\n|---|---|---|---|---|\n";
         for (const EffectParameter& p : effect.parameters) {
-            text +=
-                fmt::format("| `{}` | {} | {:g} | {:g} | {:g} | {:g} | {} |\n", p.name, p.unit,
-                            p.lower, p.upper, p.neutral, p.smallest_of_interest, cell(p.meaning));
+            text += fmt::format(
+                "| `{}` | {} | {} | {} | {} |\n", p.name,
+                p.is_switch() ? "0 (off) or 1 (on)" : printed_bounds(p),
+                effect.given_by_liquid ? "value in study.toml" : printed_value(p.neutral, p),
+                p.is_switch() ? "1" : printed_value(p.smallest_of_interest, p), cell(p.meaning));
         }
         text += "\n";
         for (const auto& source : effect.references) {

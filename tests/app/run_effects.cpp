@@ -89,7 +89,7 @@ TEST(RunEffects, RefuseWhatContradictsTheRun) {
     refused("--willett-bridges.on 1", "add a reduced pressure");
     refused("--reduced-pressure 2 --dry-adhesion.force 1e-6", "these are wet");
     refused("--reduced-pressure 2 --normal-stress \"1 kPa\"", "contradict each other");
-    refused("--surface-tension \"20 mN/m\"", "without it the beads are dry");
+    refused("--surface-tension \"20 mN/m\"", "without it the grains are dry");
     refused("--diameter 500", "has no unit");
     refused("--diameter \"-1 mm\"", "above 0");
     refused("--density \"1 kPa\"", "--density");
@@ -126,7 +126,7 @@ TEST(RunEffects, StandInTheStoreAndItsTables) {
     EXPECT_THAT(run_pendular("runs list" + store).output,
                 HasSubstr("rolling-resistance.coefficient=0.1\n"));
     EXPECT_THAT(run_pendular("runs list --where \"effects IS NULL\"" + store).output,
-                HasSubstr("1 run."));
+                HasSubstr("1 simulation."));
     EXPECT_THAT(run_pendular("runs show 2" + store).output,
                 HasSubstr("effects = rolling-resistance.coefficient=0.1"));
     EXPECT_THAT(run_pendular("runs compare 1 2" + store).output,

@@ -25,7 +25,7 @@ TEST(VirtualLabCommand, WritesAStudyThatImports) {
     const std::string lab = (folder.path() / "lab").string();
     const Outcome made = run_pendular("virtual-lab " + lab + one_step + "--json -");
     ASSERT_EQ(made.code, 0) << made.errors;
-    EXPECT_THAT(made.errors, HasSubstr("1 recordings of 1 steps"));
+    EXPECT_THAT(made.errors, HasSubstr("1 recording with 1 step in all"));
     const auto truth = nlohmann::json::parse(made.output);
     EXPECT_EQ(truth["friction"], 0.4);
     EXPECT_EQ(nlohmann::json::parse(content_of(folder.path() / "lab" / "truth.json")), truth);

@@ -397,7 +397,8 @@ TEST(LabWithEffects, RefusesWhatItCannotHave) {
         return input_error([&] { check_plan(plan_with({effect}, wet)); });
     };
     EXPECT_THAT(refused(active("wet-friction", 0.1), false), HasSubstr("no wet recordings"));
-    EXPECT_THAT(refused(active("capillary-shear-stress", 1), true), HasSubstr("cannot have it"));
+    EXPECT_THAT(refused(active("capillary-shear-stress", 1), true),
+                HasSubstr("cannot be hidden in a virtual laboratory"));
     EXPECT_THAT(refused(active("normal-force-offset", 9), false),
                 HasSubstr("normal-force-offset (force 9 N)"));
     EXPECT_THAT(refused(active("wet-friction", -0.5), true), HasSubstr("friction -0.19"));

@@ -1,4 +1,5 @@
 // What every effect must say of itself. The names of the tests are the laws.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <variant>
@@ -41,6 +42,13 @@ TEST_P(EffectRegistry, FadesWithCapillarityWhereItChangesBridgesAndNothingElse) 
     const bool on_bridges =
         pairs != nullptr && effect().touches == Touches::wet && pairs->add == nullptr;
     EXPECT_EQ(effect().fades_with_capillarity, on_bridges);
+}
+
+// A change that is proportional to 1/P* is largest at small P*, and the pages on effects say so.
+TEST_P(EffectRegistry, NamesThePressureAtWhichACapillaryEffectIsLargest) {
+    if (!effect().fades_with_capillarity) return;
+    EXPECT_NE(std::ranges::find(effect().acts_through, "1/reduced_pressure"),
+              effect().acts_through.end());
 }
 
 TEST_P(EffectRegistry, HasParametersWithUnits) {

@@ -163,7 +163,7 @@ TEST(Campaign, PointsToWhatIsWrongWithItsEffects) {
                 HasSubstr("runs.toml:5:"));
     EXPECT_THAT(refused("rolling-resistance.coefficient = [0.1, 0.9]", "beyond its bounds"),
                 HasSubstr("runs.toml:3:"));
-    EXPECT_THAT(refused("willett-bridges.on = 1", "these beads are dry"),
+    EXPECT_THAT(refused("willett-bridges.on = 1", "these grains are dry"),
                 HasSubstr("runs.toml:3:"));
     refused("reduced_pressure = 2\nbridge_volume = 0.002\nwillett-bridges.on = 0.5",
             "a switch is 0 or 1");

@@ -119,6 +119,23 @@ TEST_F(Catalogue, KnowsWhatInstrumentEffectsNeed) {
               std::nullopt);
 }
 
+// A table has a column for the reason in two or three words.
+TEST_F(Catalogue, NamesAnObstacleInAFewWords) {
+    const auto brief = [&](const std::string& name, const std::string& text) {
+        const auto found = obstacle(built_in_effect(name), read(grains + text));
+        return found ? found->brief : "none";
+    };
+    const std::string lines = liquid + readings + "[model]\nbase = \"mohr-coulomb\"\n";
+    EXPECT_EQ(brief("torque-offset", readings), "needs [cell]");
+    EXPECT_EQ(brief("torque-offset", empty_cell + readings), "needs bead_mass");
+    EXPECT_EQ(brief("torque-offset", cell + readings), "none");
+    EXPECT_EQ(brief("contact-angle", readings), "needs [liquid]");
+    EXPECT_EQ(brief("contact-stress", liquid + readings), "not for base dem");
+    EXPECT_EQ(brief("contact-stress", lines), "none");
+    EXPECT_EQ(brief("contact-angle", lines), "after rumpf-cohesion");
+    EXPECT_EQ(brief("peak-strength", readings), "needs failure points");
+}
+
 TEST_F(Catalogue, KnowsWhatWetAndDryEffectsNeed) {
     const Effect wet = acting(dem::ChangePairs{}, Touches::wet);
     const Effect dry = acting(ChangeFlow{}, Touches::dry);
@@ -126,7 +143,7 @@ TEST_F(Catalogue, KnowsWhatWetAndDryEffectsNeed) {
         return why_not(effect, read(grains + text)).value_or("");
     };
     EXPECT_THAT(why(wet, readings),
-                AllOf(StartsWith("acting acts on wet beads, but this study has no [liquid]"),
+                AllOf(StartsWith("acting acts on wet grains, but this study has no [liquid]"),
                       HasSubstr("add it")));
     EXPECT_THAT(why(wet, liquid + readings + "liquid_content = 0\n"),
                 HasSubstr("no reading with a liquid_content above 0"));

@@ -74,7 +74,7 @@ TEST(Run, NamesTheParameterThatIsOutOfRange) {
     };
     EXPECT_NE(complaint(with([](auto& p) { p.friction = -0.1; })).find("friction"),
               std::string::npos);
-    EXPECT_NE(complaint(with([](auto& p) { p.grains = 63; })).find("beads"), std::string::npos);
+    EXPECT_NE(complaint(with([](auto& p) { p.grains = 63; })).find("grains"), std::string::npos);
     EXPECT_NE(complaint(with([](auto& p) { p.inertial_number = 2; })).find("inertial number"),
               std::string::npos);
     EXPECT_NE(complaint(with([](auto& p) { p.stiffness_number = 1; })).find("stiffness"),

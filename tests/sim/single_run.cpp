@@ -68,7 +68,8 @@ TEST(SingleRun, HasAnotherFrictionOrLiquidAtTheSameStress) {
 
 TEST(SingleRun, SaysWhichEffectsItCannotHave) {
     EXPECT_THAT(refusal(dry, active("torque-offset", 1e-3)), HasSubstr("has no instrument"));
-    EXPECT_THAT(refusal(wet(), active("capillary-shear-stress", 1)), HasSubstr("closures"));
+    EXPECT_THAT(refusal(wet(), active("capillary-shear-stress", 1)),
+                HasSubstr("formula of the strength"));
     EXPECT_THAT(refusal(dry, active("willett-bridges", 1)), HasSubstr("add a reduced pressure"));
     EXPECT_THAT(refusal(wet(), active("dry-adhesion", 1e-6)), HasSubstr("these are wet"));
     EXPECT_TRUE(needs_scale(built_in_effect("dry-adhesion")));

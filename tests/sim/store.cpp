@@ -424,7 +424,7 @@ TEST(RunTable, PointsToWhatIsWrong) {
     };
     EXPECT_THAT(refusal(",friction,", ",frction,"), HasSubstr("did you mean 'friction'"));
     EXPECT_THAT(refusal(",64,", ",many,"), HasSubstr("runs.csv:2:"));
-    EXPECT_THAT(refusal(",64,", ",12,"), HasSubstr("12 beads"));
+    EXPECT_THAT(refusal(",64,", ",12,"), HasSubstr("12 grains"));
 }
 
 }  // namespace pendular::sim_store_test

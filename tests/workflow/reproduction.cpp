@@ -63,7 +63,7 @@ TEST(Reproduction, DisagreesWithOtherSimulations) {
     const auto rows = compare_with_published(PaperStudy(runs, emulator()));
     EXPECT_LE(agreeing(rows) + 15, before);
     EXPECT_FALSE(
-        agrees(rows, "contact stress ratio off the dry stress ratio, P* >= 2 [%], friction 0.09"));
+        agrees(rows, "contact stress ratio: deviation from the dry one, P* >= 2 [%], friction 0.09"));
 }
 
 TEST(Reproduction, FitsTheLineThroughItsStates) {

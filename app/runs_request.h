@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/options.h"
+#include "sim/runs/store/run_store.h"
+
+namespace pendular::app {
+
+/// Arguments of an action of `pendular runs`, such as "show 12".
+struct RunsRequest {
+    CommonOptions common;
+    std::vector<std::string> words;  ///< words after the action
+    /// SQL condition on the stored runs (--where; empty: all runs) and columns on the axes of a
+    /// plot.
+    std::string condition, x = "inertial_number", y = "stress_ratio";
+    /// Whether to read the atlas instead of the store; whether to remove without asking.
+    bool atlas = false, yes = false;
+
+    /// Opens the store of the runs to read: the user's store or, with --atlas, the runs of the
+    /// atlas in memory, numbered from 1.
+    /// @throws InputError where the store or the atlas does not exist
+    std::unique_ptr<RunStore> source() const;
+    /// Runs of `source` for which the condition of --where holds.
+    /// @throws InputError where the store or the atlas does not exist, and for a wrong condition
+    std::vector<StoredRun> selected() const { return source()->select(condition); }
+    /// Checks that --atlas was not given, for an action that changes the store.
+    /// @throws InputError where it was given
+    void refuse_atlas(const std::string& action) const;
+    /// Checks that the action has at least this number of words.
+    /// @throws InputError where it has fewer, with `what` to name
+    void demand_words(std::size_t least, const std::string& what) const;
+};
+
+/// Run of a store from `RunsRequest::source` with the number that a word of the command line
+/// states.
+/// @throws InputError where the store has none, and for a word that is no number
+StoredRun numbered_run(const RunStore& store, const std::string& word);
+
+}  // namespace pendular::app
