@@ -37,7 +37,7 @@ double chi2_per_dof(double chi2, double dof) {
 
 /// Name of an effect's parameter in a sentence: "surface tension" of
 /// "capillary-bridges.surface_tension".
-std::string spoken(std::string parameter) {
+std::string spoken_parameter(std::string parameter) {
     parameter.erase(0, parameter.rfind('.') + 1);
     std::ranges::replace(parameter, '_', ' ');
     return parameter;
@@ -59,7 +59,7 @@ std::string with_estimates(const Explanation& explanation, const ModelSpace& spa
         std::string values;
         for (std::size_t own = 0; own < candidate.free_parameters(); ++own, ++next) {
             const Parameter& parameter = parameters[static_cast<std::size_t>(next)];
-            values += fmt::format("{}{} {}", values.empty() ? "" : ", ", spoken(parameter.name),
+            values += fmt::format("{}{} {}", values.empty() ? "" : ", ", spoken_parameter(parameter.name),
                                   refitted_text(explanation, next, parameter.unit));
         }
         texts.push_back(values.empty() ? candidate.name
@@ -358,9 +358,9 @@ std::string unseen_line(const Finding& finding, const EffectParameter& p,
     }
     const auto [shown, matters] = sizes_apart(finding.detectable, p.smallest_of_interest, p.unit);
     const std::string what = p.neutral != 0
-                                 ? fmt::format("a change of the {} from {} by", spoken(p.name),
+                                 ? fmt::format("a change of the {} from {} by", spoken_parameter(p.name),
                                                with_unit(p.neutral, p.unit))
-                                 : spoken(p.name);
+                                 : spoken_parameter(p.name);
     return fmt::format("  {}: would show from {} {}{}; {} would matter.", effect, what, shown,
                        p.neutral == 0 && p.lower < 0 ? " (or negative)" : "", matters);
 }

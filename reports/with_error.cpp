@@ -4,28 +4,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace pendular {
 namespace {
 
-struct Prefix {
-    double factor;
-    const char* letter;
+/// Unit for printing.
+struct Scale {
+    double factor;     ///< one such unit [SI unit]
+    std::string unit;  ///< "mN m"
 };
 
-/// SI prefix for a value of this size and unit; no prefix for angles, ratios and rates.
-Prefix prefix_of(double size, const std::string& unit) {
+/// Unit for printing a value of this size: the SI unit with a prefix, degrees for angles, the SI
+/// unit itself for ratios and rates.
+Scale scale_of(double size, const std::string& unit) {
+    if (unit == "rad") return {std::numbers::pi / 180, "deg"};
     const bool scaled = unit == "N m" || unit == "N" || unit == "m" || unit == "N/m" ||
                         unit == "Pa" || unit == "Pa s";
-    if (!scaled || !(size > 0)) {
-        return {1, ""};
+    if (!scaled || !(size > 0)) return {1, unit};
+    for (const auto& [factor, letter] :
+         {std::pair{1e3, "k"}, {1.0, ""}, {1e-3, "m"}, {1e-6, "u"}}) {
+        if (size >= factor) return {factor, letter + unit};
     }
-    for (const Prefix& each : {Prefix{1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "u"}}) {
-        if (size >= each.factor) {
-            return each;
-        }
-    }
-    return {1e-9, "n"};
+    return {1e-9, "n" + unit};
+}
+
+/// Text of a number with its unit; the unit "1" is left out.
+std::string with_unit_name(const std::string& number, const std::string& unit) {
+    return unit == "1" ? number : number + " " + unit;
 }
 
 }  // namespace
@@ -47,28 +54,28 @@ std::string with_error(double value, double error) {
 }
 
 std::string with_error(double value, double error, const std::string& unit) {
-    const Prefix prefix = prefix_of(std::max(std::abs(value), std::abs(error)), unit);
-    const std::string number = with_error(value / prefix.factor, error / prefix.factor);
-    return unit == "1" ? number : fmt::format("{} {}{}", number, prefix.letter, unit);
+    const Scale scale = scale_of(std::max(std::abs(value), std::abs(error)), unit);
+    const std::string number = with_error(value / scale.factor, error / scale.factor);
+    return with_unit_name(number, scale.unit);
 }
 
 std::string change_text(double change, double value, double error, const std::string& unit) {
-    const Prefix prefix = prefix_of(std::max(std::abs(value), std::abs(error)), unit);
-    const double rounded = error / prefix.factor;
+    const Scale scale = scale_of(std::max(std::abs(value), std::abs(error)), unit);
+    const double rounded = error / scale.factor;
     const int digits = rounded > 0 && std::isfinite(rounded)
                            ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(rounded))))
                            : 4;
-    const std::string number = fmt::format("{:+.{}f}", change / prefix.factor, digits);
-    return unit == "1" ? number : fmt::format("{} {}{}", number, prefix.letter, unit);
+    const std::string number = fmt::format("{:+.{}f}", change / scale.factor, digits);
+    return with_unit_name(number, scale.unit);
 }
 
 std::string with_unit(double value, const std::string& unit, int digits) {
-    const Prefix prefix = prefix_of(std::abs(value), unit);
-    const double scaled = value / prefix.factor;
+    const Scale scale = scale_of(std::abs(value), unit);
+    const double scaled = value / scale.factor;
     const std::string number = std::abs(scaled) < 100 || digits > 2
                                    ? fmt::format("{:.{}g}", scaled, digits)
                                    : fmt::format("{:.0f}", 10 * std::round(scaled / 10));
-    return unit == "1" ? number : fmt::format("{} {}{}", number, prefix.letter, unit);
+    return with_unit_name(number, scale.unit);
 }
 
 }  // namespace pendular

@@ -10,8 +10,8 @@ namespace pendular {
 std::string with_error(double value, double error);
 
 /// Returns a value with its standard error and unit as text, with an SI prefix for lengths, forces,
-/// torques, pressures, surface tensions and viscosities: "0.410 +- 0.030 mN m" for 4.1e-4, 3e-5 and
-/// "N m".
+/// torques, pressures, surface tensions and viscosities, and in degrees for angles: "0.410 +- 0.030
+/// mN m" for 4.1e-4, 3e-5 and "N m".
 /// @param unit SI unit of value and error; the unit "1" is left out of the text
 std::string with_error(double value, double error, const std::string& unit);
 

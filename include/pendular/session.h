@@ -161,6 +161,7 @@ class Session {
   public:
     /// Reads a study and all its recordings.
     /// @param study folder of the study, or its study.toml
+    /// @param options settings of this session, such as the folder for results
     /// @throws InputError for a mistake in a file of the study or in the options, and where results
     ///         would replace a file of the study
     explicit Session(const std::filesystem::path& study, Options options = {});

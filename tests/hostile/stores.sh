@@ -6,7 +6,7 @@ E
 attack "stores: a mistyped store in a folder that is not there" 2 "no such file" <<'E'
 run runs list --store nowhere/mistyped.sqlite; [ ! -e nowhere ] || fail "made"
 E
-attack "stores: one that cannot be written" 0 "1 run" <<'E'
+attack "stores: one that cannot be written" 0 "1 simulation." <<'E'
 store; mkdir ro; cp "$PENDULAR_STORE" ro/s.sqlite; chmod 444 ro/s.sqlite; chmod 555 ro
 if [ "$(id -u)" = 0 ]; then chmod 755 .. . ; chmod 755 ../..; cp "$program" ../p; program="setpriv --reuid=65534 --clear-groups ../p"; run() { (timeout -s KILL 20 $program "$@") >../out 2>../err </dev/null; echo $? >../code; }; fi
 run runs list --store ro/s.sqlite
@@ -33,7 +33,7 @@ E
 attack "stores: a number where a text is needed" 2 "run 1" <<'E'
 store; sql "UPDATE runs SET failure = x'00ff', effects = 5"; run runs list
 E
-attack "stores: a corrupt run, removed as the message says" 0 "0 runs" <<'E'
+attack "stores: a corrupt run, removed as the message says" 0 "0 simulations" <<'E'
 store; sql "UPDATE runs SET friction = 'abc'"; run runs list; grep -q "runs prune" ../err || fail "no advice"
 "$program" runs prune --where "id = 1" --yes; run runs list
 E

@@ -48,7 +48,7 @@ E
 attack "terminal: condition of --where" 2 "condition" <<'E'
 store; run runs list --where "$escape"
 E
-attack "terminal: failure of a stored run" 0 "1 run" <<'E'
+attack "terminal: failure of a stored run" 0 "run 1" <<'E'
 store; sql "UPDATE runs SET failure = char(27) || '[31m'"; run runs show 1; cat ../out ../err >../first; run runs list; cat ../first >>../err
 E
 attack "terminal: proposed.toml" 2 "" <<'E'

@@ -162,8 +162,8 @@ TEST_F(Catalogue, KnowsWhichBaseAnEffectBelongsTo) {
         return why_not(acting(ChangeClosure{.level = level}), study).value_or("");
     };
     EXPECT_THAT(why(Level::strength2, dem),
-                HasSubstr("write base = \"mohr-coulomb\" or \"rumpf\""));
-    EXPECT_THAT(why(Level::rumpf, dem), HasSubstr("write base = \"mohr-coulomb\" in [model]"));
+                HasSubstr("only to base = \"mohr-coulomb\" or \"rumpf\""));
+    EXPECT_THAT(why(Level::rumpf, dem), HasSubstr("only to base = \"mohr-coulomb\"; this"));
     EXPECT_EQ(why(Level::strength2, rumpf), "");
     for (const Level level : {Level::rumpf, Level::strength3}) {
         EXPECT_THAT(why(level, rumpf), HasSubstr("part of base = \"rumpf\" already"));
