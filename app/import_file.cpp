@@ -143,7 +143,7 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
     std::size_t guesses = 0;
     if (!options.study.empty()) {
         const auto files = files_of_study(options.study, view, format);
-        guesses = count_of(files.at("study.toml"), "GUESS:");
+        guesses = count_of(files.at("study.toml"), "# GUESS:");
         write_whole_folder(options.study, files);
     }
     if (!options.tidy.empty()) write_whole(options.tidy, tidy_table(view));

@@ -59,8 +59,9 @@ std::string with_estimates(const Explanation& explanation, const ModelSpace& spa
         std::string values;
         for (std::size_t own = 0; own < candidate.free_parameters(); ++own, ++next) {
             const Parameter& parameter = parameters[static_cast<std::size_t>(next)];
-            values += fmt::format("{}{} {}", values.empty() ? "" : ", ", spoken_parameter(parameter.name),
-                                  refitted_text(explanation, next, parameter.unit));
+            values +=
+                fmt::format("{}{} {}", values.empty() ? "" : ", ", spoken_parameter(parameter.name),
+                            refitted_text(explanation, next, parameter.unit));
         }
         texts.push_back(values.empty() ? candidate.name
                                        : fmt::format("{} ({})", candidate.name, values));
@@ -187,8 +188,8 @@ const Explanation* refit_with(const Diagnosis& d, std::size_t candidate) {
     return found == d.tried.end() ? nullptr : &*found;
 }
 
-/// Text of the estimate of an effect's first parameter with its error: from a refit where there is
-/// one, else linear. An estimate without error was fitted at a bound of the parameter.
+}  // namespace
+
 std::string estimate_of(const Diagnosis& d, const Finding& finding, const ModelSpace& space) {
     const Candidate& candidate = space.candidates()[finding.candidate];
     if (candidate.is_switch()) return "switch";
@@ -205,11 +206,12 @@ std::string estimate_of(const Diagnosis& d, const Finding& finding, const ModelS
                : fmt::format("{} (at its bound)", with_unit(finding.value, unit));
 }
 
-/// Text of the change of chi2 by a reduction: "-686.7".
 std::string chi2_change(double reduction) {
     const std::string text = fmt::format("{:+.1f}", -reduction);
     return text == "-0.0" || text == "+0.0" ? "0.0" : text;
 }
+
+namespace {
 
 std::string finding_line(const Diagnosis& d, const Finding& finding, const ModelSpace& space) {
     const Candidate& candidate = space.candidates()[finding.candidate];
@@ -357,10 +359,10 @@ std::string unseen_line(const Finding& finding, const EffectParameter& p,
                            effect, 100 * finding.power);
     }
     const auto [shown, matters] = sizes_apart(finding.detectable, p.smallest_of_interest, p.unit);
-    const std::string what = p.neutral != 0
-                                 ? fmt::format("a change of the {} from {} by", spoken_parameter(p.name),
-                                               with_unit(p.neutral, p.unit))
-                                 : spoken_parameter(p.name);
+    const std::string what =
+        p.neutral != 0 ? fmt::format("a change of the {} from {} by", spoken_parameter(p.name),
+                                     with_unit(p.neutral, p.unit))
+                       : spoken_parameter(p.name);
     return fmt::format("  {}: would show from {} {}{}; {} would matter.", effect, what, shown,
                        p.neutral == 0 && p.lower < 0 ? " (or negative)" : "", matters);
 }

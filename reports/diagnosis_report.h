@@ -15,6 +15,16 @@ namespace pendular {
 /// tests of the residuals.
 std::string verdict_line(const Diagnosis& diagnosis, const ModelSpace& space, const Checks& checks);
 
+/// Returns the estimate of the first parameter of an effect with its error, as text: from a refit
+/// with the effect if one converged, else the linear estimate of the score test; "switch" for an
+/// effect that is on or off. An estimate without error was fitted at a bound of the parameter.
+/// @param finding result for the effect, one of `diagnosis.scan`
+std::string estimate_of(const Diagnosis& diagnosis, const Finding& finding,
+                        const ModelSpace& space);
+
+/// Returns the change of chi2 by a reduction as text with sign: "-686.7" for a reduction of 686.7.
+std::string chi2_change(double reduction);
+
 /// Table of the effects that a diagnosis tested, one line per effect, the largest reduction of chi2
 /// first. A heading precedes the rows; lines that explain the columns follow.
 std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const ModelSpace& space);
@@ -25,7 +35,7 @@ std::string fit_line(const Diagnosis& diagnosis);
 
 /// Sentences on a diagnosis whose effects explain most of the misfit but not all of it: RMS errors
 /// without and with the effects, in how many of 100 simulated repetitions of the experiment the
-/// best model would lack one of them, and the trend that remains. Empty for any other diagnosis.
+/// best model would contain them, and the trend that remains. Empty for any other diagnosis.
 /// @param before RMS relative errors [%] of (shear stress, solid fraction) without the effects
 /// @param after the RMS relative errors with the effects in the model
 /// @param remaining tests of the residuals of the model with the effects
@@ -41,11 +51,12 @@ std::string discrepancy_line(double size);
 
 /// Sentence that names the measurements (conditions or files) that the model fits worse than the
 /// others with p < 0.05: up to three of them, the smallest p first, and the number of the others.
-/// Empty if there are none.
+/// Empty if there are none, or more than eight.
 std::string suspects_line(const Diagnosis& diagnosis, const Evidence& evidence);
 
 /// Table of the effects that could be large enough to matter without showing in the study's
-/// readings, one line per effect below a heading. Empty unless the verdict of the diagnosis is
+/// readings: below a heading, a line with those that would show at no size, and one line for each
+/// other effect. Empty unless the verdict of the diagnosis is
 /// inconclusive.
 std::vector<std::string> unseen_table(const Diagnosis& diagnosis, const ModelSpace& space);
 

@@ -22,7 +22,8 @@ std::vector<const Check*> significant_checks(const Checks& checks);
 std::vector<std::string> checks_table(const Checks& checks);
 
 /// Sentence on measurements that a model fits badly: it names up to three with the smallest p and
-/// states the number of the others. Empty for an empty list.
+/// states the number of the others. Empty for an empty list, and for more than eight measurements,
+/// which deviate because the model fails as a whole.
 /// @param measurements names of measurements with their p value, the probability that chance makes
 ///        a deviation from the model so large
 std::string deviating_line(std::vector<std::pair<std::string, double>> measurements);

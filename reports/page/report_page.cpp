@@ -92,20 +92,18 @@ PageSection where_section(const PageContent& content) {
 }
 
 PageTable scan_table(const PageContent& content) {
-    PageTable table{.caption = "Known effects, the largest fall of chi2 first",
-                    .head = {"effect", "group", "estimate", "chi2 falls by", "refitted", "p",
+    PageTable table{.caption = "Known effects, sorted by the change of chi2",
+                    .head = {"effect", "group", "estimate", "change of chi2, predicted",
+                             "change of chi2, in a refit", "p",
                              "power for an effect just large enough to matter", "decision"}};
     const auto& candidates = content.diagnosis.models->candidates();
     for (const Finding& finding : content.diagnosis.diagnosis.scan) {
         const Candidate& candidate = candidates[finding.candidate];
-        const std::string size = candidate.is_switch()
-                                     ? "a switch"
-                                     : with_error(finding.value, finding.standard_error,
-                                                  candidate.parameters.front().unit);
         table.rows.push_back(
-            {candidate.name, candidate.group, size,
-             fmt::format("{:.1f}", finding.test.predicted_reduction),
-             finding.refitted_reduction ? fmt::format("{:.1f}", *finding.refitted_reduction) : "",
+            {candidate.name, candidate.group,
+             estimate_of(content.diagnosis.diagnosis, finding, *content.diagnosis.models),
+             chi2_change(finding.test.predicted_reduction),
+             finding.refitted_reduction ? chi2_change(*finding.refitted_reduction) : "",
              p_text(finding.p, ""), fmt::format("{:.2f}", finding.power), finding.decision});
     }
     return table;
@@ -115,7 +113,7 @@ PageTable scan_table(const PageContent& content) {
 PageTable rivals_table(const PageContent& content) {
     PageTable table{.caption = "Models that explain the readings, side by side",
                     .head = {"further effects", "chi2", "degrees of freedom", "friction",
-                             "p of lack of fit", "p of a further effect"}};
+                             "p: lack of fit", "p: another effect missing"}};
     const Diagnosis& d = content.diagnosis.diagnosis;
     const auto add = [&](const Explanation& each) {
         Cells names;
@@ -159,7 +157,7 @@ PageSection impact_section(const PageContent& content) {
         .caption = fmt::format("Shift of the friction {} by each effect or error of measurement",
                                with_error(impacts.fitted(0), error)),
         .head = {"effect or error", "group", "at the smallest size that matters", "at the estimate",
-                 "by the estimate's error"}};
+                 "per standard error of the estimate"}};
     for (const Impact& impact : impacts.impacts) {
         table.rows.push_back({impact_name(impact), impact.group,
                               fmt::format("{:+.4f}", impact.at_interest.best()(0)),
