@@ -111,14 +111,14 @@ std::string on_fitted_readings(const ChangedStudy& changed, bool earlier_dry) {
     if (changed.after_to_all) {
         const Calibration& c = changed.after.calibration;
         return fmt::format(
-            "Both fits above use all readings. Without {}, the study fits the dry readings alone: "
-            "{} = {}.",
+            "The fits before and after the change use all readings, dry and wet. 'pendular "
+            "calibrate' without {} fits the dry readings alone: {} = {}.",
             changed.change.effect, c.parameters[0].name,
             with_error(c.fit.parameters(0), c.fit.standard_error(0), c.parameters[0].unit));
     }
     return earlier_dry ? fmt::format(
-                             "Both fits use all readings: a study with {} is always fitted to all "
-                             "readings.",
+                             "The fits before and after the change use all readings, dry and "
+                             "wet: a study with {} is always fitted to all readings.",
                              changed.change.effect)
                        : "";
 }

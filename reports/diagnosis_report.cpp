@@ -334,8 +334,9 @@ std::string suspects_line(const Diagnosis& d, const Evidence& evidence) {
 
 std::string fit_line(const Diagnosis& d) {
     return fmt::format(
-        "Fitted to all readings: chi2 = {:.1f} for {} degrees of freedom. Lack of fit: p {}. A "
-        "missing known effect: p {}. (A small p speaks against the model.)",
+        "Fitted to all readings: chi2 = {:.1f} for {} degrees of freedom. Test for lack of fit: p "
+        "{}. "
+        "Test for a missing known effect: p {}. (A small p speaks against the model.)",
         d.chi2, d.dof, p_text(d.lack_of_fit_p), p_text(d.further_p));
 }
 

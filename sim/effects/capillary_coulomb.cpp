@@ -21,11 +21,13 @@ void net_limit(const dem::PairBatch& batch, const dem::PairContext& context) {
 Effect capillary_coulomb() {
     return {
         .summary =
-            "a contact slides at the Coulomb limit of the elastic normal force minus the capillary "
-            "force, instead of the elastic force alone",
+            "a contact slides where the tangential force exceeds the friction times the net normal "
+            "force (elastic minus capillary), instead of times the elastic force alone",
         .equation = "|F_T| <= friction max(0, F_N - F_capillary)",
-        .parameters = {on_switch("Coulomb limit of the elastic normal force minus the capillary "
-                                 "force instead of the elastic force alone")},
+        .parameters = {on_switch(
+            "the tangential force of a contact is at most the friction times the "
+            "net normal force (elastic minus capillary), instead of "
+            "times the elastic force alone")},
         .change = dem::ChangePairs{.limit = net_limit},
         .touches = Touches::wet,
         .fades_with_capillarity = true,
