@@ -136,7 +136,7 @@ class StudyTable {
     double quantity_from_text(std::string_view key, const toml::node& node,
                               const Unit& expected) const;
 
-    std::shared_ptr<const toml::table> root_;  ///< whole file; keeps `table_` alive
+    std::shared_ptr<const toml::table> root_;  ///< the whole TOML file, which keeps `table_` alive
     const toml::table* table_;
     std::string name_;  ///< name as in the file: "[grains]"
     Position position_;
