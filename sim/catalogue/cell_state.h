@@ -15,13 +15,14 @@ struct CellState {
     double time = 0;              ///< time since the first recording began [s]
 
     // No effect changes the quantities below.
-    double inner_radius = 0, outer_radius = 0;  ///< radii of the side walls [m]
-    double density = 0;                         ///< density of the grain material [kg/m^3]
-    double diameter = 0;                        ///< mean diameter of the grains [m]
+    /// Radii of the inner and outer side wall of the cell [m].
+    double inner_radius = 0, outer_radius = 0;
+    double density = 0;   ///< density of the grain material [kg/m^3]
+    double diameter = 0;  ///< mean diameter of the grains [m]
 
-    /// Area of the annulus on which the lid presses [m^2].
+    /// Area of the annulus of the cell on which the lid presses [m^2].
     double area() const;
-    /// Width of the annulus [m]: distance between the inner and outer side wall.
+    /// Width of the annulus of the cell [m]: distance between the inner and outer side wall.
     double width() const { return outer_radius - inner_radius; }
     /// Weight of the dry grains in the cell [N].
     double weight() const;

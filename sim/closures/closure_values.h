@@ -21,17 +21,22 @@ struct ClosureValues {
     double rumpf_cohesion = 0;
     /// Reduced cohesion a^2 c/F0 with the capillary shear stress (eq:cohgen).
     double generalised_cohesion = 0;
-    double strength1 = 0;   ///< stress ratio from the measured capillary stresses (eq:strength1)
-    double strength2 = 0;   ///< stress ratio from Z* and the capillary shear stress (eq:strength2)
-    double strength3 = 0;   ///< stress ratio from Z* alone (eq:strength3)
-    double saturation = 0;  ///< share of the pore volume that liquid fills
+    /// Stress ratio of wet grains computed from the measured capillary stresses (eq:strength1).
+    double strength1 = 0;
+    /// Stress ratio of wet grains from the effective coordination number Z* = Z_c + Z_d F_d/F0 and
+    /// the capillary shear stress (eq:strength2).
+    double strength2 = 0;
+    /// Stress ratio of wet grains from the effective coordination number Z* = Z_c + Z_d F_d/F0
+    /// alone (eq:strength3).
+    double strength3 = 0;
+    double saturation = 0;  ///< share of the pore volume of the grains that liquid fills
 };
 
 /// Name, text and axis label of a member of `ClosureValues`.
 struct ClosureQuantity {
-    const char* name;   ///< key in JSON and CSV
-    const char* text;   ///< name in printed tables
-    const char* label;  ///< label of an axis
+    const char* name;   ///< key of the closure's value in JSON and CSV
+    const char* text;   ///< name of the closure's value in printed tables
+    const char* label;  ///< label of the closure's value at an axis
     double ClosureValues::*value;
 };
 

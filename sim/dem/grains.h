@@ -41,8 +41,10 @@ struct Grains {
     /// Displacement of each grain, without the imposed flow, since the narrow neighbour list was
     /// made.
     std::vector<Vector> displacement;
-    std::vector<std::int32_t> number;  ///< original number of each grain, as grains are renumbered
-    std::vector<double> diameters;     ///< diameters with mean 1; empty: all diameters are 1
+    /// Original index of each grain, since grains are renumbered when they mix.
+    std::vector<std::int32_t> number;
+    /// Diameter of each grain over the mean diameter [1]; empty: all are 1.
+    std::vector<double> diameters;
 
     explicit Grains(std::size_t count = 0)
         : motion(count), net_force(count), displacement(count), number(count) {

@@ -31,9 +31,10 @@ struct alignas(64) XyzLanes {
 struct Batch {
     /// Relative position, velocity and angular velocity of each pair, as in `PairMotion`.
     XyzLanes separation, velocity, angular_velocity;
-    XyzLanes force;   ///< force on the second grain
-    XyzLanes torque;  ///< torque on the second grain
-    /// Torque on the first grain, if it differs from `torque` (`Torques::separate`).
+    XyzLanes force;   ///< force on the second grain of each pair, in reduced units
+    XyzLanes torque;  ///< torque on the second grain of each pair, in reduced units
+    /// Torque on the first grain of each pair, if it differs from `torque`, the torque on the
+    /// second (`Torques::separate`).
     XyzLanes first_torque;
 
     [[gnu::always_inline]] PairMotion motion(std::size_t k) const {
