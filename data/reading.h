@@ -20,7 +20,7 @@ struct Condition {
     double normal_stress = 0;      ///< normal stress s22 imposed on the grains [Pa]
     double inertial_number = 0;    ///< inertial number I of the flow [1]; 0: quasi-static limit
     double liquid_content = 0;     ///< volume of liquid over volume of grains [1]; 0: dry
-    std::optional<double> height;  ///< height of the sample [m], if known
+    std::optional<double> height;  ///< height of the sample at this condition [m]; empty: unknown
     std::optional<double> bead_volume;  ///< solid volume of the grains in the cell [m^3], if known
     double time = 0;  ///< time of the state since the study's first recording began [s]
     /// Whether the state is a point of failure (peak of the shear stress) rather than steady shear.
@@ -104,7 +104,7 @@ struct Excluded {
     enum class Kind { rows, beside_plateau, step_without_plateau, reading };
     Position origin;     ///< file, and first line in it, of the rows that were left out
     int last_line = 0;   ///< last line of the rows that were left out
-    std::string reason;  ///< why the rows were left out
+    std::string reason;  ///< reason why the rows or the reading were left out, for the user
     Kind kind = Kind::rows;
 };
 
@@ -159,8 +159,8 @@ struct ReplicateScatter {
     /// variance (conditions, files):
     ///     variance = (between - within)/steps, increased if there are few fillings
     struct Filling {
-        /// Variance of the filling error over the squared value [1], increased if there are few
-        /// fillings.
+        /// Variance of the filling error of stress ratio or solid fraction, relative to the squared
+        /// value [1], increased if there are few fillings.
         double variance = 0;
         /// Mean square of the relative deviations between files (fillings) [1].
         double between = 0;
@@ -169,7 +169,8 @@ struct ReplicateScatter {
         /// common; infinite: `variance` counts as known.
         double freedom_between = 0;
         double freedom_within = 0;  ///< degrees of freedom of the mean square `within`
-        double steps = 1;  ///< effective number of conditions that two files have in common
+        /// Effective number of conditions that two files (fillings) have in common.
+        double steps = 1;
     };
     /// Errors of the fillings of the cell in (stress ratio, solid fraction).
     std::array<Filling, 2> filling;

@@ -11,14 +11,14 @@ namespace pendular {
 /// Peak of the shear stress in an interval in which the sample was sheared to failure. The peak is
 /// given twice: at the sample with the largest shear stress, and after smoothing.
 struct FailurePoint {
-    int interval = 0;          ///< number in the file of the interval that was sheared to failure
-    int line = 0;              ///< line in the file of the sample with the largest shear stress
+    int interval = 0;  ///< number in the file of the interval that was sheared to failure
+    int line = 0;  ///< line in the file of the sample with the largest shear stress of the interval
     double normal_stress = 0;  ///< normal stress at the sample with the largest shear stress [Pa]
     double shear_stress = 0;   ///< largest shear stress of the interval [Pa]
     double smoothed_normal_stress = 0;  ///< mean normal stress around the smoothed peak [Pa]
     double smoothed_shear_stress = 0;   ///< largest shear stress after smoothing [Pa]
-    /// Rows that are averaged for the smoothed peak, from `smoothed_begin` to `smoothed_end` - 1,
-    /// counted from 0 in the interval.
+    /// Rows of the interval that are averaged for the smoothed peak, from `smoothed_begin` to
+    /// `smoothed_end` - 1, counted from 0.
     std::size_t smoothed_begin = 0, smoothed_end = 0;
     /// True if the largest shear stress is in the last 5 % of the interval's rows: failure may not
     /// have been reached.
@@ -90,12 +90,15 @@ LinearYieldLocus linear_yield_locus(const std::vector<double>& normal_stress,
 
 /// Points of failure after the same preshear, with the straight lines through them.
 struct YieldLocus {
-    std::string test;  ///< name of the test in the file
+    std::string test;  ///< name in the file of the test that the points of failure belong to
     /// Preshear before the first point of failure, if it was recorded.
     std::optional<PreshearPoint> preshear;
     std::vector<FailurePoint> points;
-    std::optional<LinearYieldLocus> line;      ///< line through the samples of largest shear stress
-    std::optional<LinearYieldLocus> smoothed;  ///< line through the smoothed peaks
+    /// Straight line through the points of failure, taken at the samples of largest shear stress.
+    std::optional<LinearYieldLocus> line;
+    /// Straight line through the points of failure, taken at the smoothed peaks of the shear
+    /// stress.
+    std::optional<LinearYieldLocus> smoothed;
 };
 
 /// Returns the state at the end of a preshear: means over the last tenth of its rows.

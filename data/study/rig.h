@@ -37,7 +37,8 @@ struct Rig {
     double filling_cost = 0;
     /// Times [s] that the user may wait between the last reading and the next one.
     std::vector<double> waits = {0};
-    double hour_cost = 1;  ///< cost of an hour of waiting over the cost of a dry reading [1]
+    /// Cost of waiting for an hour between readings, over the cost of a dry reading [1].
+    double hour_cost = 1;
     /// Direct measurements of effect parameters, such as the torque of the empty cell, that the rig
     /// can make.
     std::vector<StatedDirect> direct = {};

@@ -48,7 +48,7 @@ struct ListedEffect {
 struct MeasuredStrength {
     Condition condition;        ///< condition of the wet reading
     double stress_ratio = 0;    ///< measured stress ratio of the wet reading [1]
-    double standard_error = 0;  ///< standard error of `stress_ratio` [1]
+    double standard_error = 0;  ///< standard error of the reading's stress ratio [1]
 };
 
 /// Settings of the model: [model] in study.toml.
@@ -65,7 +65,8 @@ struct ModelSettings {
     std::string fit_to = "dry";  ///< readings to which the model is fitted: "dry" or "all"
     /// Effects of the model, each once. The names may be unknown, since they are not checked here.
     std::vector<ListedEffect> effects;
-    FormulaVariant bridge_force = FormulaVariant::derived;  ///< formula of the bridge force
+    /// Variant of the formula of the bridge force that the model uses.
+    FormulaVariant bridge_force = FormulaVariant::derived;
     /// Expected standard error of the model's predictions, relative to the values of (stress ratio,
     /// solid fraction) [1]; 0: the model is exact.
     std::array<double, 2> discrepancy = {0, 0};
@@ -83,17 +84,19 @@ struct ImportSettings {
 /// Content of the file study.toml of a study: grains, liquid, cell, measured files and model.
 struct Study {
     std::filesystem::path folder;  ///< folder of the study, to which paths are relative
-    std::filesystem::path file;    ///< path of study.toml
+    std::filesystem::path file;    ///< path of the study's file study.toml
     GrainProperties grains;
     std::optional<Liquid> liquid;
     /// Annular cell of the rheometer; present if the study has recordings.
     std::optional<AnnularCell> cell;
     std::vector<Source> sources;  ///< recordings and tables of readings, in the order of study.toml
     ImportSettings import;
-    std::optional<StatedScatter> scatter;  ///< scatter of the instrument, if the user stated it
+    /// Scatter of the instrument between repeated readings, if the user stated it in [scatter].
+    std::optional<StatedScatter> scatter;
     ModelSettings model;
     std::vector<WrittenEffect> written_effects;  ///< effects that the study defines by formulas
-    std::vector<StatedDirect> direct;            ///< direct measurements of effect parameters
+    /// Direct measurements of effect parameters, made without shearing grains.
+    std::vector<StatedDirect> direct;
     /// Conditions at which the rig can take further readings, and their costs, if stated.
     std::optional<Rig> rig;
 };

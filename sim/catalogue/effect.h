@@ -86,7 +86,7 @@ struct Effect {
     /// Instrument or method that measures the effect's parameter without shearing grains, such as
     /// "a viscometer"; empty if there is none.
     std::string directly = {};
-    std::vector<std::string> references;  ///< publications on the effect
+    std::vector<std::string> references;  ///< publications that describe the effect
 
     /// Whether the effect acts on the instrument: it changes the state of the cell that the
     /// instrument shows.

@@ -12,22 +12,26 @@ namespace pendular::closures {
 struct ClosureValues {
     /// Stress ratio of dry grains at the same friction and inertial number.
     double dry_stress_ratio = 0;
-    double contact_stress_ratio = 0;  ///< stress ratio of the contact forces alone (eq:coulombeff)
-    /// Effective coordination number Z* = Z_c + Z_d F_d/F0 (eq:defzstar).
+    /// Stress ratio of the contact forces alone in wet grains (eq:coulombeff).
+    double contact_stress_ratio = 0;
+    /// Effective coordination number Z* = Z_c + Z_d F_d/F0 (eq:defzstar). Z_c: contacts per grain;
+    /// Z_d: bridges without contact per grain; F_d: their mean force; F0: pull-off force.
     double effective_coordination = 0;
-    /// Approximate effective coordination number Z_c + 0.5 Z_d.
+    /// Approximate effective coordination number: contacts per grain plus half the number of
+    /// bridges without contact per grain.
     double approximate_coordination = 0;
-    /// Reduced cohesion a^2 c/F0 from the approximate coordination number (eq:cohesion3).
+    /// Reduced cohesion a^2 c/F0 from the approximate coordination number (eq:cohesion3), with
+    /// cohesion c, grain diameter a and pull-off force F0.
     double rumpf_cohesion = 0;
-    /// Reduced cohesion a^2 c/F0 with the capillary shear stress (eq:cohgen).
+    /// Reduced cohesion a^2 c/F0 with the capillary shear stress included (eq:cohgen), with
+    /// cohesion c, grain diameter a and pull-off force F0.
     double generalised_cohesion = 0;
     /// Stress ratio of wet grains computed from the measured capillary stresses (eq:strength1).
     double strength1 = 0;
-    /// Stress ratio of wet grains from the effective coordination number Z* = Z_c + Z_d F_d/F0 and
-    /// the capillary shear stress (eq:strength2).
+    /// Stress ratio of wet grains from the effective coordination number and the capillary shear
+    /// stress (eq:strength2).
     double strength2 = 0;
-    /// Stress ratio of wet grains from the effective coordination number Z* = Z_c + Z_d F_d/F0
-    /// alone (eq:strength3).
+    /// Stress ratio of wet grains from the effective coordination number alone (eq:strength3).
     double strength3 = 0;
     double saturation = 0;  ///< share of the pore volume of the grains that liquid fills
 };

@@ -55,10 +55,11 @@ struct ContactKinematics {
     Xyz normal;       ///< unit vector from the centre of the first grain to that of the second
     /// Rate at which the distance between the grains' centres grows, in reduced units.
     double normal_speed;
-    /// Velocity of the second grain's surface relative to the first at the contact point,
-    /// tangential.
+    /// Tangential velocity of the second grain's surface relative to the first grain's at the
+    /// contact point, in reduced units.
     Xyz sliding_velocity;
-    /// Angular velocity of the pair as a whole, including the rotation about its normal.
+    /// Angular velocity of the pair of grains as a whole, including the rotation about its normal,
+    /// in reduced units.
     Xyz rotation_rate;
 
     [[gnu::always_inline]] static ContactKinematics of(const PairMotion& motion, const Flow& flow) {
@@ -112,12 +113,15 @@ struct NormalForces {
     double overlap;  ///< overlap of the two grains [grain diameters]; 0 without contact
     double gap;      ///< gap between the surfaces of the two grains [grain diameters]; 0 in contact
     double root;     ///< square root of the two grains' `overlap` over the grain diameter [1]
-    double elastic;  ///< elastic normal force of the contact, a repulsion
-    double viscous;  ///< viscous normal force of the contact, positive for repulsion
-    double joined = 0;     ///< 1 if a liquid bridge joins the grains, else 0
-    double capillary = 0;  ///< attraction by the liquid bridge; 0 without bridge
-    double stiffness;      ///< tangential stiffness of the contact, in reduced units
-    double coulomb_limit;  ///< largest tangential force of the contact; it slides at this limit
+    double elastic;  ///< elastic normal force of the contact, a repulsion, in reduced units
+    /// Viscous normal force of the contact, in reduced units; positive for repulsion.
+    double viscous;
+    double joined = 0;  ///< 1 if a liquid bridge joins the grains, else 0
+    /// Attraction of the two grains by the liquid bridge, in reduced units; 0 without bridge.
+    double capillary = 0;
+    double stiffness;  ///< tangential stiffness of the contact, in reduced units
+    /// Largest tangential force of the contact, at which it slides, in reduced units.
+    double coulomb_limit;
 
     /// Total normal force, positive for repulsion, in units of a^2 s22 (a: grain diameter, s22:
     /// imposed normal stress).

@@ -15,7 +15,8 @@ namespace pendular::dem {
 /// from the centre of the first grain to the centre of a periodic image of the second grain.
 struct Neighbours {
     std::vector<std::int32_t> first, second;
-    std::vector<std::uint8_t> image;  ///< code of the second grain's periodic image (`image_code`)
+    /// Code of the periodic image (`image_code`) of the second grain of each pair.
+    std::vector<std::uint8_t> image;
 
     std::size_t size() const { return first.size(); }
     void add(std::int32_t i, std::int32_t j, std::uint8_t code);
@@ -143,7 +144,8 @@ class PairList {
     void find_close_ones(const Grains& grains, const Cell& cell);
 
     double wide_skin_;
-    /// Gap below which the wide list must contain all pairs [grain diameters].
+    /// Gap between surfaces [grain diameters] below which the wide neighbour list must contain all
+    /// pairs.
     double reach_ = narrow_skin;
     int parts_;
     ListWants wants_;

@@ -25,10 +25,11 @@ class GrainEffects;
 struct RunResult {
     RunParameters parameters;
     int threads = 1;  ///< number of threads that the run used
-    /// Time average of each observable, with its standard error, in the order of `Observable`.
+    /// Time average of each observable of the run, with its standard error, in the order of
+    /// `Observable`.
     std::array<Mean, observable_count> means;
-    /// Time average of each field (quantity as a function of a coordinate), in the order of
-    /// `Field`. Fields of bridges are empty in dry runs.
+    /// Time average of each field (quantity as a function of a coordinate) of the run, in the order
+    /// of `Field`. Fields of bridges are empty in dry runs.
     std::array<BinnedMeans, field_count> fields;
     /// Covariance of the run's mean stress ratio and mean solid fraction [1].
     double covariance = 0;

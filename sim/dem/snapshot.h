@@ -12,7 +12,8 @@ namespace pendular::dem {
 /// Pair of grains in contact or joined by a bridge, which is drawn as a line. Forces are in units
 /// of a^2 s22, with grain diameter a and imposed normal stress s22.
 struct DrawnPair {
-    /// Centres of the two grains [grain diameters]; `to` may be a periodic image outside the cell.
+    /// Centres of the two grains of the pair [grain diameters]; `to` may be a periodic image
+    /// outside the cell.
     Vector from, to;
     /// Elastic normal force of the contact over a^2 s22 [1] (a: grain diameter, s22: imposed normal
     /// stress); 0 without contact.
@@ -34,8 +35,8 @@ struct Snapshot {
         int contacts = 0;
     };
     std::uint64_t step = 0;
-    double time = 0;    ///< time since the flow began, in reduced units
-    double strain = 0;  ///< shear strain since the flow began [1]
+    double time = 0;    ///< time of the snapshot since the flow began, in reduced units
+    double strain = 0;  ///< shear strain of the snapshot since the flow began [1]
     /// Periodic cell that contains the grains; its offset is between -length/2 and length/2.
     Cell cell;
     std::vector<Grain> grains;

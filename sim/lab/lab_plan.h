@@ -42,7 +42,7 @@ struct PlannedRecording {
     std::string file;           ///< name of the recording's file, as in "wet_0.03_1.csv"
     double liquid_content = 0;  ///< liquid volume over grain volume in the recording [1]; 0: dry
     int replicate = 1;  ///< number of the recording among those of the same liquid content, from 1
-    std::uint64_t seed = 0;  ///< seed of the instrument's noise
+    std::uint64_t seed = 0;  ///< seed of the instrument's noise in the recording
     /// Requested condition and time of each step of the recording.
     std::vector<Condition> conditions;
 };

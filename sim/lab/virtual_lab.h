@@ -14,7 +14,7 @@ namespace pendular {
 /// the simulation that gives the true state of the grains.
 struct LabStep {
     Condition condition;         ///< requested condition of the step, which the instrument shows
-    EffectiveCondition imposed;  ///< true condition of the grains (`imposed_condition`)
+    EffectiveCondition imposed;  ///< true condition of the grains in the step (`imposed_condition`)
     dem::RunResult run;          ///< simulation of the step at its true condition
 };
 
@@ -23,7 +23,7 @@ struct LabRecording {
     std::string file;           ///< name of the recording's file, as in "wet_0.03_1.csv"
     double liquid_content = 0;  ///< liquid volume over grain volume in the recording [1]; 0: dry
     int replicate = 1;  ///< number of the recording among those of the same liquid content, from 1
-    std::uint64_t seed = 0;  ///< seed of the instrument's noise
+    std::uint64_t seed = 0;  ///< seed of the instrument's noise in the recording
     std::vector<LabStep> steps;
 };
 

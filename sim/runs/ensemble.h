@@ -14,7 +14,7 @@ class RunStore;
 /// Progress of a group of simulations that are carried out together.
 struct EnsembleProgress {
     std::size_t runs_done = 0;
-    std::size_t runs = 0;  ///< number of runs in the group
+    std::size_t runs = 0;  ///< number of simulations in the group
     /// Completed fraction of the total expected computing time of the group of runs [1].
     double fraction = 0;
     /// Estimated time until all runs of the group are complete [s]; 0 while unknown.

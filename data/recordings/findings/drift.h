@@ -13,13 +13,15 @@ namespace pendular {
 /// The series is fitted by
 ///     mean + change x/2 + bend (3 x^2 - 1)/2,   x from -1 to 1
 struct Course {
-    double mean = 0;  ///< mean of the series, in its unit
+    double mean = 0;  ///< mean of the fitted series, in the unit of the series
     /// Change of the fitted trend from the first to the last sample, in the unit of the series.
     double change = 0;
-    double change_error = 0;  ///< standard error of `change`, in the unit of the series
+    /// Standard error of the trend's `change` from first to last sample, in the unit of the series.
+    double change_error = 0;
     /// Coefficient of the curved part (3 x^2 - 1)/2 of the trend, in the unit of the series.
     double bend = 0;
-    double bend_error = 0;  ///< standard error of `bend`, in the unit of the series
+    /// Standard error of the trend's curvature coefficient `bend`, in the unit of the series.
+    double bend_error = 0;
     /// Degrees of freedom of the standard errors of the trend: number of independent samples minus
     /// three.
     double freedom = 1;
