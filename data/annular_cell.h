@@ -9,8 +9,8 @@ namespace pendular {
 /// Annular shear cell: radii of the annulus, and volume of the grains in it. The sample is sheared
 /// between a fixed base and a rotating lid.
 struct AnnularCell {
-    double inner_radius = 0;  ///< Ri, inner radius of the annulus [m]
-    double outer_radius = 0;  ///< Re > Ri, outer radius of the annulus [m]
+    double inner_radius = 0;  ///< Ri, inner radius of the annular cell [m]
+    double outer_radius = 0;  ///< Re > Ri, outer radius of the annular cell [m]
     double bead_volume = 0;   ///< V_S, solid volume of all grains in the cell [m^3]
     /// Formula that converts a torque to a shear stress: derived by integration over the annulus,
     /// or as Badetti et al. (2018) print it, which gives twice the derived value.

@@ -9,14 +9,17 @@ namespace pendular {
 
 /// Parameter of a physical effect that a model may lack, such as the coefficient of wall friction.
 struct EffectParameter {
-    std::string name;             ///< name; "on" for a switch, whose value is 0 or 1
-    std::string unit = "1";       ///< SI unit; "1": dimensionless
-    double lower = 0, upper = 1;  ///< smallest and largest allowed value [unit]
-    double neutral = 0;           ///< value at which the effect vanishes [unit]
-    /// Smallest difference between the parameter's value and `neutral` that is large enough to
-    /// matter to a user, in the parameter's unit.
+    /// Name of the effect's parameter; "on" for an effect that can only be switched on or off.
+    std::string name;
+    std::string unit = "1";  ///< SI unit of the effect's parameter; "1": dimensionless
+    /// Smallest and largest allowed value of the effect's parameter, in the parameter's unit.
+    double lower = 0, upper = 1;
+    /// Value of the parameter at which the effect vanishes, in the parameter's unit.
+    double neutral = 0;
+    /// Smallest effect of interest to the user: difference between the parameter's value and
+    /// `neutral` below which the effect may be ignored, in the parameter's unit.
     double smallest_of_interest = 1;
-    std::string meaning;  ///< meaning of the parameter in a few words
+    std::string meaning;  ///< meaning of the effect's parameter in a few words, for the user
     /// Function that returns the amplitude A(value) of the effect: the change of the observables is
     /// taken as proportional to A(value) - A(neutral). It is needed for changes with zero slope at
     /// `neutral`, such as 1 - cos(angle). Null: A(value) = value.
@@ -39,7 +42,7 @@ EffectParameter on_switch(std::string meaning);
 
 /// A physical effect, identified by its name, with a value for each of its parameters.
 struct EffectValues {
-    std::string effect;  ///< name of the effect
+    std::string effect;  ///< name of the physical effect
     /// Value of each parameter of the effect, in the parameter's unit and in the order of
     /// `Effect::parameters`.
     std::vector<double> values;

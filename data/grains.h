@@ -9,13 +9,13 @@ constexpr double gravity = 9.80665;
 
 /// Properties of the grains: size, density and elasticity, in SI units.
 struct GrainProperties {
-    double diameter = 0;  ///< mean diameter a [m]
+    double diameter = 0;  ///< mean diameter a of the grains [m]
     double density = 0;   ///< density of the grain material [kg/m^3]
     /// Young's modulus E [Pa]. If it is empty, grains are simulated at a stiffness number (see
     /// `stiffness_number`) that depends on the chosen fidelity (size and accuracy of the
     /// simulations).
     std::optional<double> youngs_modulus = {};
-    double poisson_ratio = 0.3;  ///< Poisson ratio nu [1]
+    double poisson_ratio = 0.3;  ///< Poisson ratio nu of the grain material [1]
 
     /// Mass of one grain [kg]: rho pi a^3/6, with rho the density and a the mean diameter.
     double mass() const;
@@ -23,9 +23,9 @@ struct GrainProperties {
 
 /// Properties of the liquid that wets the grains, in SI units.
 struct Liquid {
-    double surface_tension = 0;  ///< surface tension Gamma [N/m]
-    double contact_angle = 0;    ///< contact angle theta [rad]
-    double viscosity = 0;        ///< viscosity [Pa s]
+    double surface_tension = 0;  ///< surface tension Gamma of the liquid [N/m]
+    double contact_angle = 0;    ///< contact angle theta of the liquid on the grains [rad]
+    double viscosity = 0;        ///< viscosity of the liquid [Pa s]
 
     bool operator==(const Liquid&) const = default;
 };

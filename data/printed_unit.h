@@ -8,8 +8,8 @@ namespace pendular {
 
 /// Unit in which a quantity is printed, a multiple of its SI unit.
 struct PrintedUnit {
-    std::string name;  ///< "mN m" for example; "1": dimensionless
-    double si = 1;     ///< one such unit [SI unit]
+    std::string name;  ///< name of the printed unit, such as "mN m"; "1": dimensionless
+    double si = 1;     ///< size of one printed unit in the SI unit: 0.001 for "mN m"
 };
 
 /// Unit in which the values of an effect's parameter are printed for readers, the same for all its

@@ -55,8 +55,8 @@ class Columns {
         std::size_t index;
         double factor, offset;
     };
-    /// Position of a quantity's column and its conversion to SI units; empty if the table lacks the
-    /// column.
+    /// Index of a quantity's column in the table, and the conversion of its numbers to SI units;
+    /// empty if the table lacks the column.
     std::optional<Conversion> conversion(std::string_view name) const;
     /// Standard deviation of a quantity in a row, in SI units, from the column `name_sd`; empty if
     /// this column is missing or the cell is empty.
@@ -67,11 +67,11 @@ class Columns {
     /// One element per row; 0 if the column is missing or the cell is empty.
     std::vector<double> resolutions(std::string_view name) const;
 
-    /// Position in the file of a quantity's cell in a row; if the table lacks the column, the line
-    /// of the row.
+    /// Position in the file (line and column) of the cell of a quantity in a row; if the table
+    /// lacks the quantity's column, the line of the row.
     Position at(const Row& row, std::string_view name) const;
 
-    /// Indices, from 0, of the header cells that name no quantity of the program.
+    /// Indices, from 0, of the table's header cells that name no quantity of the program.
     const std::vector<std::size_t>& unknown() const { return unknown_; }
     /// Returns the header cells that are not empty and whose columns are not used.
     /// @param used names of the used quantities such as "torque", with "_sd" for their standard
@@ -81,8 +81,9 @@ class Columns {
   private:
     /// Column of a quantity. A number x in the column is factor x + offset in SI units.
     struct Column {
-        std::string_view name;   ///< name of the quantity
-        bool deviation = false;  ///< whether the column contains standard deviations
+        std::string_view name;  ///< name of the quantity in the column
+        /// True if the column contains standard deviations of the quantity.
+        bool deviation = false;
         double factor = 1;
         double offset = 0;
         std::size_t index = 0;   ///< index of the column in the table, from 0

@@ -11,13 +11,14 @@ namespace pendular {
 
 /// Cell of a table that was read from a text file.
 struct Cell {
-    std::string text;  ///< content without the blanks and quotes around it
-    int column = 0;    ///< position in the line: number of the first character, from 1
+    std::string text;  ///< content of the cell, without the blanks and quotes around it
+    /// Position of the cell in its line of the file: number of its first character, from 1.
+    int column = 0;
 };
 
 /// Row of a table that was read from a text file.
 struct Row {
-    int line = 0;  ///< line of the file, from 1
+    int line = 0;  ///< number of the row's line in the file, from 1
     std::vector<Cell> cells;
 };
 
@@ -28,11 +29,12 @@ struct Table {
     std::vector<Row> rows;
     char delimiter = ',';
 
-    /// Position in the file of cell number `cell`, from 0, of a row.
+    /// Position in the file (line and column) of the cell with index `cell`, from 0, in a row of
+    /// the table.
     Position at(const Row& row, std::size_t cell) const {
         return {file, row.line, row.cells[cell].column};
     }
-    /// Position in the file of cell number `cell`, from 0, of the header.
+    /// Position in the file (line and column) of the table's header cell with index `cell`, from 0.
     Position at_header(std::size_t cell) const { return at(header, cell); }
 };
 

@@ -6,9 +6,10 @@
 
 namespace pendular {
 
-/// Largest size of a file with a table, such as a recording [bytes].
+/// Largest size of a file with a table, such as a recording, that the program reads [bytes].
 constexpr std::uintmax_t largest_table = 256u << 20;
-/// Largest size of a file that a person writes, such as study.toml or a campaign [bytes].
+/// Largest size of a file written by hand, such as study.toml or a campaign, that the program reads
+/// [bytes].
 constexpr std::uintmax_t largest_settings = 1u << 20;
 
 /// Returns the content of a regular file. Pipes, devices, folders and files of the kernel are

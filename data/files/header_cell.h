@@ -7,9 +7,12 @@ namespace pendular {
 
 /// Parts of a cell in the header of a table, such as "Torque_sd [mN m]".
 struct HeaderCell {
-    std::string name;        ///< "Torque"; without a mark of standard deviations such as "_sd"
-    std::string unit;        ///< "mN m"; empty if none is given
-    bool deviation = false;  ///< whether the column contains standard deviations
+    /// Name in the header cell, such as "Torque", without a mark of standard deviations such as
+    /// "_sd".
+    std::string name;
+    std::string unit;  ///< unit in the header cell, such as "mN m"; empty if the cell gives none
+    /// True if the column under the header cell contains standard deviations.
+    bool deviation = false;
 };
 
 /// Splits a cell in the header of a table into name and unit. The cell reads `name [unit]`, `name

@@ -7,8 +7,12 @@ namespace pendular {
 
 /// Precision to which the numbers in a column of a table are written.
 struct Digits {
-    int significant = 0;  ///< most significant digits of a number, without trailing zeros
-    int decimals = 0;     ///< most digits after the decimal point, without trailing zeros
+    /// Largest number of significant digits among the numbers of the column, trailing zeros not
+    /// counted.
+    int significant = 0;
+    /// Largest number of digits after the decimal point among the numbers of the column, trailing
+    /// zeros not counted.
+    int decimals = 0;
 };
 
 /// Returns the largest numbers of significant digits and of decimals among the numbers in a column.

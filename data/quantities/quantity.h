@@ -9,11 +9,13 @@ namespace pendular {
 /// Physical quantity that the program reads, computes or displays. Its name, symbol, unit and
 /// meaning appear in JSON keys, CSV headers, axis labels and the manual.
 struct Quantity {
-    std::string_view name;                    ///< JSON key and CSV header
-    std::string_view symbol;                  ///< symbol in labels of axes, such as "σ22"
-    std::string_view unit;                    ///< SI unit; "1": dimensionless; "": a text
-    std::string_view meaning;                 ///< explanation in one line
-    std::vector<std::string_view> also = {};  ///< other accepted names in headers of tables
+    std::string_view name;    ///< name of the quantity, its JSON key and CSV header
+    std::string_view symbol;  ///< symbol of the quantity in labels of axes, such as "σ22"
+    /// SI unit of the quantity; "1": dimensionless; "": the quantity is a text.
+    std::string_view unit;
+    std::string_view meaning;  ///< explanation of the quantity in one line
+    /// Other accepted names of the quantity in headers of tables.
+    std::vector<std::string_view> also = {};
 };
 
 /// All physical quantities that the program reads, computes or displays; each name occurs once.

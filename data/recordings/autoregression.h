@@ -43,10 +43,13 @@ class LaggedCovariances {
 /// coefficients a_1, a_2, ..., and an independent random number, the innovation.
 ///     x_t = sum_j a_j x_(t-j) + innovation
 struct Autoregression {
-    std::vector<double> coefficients = {};  ///< coefficients a_1, a_2, ... [1]
-    double innovation = 0;  ///< variance of the innovation, in the squared unit of the series
+    /// Coefficients a_1, a_2, ... of the earlier samples in the autoregressive model [1].
+    std::vector<double> coefficients = {};
+    /// Variance of the innovation (random part of a sample) in the autoregressive model, in the
+    /// squared unit of the series.
+    double innovation = 0;
 
-    /// Order of the model: the number of its coefficients.
+    /// Order of the autoregressive model: the number of its coefficients.
     double order() const { return static_cast<double>(coefficients.size()); }
     /// Spectral density of the series at frequency zero, in the squared unit of the series: `count`
     /// times the variance of the mean of `count` samples. The sum a of the coefficients is

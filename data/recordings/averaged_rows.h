@@ -35,10 +35,12 @@ class AveragedRows {
     Recording& recording_;
     std::vector<std::vector<double> Recording::*> columns_;
     std::size_t most_;
-    std::ptrdiff_t interval_ = -1;  ///< index of the interval among the columns; -1: none
-    int first_line_ = 0;            ///< line of the first row that is not averaged yet
-    int count_ = 0;                 ///< number of rows that are not averaged yet
-    std::vector<double> sums_;      ///< sum of the values of these rows for each column
+    /// Index of the column with interval numbers among the columns; -1: none.
+    std::ptrdiff_t interval_ = -1;
+    int first_line_ = 0;  ///< line in the file of the first row that is not averaged yet
+    int count_ = 0;       ///< number of rows of the file that are not averaged yet
+    /// For each column, sum of the values of the rows that are not averaged yet.
+    std::vector<double> sums_;
 };
 
 }  // namespace pendular

@@ -14,11 +14,13 @@ namespace pendular {
 /// Rows of one recording in which two columns of the same quantity, such as shear stress and
 /// torque, contradict each other.
 struct Contradictions {
-    std::set<int> lines;  ///< line numbers in the file of the rows that were removed
+    /// Line numbers in the file of the rows that were removed because two columns contradict each
+    /// other.
+    std::set<int> lines;
     /// Number of rows of the file whose mean is one row of the recording
     /// (`Recording::averaged_rows`).
     int averaged_rows = 1;
-    /// Reason why no reading of this file can be used; empty if readings can be used.
+    /// Reason why no reading of the recording's file can be used; empty if readings can be used.
     std::optional<std::string> file;
 };
 

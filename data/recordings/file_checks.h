@@ -13,10 +13,12 @@ namespace pendular {
 /// Constants of an annular cell that follow from the columns of a file, with which an instrument
 /// converts torque and force to stresses.
 struct CellFromColumns {
-    double stress_per_torque = 0;  ///< shear stress over torque [Pa/(N m)]; 0: unknown
-    double stress_per_force = 0;   ///< normal stress over normal force [1/m^2]; 0: unknown
-    /// Inner and outer radius [m] of the commercial cup that has these constants; empty if no known
-    /// cup has them.
+    /// Ratio of shear stress to torque in the columns of the file [Pa/(N m)]; 0: unknown.
+    double stress_per_torque = 0;
+    /// Ratio of normal stress to normal force in the columns of the file [1/m^2]; 0: unknown.
+    double stress_per_force = 0;
+    /// Inner and outer radius [m] of the commercial cup that has the ratios of stress to torque and
+    /// to force in the file; empty if no known cup has them.
     std::optional<double> inner_radius, outer_radius;
 };
 

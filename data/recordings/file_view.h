@@ -15,7 +15,7 @@ namespace pendular {
 /// Content of one file of measurements with everything that the program finds in it without a
 /// study.
 struct FileView {
-    BlockFile file;  ///< content of the file
+    BlockFile file;  ///< content of the file of measurements
     /// Columns of each block (interval) of the file, in SI units.
     std::vector<IntervalSeries> series;
     std::vector<IntervalRole> roles;    ///< role of each block (interval) of the file in the test

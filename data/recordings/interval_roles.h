@@ -11,8 +11,10 @@ namespace pendular {
 
 /// Role of an interval (step of constant set points) in a test, with the reason for the choice.
 struct IntervalRole {
-    std::string role;    ///< one of the names that the function `interval_roles` returns
-    std::string reason;  ///< such as "normal stress 0.40 times that of interval 2 before it"
+    /// Role of the interval in the test, such as "failure" (names: function `interval_roles`).
+    std::string role;
+    /// Reason for the role, such as "normal stress 0.40 times that of interval 2 before it".
+    std::string reason;
 };
 
 /// Returns the role of each interval of a file: "filling", "preshear", "unloading", "failure",

@@ -12,13 +12,16 @@ namespace pendular {
 struct IntervalSeries {
     std::vector<int> line;                 ///< line of each row in the file, from 1
     std::vector<double> time;              ///< time of each row [s]
-    std::vector<double> torque;            ///< torque on the lid [N m]
-    std::vector<double> normal_force;      ///< normal force on the lid [N]
-    std::vector<double> height;            ///< gap, the height of the sample [m]
-    std::vector<double> angular_velocity;  ///< angular velocity of the lid [rad/s]
-    std::vector<double> shear_stress;      ///< shear stress that the instrument computed [Pa]
-    std::vector<double> normal_stress;     ///< normal stress that the instrument computed [Pa]
-    std::vector<double> shear_rate;        ///< shear rate that the instrument computed [1/s]
+    std::vector<double> torque;            ///< torque on the lid in each row [N m]
+    std::vector<double> normal_force;      ///< normal force on the lid in each row [N]
+    std::vector<double> height;            ///< gap (height of the sample) in each row [m]
+    std::vector<double> angular_velocity;  ///< angular velocity of the lid in each row [rad/s]
+    /// Shear stress of each row [Pa], as the instrument computed it.
+    std::vector<double> shear_stress;
+    /// Normal stress of each row [Pa], as the instrument computed it.
+    std::vector<double> normal_stress;
+    /// Shear rate of each row [1/s], as the instrument computed it.
+    std::vector<double> shear_rate;
 
     std::size_t size() const { return line.size(); }
     /// Column with the name of a quantity, such as "torque", in SI units; empty for any other name.

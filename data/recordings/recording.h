@@ -14,26 +14,32 @@ namespace pendular {
 
 /// Raw time series of an annular shear cell, one element per row of the file.
 struct Recording {
-    std::string file;       ///< path of the file
+    std::string file;       ///< path of the recording's file
     std::vector<int> line;  ///< line of each row in the file, from 1
-    /// Number of consecutive rows of the file whose mean is one row here, beginning with the row of
-    /// `line`. It exceeds 1 only for very long files.
+    /// Number of consecutive rows of the file whose mean is one row of the recording. It exceeds 1
+    /// only for very long files.
     int averaged_rows = 1;
-    std::vector<double> time;              ///< time as recorded [s]
-    std::vector<double> torque;            ///< torque on the lid [N m]
-    std::vector<double> normal_force;      ///< normal force on the lid [N], compression positive
-    std::vector<double> height;            ///< gap, the height of the sample [m]
-    std::vector<double> angular_velocity;  ///< angular velocity of the lid [rad/s]
+    std::vector<double> time;    ///< time of each row as recorded [s]
+    std::vector<double> torque;  ///< torque on the lid in each row [N m]
+    /// Normal force on the lid in each row [N], compression positive.
+    std::vector<double> normal_force;
+    std::vector<double> height;            ///< gap (height of the sample) in each row [m]
+    std::vector<double> angular_velocity;  ///< angular velocity of the lid in each row [rad/s]
     // Redundant columns: empty if the file lacks the column, NaN where a cell is empty or no
     // number.
-    std::vector<double> shear_stress = {};   ///< shear stress by the instrument [Pa]
-    std::vector<double> normal_stress = {};  ///< normal stress by the instrument [Pa]
-    std::vector<double> shear_rate = {};     ///< shear rate by the instrument [1/s]
-    /// Number of the step of constant set points that each row belongs to [1]; empty if the file
-    /// lacks the column.
+    /// Shear stress of each row [Pa], as the instrument computed it.
+    std::vector<double> shear_stress = {};
+    /// Normal stress of each row [Pa], as the instrument computed it.
+    std::vector<double> normal_stress = {};
+    /// Shear rate of each row [1/s], as the instrument computed it.
+    std::vector<double> shear_rate = {};
+    /// Number of the step of constant set points to which each row belongs; empty if the file lacks
+    /// such a column.
     std::vector<double> interval;
-    std::vector<std::string> unused_columns;  ///< header cells of columns that were not read
-    std::vector<Excluded> left_out = {};      ///< rows and intervals that could not be read
+    /// Header cells of the columns of the file that were not read.
+    std::vector<std::string> unused_columns;
+    /// Rows and intervals of the file that could not be read, with reasons.
+    std::vector<Excluded> left_out = {};
 
     std::size_t size() const { return time.size(); }
 };

@@ -10,7 +10,8 @@ namespace pendular {
 
 /// Cluster of files that are connected by common conditions, directly or through other files.
 struct ReplicateCluster {
-    std::vector<std::size_t> files;  ///< indices in `ReplicateTable::files`
+    /// Indices, in `ReplicateTable::files`, of the files in the cluster.
+    std::vector<std::size_t> files;
     /// Values of the readings that have replicates (readings at the same condition): stress ratios
     /// at index 0, solid fractions at index 1.
     std::array<std::vector<ReplicatedValue>, 2> values;
@@ -19,11 +20,13 @@ struct ReplicateCluster {
 /// Readings of a study, grouped by file, by condition, and by cluster of files that are connected
 /// by common conditions.
 struct ReplicateTable {
-    std::vector<std::string> files;       ///< paths of files, in the order of their first readings
+    /// Paths of the readings' files, in the order of their first readings.
+    std::vector<std::string> files;
     std::vector<std::size_t> file_of;     ///< index in `files` of each reading's file
     std::vector<std::size_t> cluster_of;  ///< index in `clusters` of each reading's cluster
     std::vector<std::vector<std::size_t>> groups;  ///< indices of the readings of each condition
-    std::vector<ReplicateCluster> clusters;        ///< every file is in one cluster
+    /// Clusters of files that common conditions connect; every file is in one cluster.
+    std::vector<ReplicateCluster> clusters;
     double reference_stress = 1;  ///< geometric mean of the readings' normal stresses [Pa]
     /// Smallest normal stress of the readings with replicates, divided by `reference_stress` [1].
     double least_load = 1;

@@ -5,7 +5,7 @@
 
 namespace pendular {
 
-/// Median of values, in the unit of the values; 0 if there are none.
+/// Median of a list of values, in the unit of the values; 0 if the list is empty.
 double median(std::vector<double> values);
 
 /// Estimate of the standard deviation of values that outliers hardly change, in the unit of the

@@ -9,16 +9,18 @@ namespace pendular {
 /// Deviation of one reading from the mean of its replicates (readings at the same condition), in
 /// stress ratio or in solid fraction.
 struct ReplicatedValue {
-    std::size_t reading = 0;    ///< index of the reading among the study's readings
-    std::size_t condition = 0;  ///< index of the condition of the reading and its replicates
-    std::size_t file = 0;       ///< index of the reading's file; a file counts as one filling
+    std::size_t reading = 0;  ///< index of the reading among the study's readings
+    /// Index of the condition that the reading shares with its replicates.
+    std::size_t condition = 0;
+    std::size_t file = 0;  ///< index of the reading's file; a file counts as one filling
     /// Logarithm of the stress ratio or solid fraction, minus the mean logarithm at the condition
     /// [1].
     double deviation = 0;
     /// Variance of the stress ratio or solid fraction that follows from the scatter within the
     /// recorded step of the reading, divided by the squared value [1].
     double within = 0;
-    double load = 1;  ///< normal stress over the reference stress of the study [1]
+    /// Load of the reading: its normal stress over the reference stress of the study [1].
+    double load = 1;
     /// Variance of the part of the rounding error that differs between replicates, divided by the
     /// variance between repetitions of a step at load 1 [1].
     double rounding = 0;
@@ -28,13 +30,18 @@ struct ReplicatedValue {
 /// the analysis, each deviation is divided by sqrt(load^(-2 exponent) + rounding), with the members
 /// `load` and `rounding` of its `ReplicatedValue`.
 struct ScatterSums {
-    double within = 0;  ///< residual sum of squares after removal of condition and file means
-    double freedom_within = 0;  ///< degrees of freedom of `within`
-    double between = 0;         ///< reduction of the sum of squares by file means, after conditions
-    double freedom_between = 0;  ///< degrees of freedom of `between`
+    /// Residual sum of squares of the scaled deviations, after removal of condition and file means
+    /// [1].
+    double within = 0;
+    double freedom_within = 0;  ///< degrees of freedom of the residual sum of squares `within`
+    /// Reduction of the sum of squares by the means of files, after those of conditions were
+    /// removed [1].
+    double between = 0;
+    double freedom_between = 0;  ///< degrees of freedom of the sum of squares `between`
     /// Squared norm of the design matrix of the files, after removal of the condition means.
     double steps = 0;
-    /// Part of `within` that is expected from the scatter within the recorded steps.
+    /// Part of the residual sum of squares `within` that is expected from the scatter within the
+    /// recorded steps [1].
     double run_variance = 0;
     /// Residual of each deviation after removal of condition and file means [1], in the order of
     /// the values, scaled like the deviations.
@@ -57,8 +64,8 @@ ScatterSums analyse_scatter(const std::vector<ReplicatedValue>& values, double e
 /// stress:
 ///     standard deviation ~ load^-value
 struct LoadExponent {
-    double value = 0;           ///< most probable exponent [1]
-    double standard_error = 0;  ///< standard error of the exponent [1]
+    double value = 0;           ///< most probable exponent of the load [1]
+    double standard_error = 0;  ///< standard error of the load exponent [1]
     /// Difference of -2 log(likelihood times prior) between exponent 0 and the most probable
     /// exponent [1]; large values speak against a constant relative scatter.
     double evidence = 0;
@@ -76,7 +83,7 @@ LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets
 /// Mean square of relative deviations, which estimates their variance, with its degrees of freedom.
 struct MeanSquare {
     double value = 0;    ///< mean square of the relative deviations [1]
-    double freedom = 0;  ///< degrees of freedom of `value`
+    double freedom = 0;  ///< degrees of freedom of the mean square
 };
 
 /// Improved estimates of the mean squares of several sets, in the order of the sets. All sets get

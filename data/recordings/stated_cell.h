@@ -12,18 +12,21 @@ namespace pendular {
 
 /// Number in the header of a file, with its position and text.
 struct StatedValue {
-    double value = 0;  ///< number in SI units
-    int line = 0;      ///< line number in the file, from 1
-    std::string key;   ///< name of the number in the file, such as "Inner radius"
+    double value = 0;  ///< the number in the header, converted to SI units
+    int line = 0;      ///< line of the number in the file, from 1
+    std::string key;   ///< name of the number in the header of the file, such as "Inner radius"
     std::string text;  ///< number and unit as the file writes them, such as "21 mm"
 };
 
 /// Radii and constants of the annular cell in the header of a file; empty if the header lacks them.
 struct StatedCell {
-    /// Inner and outer radius [m]; a diameter in the header is halved.
+    /// Inner and outer radius of the annular cell in the header of the file [m]; a diameter is
+    /// halved.
     std::optional<StatedValue> inner_radius, outer_radius;
-    std::optional<StatedValue> stress_per_torque;  ///< shear stress over torque [Pa/(N m)]
-    std::optional<StatedValue> stress_per_force;   ///< normal stress over normal force [1/m^2]
+    /// Ratio of shear stress to torque in the header of the file [Pa/(N m)].
+    std::optional<StatedValue> stress_per_torque;
+    /// Ratio of normal stress to normal force in the header of the file [1/m^2].
+    std::optional<StatedValue> stress_per_force;
 };
 
 /// Returns the radii and constants of the cell in the header of a file, whose keys may be in

@@ -11,14 +11,15 @@ namespace pendular {
 
 /// Samples of one step of a recording, evenly spaced in time.
 struct StepSeries {
-    std::vector<double> time;              ///< time on the recording's clock [s]
-    std::vector<double> torque;            ///< torque on the lid [N m]
-    std::vector<double> normal_force;      ///< normal force on the lid [N]
-    std::vector<double> height;            ///< gap, the height of the sample [m]
-    std::vector<double> angular_velocity;  ///< angular velocity of the lid [rad/s]
-    std::vector<int> line;                 ///< line of the row at or before each sample in the file
-    bool interpolated = false;             ///< whether unevenly spaced rows were interpolated
-    bool flipped = false;                  ///< whether the sign of a negative torque was changed
+    std::vector<double> time;              ///< time of each sample on the recording's clock [s]
+    std::vector<double> torque;            ///< torque on the lid at each sample [N m]
+    std::vector<double> normal_force;      ///< normal force on the lid at each sample [N]
+    std::vector<double> height;            ///< gap (height of the sample) at each time [m]
+    std::vector<double> angular_velocity;  ///< angular velocity of the lid at each sample [rad/s]
+    std::vector<int> line;                 ///< line in the file of the row at or before each sample
+    /// True if the rows were unevenly spaced in time and were interpolated.
+    bool interpolated = false;
+    bool flipped = false;  ///< true if the torque was mostly negative and its sign was changed
 
     std::size_t size() const { return time.size(); }
     /// Returns the series without the samples before index `begin`, which counts from 0.

@@ -10,9 +10,11 @@ namespace pendular {
 
 /// Mean of correlated samples, with its standard error.
 struct Mean {
-    double value = 0;           ///< mean, in the unit of the samples
-    double standard_error = 0;  ///< standard error of the mean, in the unit of the samples
-    /// Integrated autocorrelation time 2 tau, as a number of samples; 1 for independent samples.
+    double value = 0;  ///< mean of the samples, in their unit
+    /// Standard error of the mean, autocorrelation included, in the unit of the samples.
+    double standard_error = 0;
+    /// Integrated autocorrelation time 2 tau of the samples, as a number of samples; 1 for
+    /// independent samples.
     double correlation_samples = 1;
 };
 

@@ -11,17 +11,17 @@ namespace pendular {
 /// Peak of the shear stress in an interval in which the sample was sheared to failure. The peak is
 /// given twice: at the sample with the largest shear stress, and after smoothing.
 struct FailurePoint {
-    int interval = 0;          ///< number of the interval in the file
-    int line = 0;              ///< line in the file of the sample with the largest shear stress
-    double normal_stress = 0;  ///< normal stress at this sample [Pa]
-    double shear_stress = 0;   ///< shear stress at this sample, the largest one [Pa]
+    int interval = 0;  ///< number in the file of the interval that was sheared to failure
+    int line = 0;  ///< line in the file of the sample with the largest shear stress of the interval
+    double normal_stress = 0;  ///< normal stress at the sample with the largest shear stress [Pa]
+    double shear_stress = 0;   ///< largest shear stress of the interval [Pa]
     double smoothed_normal_stress = 0;  ///< mean normal stress around the smoothed peak [Pa]
     double smoothed_shear_stress = 0;   ///< largest shear stress after smoothing [Pa]
-    /// Rows that are averaged for the smoothed peak, from `smoothed_begin` to `smoothed_end` - 1,
-    /// counted from 0 in the interval.
+    /// Rows of the interval that are averaged for the smoothed peak, from `smoothed_begin` to
+    /// `smoothed_end` - 1, counted from 0.
     std::size_t smoothed_begin = 0, smoothed_end = 0;
-    /// Whether the largest shear stress is in the last 5 % of the rows: failure may not have been
-    /// reached.
+    /// True if the largest shear stress is in the last 5 % of the interval's rows: failure may not
+    /// have been reached.
     bool at_end = false;
     /// Gap at the sample with the largest shear stress [m], if recorded.
     std::optional<double> height;
@@ -30,14 +30,15 @@ struct FailurePoint {
 /// State at the end of a preshear, the steady shear that consolidates the sample before it is
 /// sheared to failure.
 struct PreshearPoint {
-    double normal_stress = 0;  ///< mean over the last tenth of the preshear's rows [Pa]
-    double shear_stress = 0;   ///< mean over the last tenth of the preshear's rows [Pa]
+    /// Mean normal stress over the last tenth of the preshear's rows [Pa].
+    double normal_stress = 0;
+    double shear_stress = 0;  ///< mean shear stress over the last tenth of the preshear's rows [Pa]
     /// Standard deviation of the shear stress over the last tenth of the preshear's rows [Pa].
     double shear_stress_deviation = 0;
     /// Index of the first row of the last tenth of the preshear, from 0.
     std::size_t begin = 0;
-    /// Whether the shear stress has reached a plateau: its mean over the last tenth of the rows
-    /// differs by at most 2 % from its mean over the tenth before.
+    /// True if the shear stress of the preshear has reached a plateau: its mean over the last tenth
+    /// of the rows differs by at most 2 % from its mean over the tenth before.
     bool plateau = true;
     /// Bulk density of the sample with liquid [kg/m^3], if the file states it.
     std::optional<double> bulk_density = {};
@@ -46,18 +47,28 @@ struct PreshearPoint {
 /// Straight line of shear stress against normal stress through points of failure, with the
 /// strengths and flow properties that follow from the line.
 struct LinearYieldLocus {
-    double cohesion = 0;             ///< intercept of the line [Pa]; 0 if the intercept is negative
-    double intercept = 0;            ///< intercept of the fitted line [Pa]
-    double slope_angle = 0;          ///< angle of the fitted line [rad]
-    double tensile_strength = 0;     ///< -cohesion/slope [Pa]; -infinity for a slope <= 0
-    double unconfined_strength = 0;  ///< unconfined yield strength [Pa]
+    /// Cohesion: shear stress at which the yield locus meets zero normal stress [Pa]; 0 if the
+    /// fitted intercept is negative.
+    double cohesion = 0;
+    /// Shear stress of the fitted line at zero normal stress [Pa]; may be negative.
+    double intercept = 0;
+    /// Angle of the fitted line (shear stress against normal stress) to the axis of normal stress
+    /// [rad].
+    double slope_angle = 0;
+    /// Tensile strength: normal stress -cohesion/slope at which the line reaches zero shear stress
+    /// [Pa]; -infinity for a slope <= 0.
+    double tensile_strength = 0;
+    double unconfined_strength = 0;  ///< unconfined yield strength of the consolidated sample [Pa]
     /// Centre of the Mohr circle of the preshear, a normal stress [Pa]; empty without a preshear.
     std::optional<double> preshear_centre;
     /// Major principal stress of the preshear [Pa]; empty without a preshear.
     std::optional<double> major_principal_stress;
-    std::optional<double> effective_angle;  ///< effective angle of internal friction [rad]
-    std::optional<double> flowability;      ///< major principal stress over unconfined strength [1]
-    std::string flow_class;                 ///< class of flowability; empty without a preshear
+    /// Effective angle of internal friction [rad]; empty without a preshear.
+    std::optional<double> effective_angle;
+    /// Flowability: major principal stress of the preshear over unconfined yield strength [1];
+    /// empty without a preshear.
+    std::optional<double> flowability;
+    std::string flow_class;  ///< class of flowability, such as "cohesive"; empty without a preshear
 };
 
 /// Fits a straight line to points of failure (normal stress, shear stress) [Pa] by ordinary least
@@ -79,11 +90,15 @@ LinearYieldLocus linear_yield_locus(const std::vector<double>& normal_stress,
 
 /// Points of failure after the same preshear, with the straight lines through them.
 struct YieldLocus {
-    std::string test;                       ///< name of the test in the file
-    std::optional<PreshearPoint> preshear;  ///< preshear of the first point, if it was recorded
+    std::string test;  ///< name in the file of the test that the points of failure belong to
+    /// Preshear before the first point of failure, if it was recorded.
+    std::optional<PreshearPoint> preshear;
     std::vector<FailurePoint> points;
-    std::optional<LinearYieldLocus> line;      ///< line through the samples of largest shear stress
-    std::optional<LinearYieldLocus> smoothed;  ///< line through the smoothed peaks
+    /// Straight line through the points of failure, taken at the samples of largest shear stress.
+    std::optional<LinearYieldLocus> line;
+    /// Straight line through the points of failure, taken at the smoothed peaks of the shear
+    /// stress.
+    std::optional<LinearYieldLocus> smoothed;
 };
 
 /// Returns the state at the end of a preshear: means over the last tenth of its rows.

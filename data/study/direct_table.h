@@ -13,10 +13,11 @@ class StudyTable;
 /// empty cell, as stated in study.toml. Value and error are texts, since the effect, which is not
 /// known yet, determines their unit.
 struct StatedDirect {
-    std::string effect;  ///< name of the effect
-    std::string value;   ///< measured value with its unit; empty if not measured yet
-    std::string error;   ///< standard error with its unit
-    double cost = 1;     ///< cost of the measurement over the cost of a dry reading [1]
+    std::string effect;  ///< name of the effect whose parameter is measured directly
+    /// Measured value of the effect's parameter with its unit; empty if not measured yet.
+    std::string value;
+    std::string error;  ///< standard error of the measured value, with its unit
+    double cost = 1;    ///< cost of the direct measurement over the cost of a dry reading [1]
     /// Positions of the values of the keys effect, value and error in study.toml.
     Position effect_position = {}, value_position = {}, error_position = {};
 };

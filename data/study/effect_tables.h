@@ -12,23 +12,27 @@ class StudyTable;
 /// Formula of an effect that a user defines in a table [[effect]] of study.toml.
 struct Formula {
     std::string target;  ///< quantity that the formula sets, such as "torque"
-    std::string text;    ///< the formula, not yet compiled
+    std::string text;    ///< text of the formula, not yet compiled
     Position position;   ///< position of the formula in study.toml
 };
 
 /// A physical effect that a user defines by formulas in a table [[effect]] of study.toml.
 struct WrittenEffect {
-    std::string name;             ///< name of the effect, such as "torque-offset"
-    std::string parameter;        ///< name of its parameter; "on": the effect is only on or off
-    std::string unit = "1";       ///< SI unit of the parameter
-    double lower = 0, upper = 1;  ///< smallest and largest allowed value [unit]
-    double neutral = 0;           ///< value at which the effect vanishes [unit]
-    /// Smallest difference between the parameter's value and `neutral` that is large enough to
-    /// matter to the user, in the parameter's unit.
+    std::string name;  ///< name of the effect, such as "torque-offset"
+    /// Name of the effect's parameter; "on": the effect can only be switched on or off.
+    std::string parameter;
+    std::string unit = "1";  ///< SI unit of the effect's parameter; "1": dimensionless
+    /// Smallest and largest allowed value of the effect's parameter, in the parameter's unit.
+    double lower = 0, upper = 1;
+    /// Value of the parameter at which the effect vanishes, in the parameter's unit.
+    double neutral = 0;
+    /// Smallest effect of interest to the user: difference between the parameter's value and
+    /// `neutral` below which the effect may be ignored, in the parameter's unit.
     double smallest_of_interest = 1;
-    std::string summary = {};       ///< description in one line; empty if the user gave none
+    /// Description of the effect in one line; empty if the user gave none.
+    std::string summary = {};
     std::vector<Formula> formulas;  ///< one formula for each quantity that the effect changes
-    Position position;              ///< position of the table in study.toml
+    Position position;              ///< position of the effect's table [[effect]] in study.toml
     /// Positions of the values of the keys `name` and `parameter` in study.toml.
     Position name_position = {}, parameter_position = {};
 

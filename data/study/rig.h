@@ -29,14 +29,16 @@ struct Rig {
     /// Solid volumes of the grains [m^3] with which the cell can be filled; empty: only the volume
     /// in the study's cell.
     std::vector<double> bead_volumes = {};
-    int repeats = 5;      ///< largest number of further readings at one condition
-    int readings = 12;    ///< largest total number of further readings at several conditions
+    int repeats = 5;  ///< largest number of further readings that the rig may take at one condition
+    /// Largest total number of further readings that the rig may take, over all conditions.
+    int readings = 12;
     double wet_cost = 1;  ///< cost of a wet reading over the cost of a dry reading [1]
     /// Cost of filling the cell with another amount of grains, over the cost of a dry reading [1].
     double filling_cost = 0;
     /// Times [s] that the user may wait between the last reading and the next one.
     std::vector<double> waits = {0};
-    double hour_cost = 1;  ///< cost of an hour of waiting over the cost of a dry reading [1]
+    /// Cost of waiting for an hour between readings, over the cost of a dry reading [1].
+    double hour_cost = 1;
     /// Direct measurements of effect parameters, such as the torque of the empty cell, that the rig
     /// can make.
     std::vector<StatedDirect> direct = {};

@@ -29,10 +29,13 @@ struct Source {
     std::optional<double> liquid_content;
     /// Solid volume of the grains in the cell [m^3], if the entry overrides the value in [cell].
     std::optional<double> bead_volume;
-    /// Whether the readings are points of failure: state = "failure" in the entry.
+    /// True if the readings of the entry are points of failure (state = "failure") rather than
+    /// steady shear.
     bool at_failure = false;
-    FileFormat format = {};  ///< how the files are to be read, where the entry states it
-    Position position;       ///< position of the entry in study.toml
+    /// Settings for reading the entry's files, such as layout and decimal mark, that the entry
+    /// states.
+    FileFormat format = {};
+    Position position;  ///< position of the entry in study.toml
 };
 
 /// Effect in the list `effects` of [model] in study.toml, which makes it part of the study's model.
@@ -43,9 +46,9 @@ struct ListedEffect {
 
 /// Stress ratio of a wet reading, from which a constant cohesion can be fitted.
 struct MeasuredStrength {
-    Condition condition;        ///< wet condition of the reading
-    double stress_ratio = 0;    ///< measured stress ratio [1]
-    double standard_error = 0;  ///< standard error of `stress_ratio` [1]
+    Condition condition;        ///< condition of the wet reading
+    double stress_ratio = 0;    ///< measured stress ratio of the wet reading [1]
+    double standard_error = 0;  ///< standard error of the reading's stress ratio [1]
 };
 
 /// Settings of the model: [model] in study.toml.
@@ -57,11 +60,13 @@ struct ModelSettings {
     /// Stress ratios of the study's wet readings, needed for the base "mohr-coulomb". They are not
     /// part of study.toml; `with_strengths` sets them.
     std::vector<MeasuredStrength> strengths = {};
-    std::vector<std::string> calibrate = {"friction"};  ///< names of the parameters to fit
-    std::string fit_to = "dry";                         ///< readings to fit: "dry" or "all"
+    /// Names of the model's parameters to fit, such as "friction".
+    std::vector<std::string> calibrate = {"friction"};
+    std::string fit_to = "dry";  ///< readings to which the model is fitted: "dry" or "all"
     /// Effects of the model, each once. The names may be unknown, since they are not checked here.
     std::vector<ListedEffect> effects;
-    FormulaVariant bridge_force = FormulaVariant::derived;  ///< formula of the bridge force
+    /// Variant of the formula of the bridge force that the model uses.
+    FormulaVariant bridge_force = FormulaVariant::derived;
     /// Expected standard error of the model's predictions, relative to the values of (stress ratio,
     /// solid fraction) [1]; 0: the model is exact.
     std::array<double, 2> discrepancy = {0, 0};
@@ -69,7 +74,8 @@ struct ModelSettings {
 
 /// Settings for the conversion of recordings to readings: table [import] of study.toml.
 struct ImportSettings {
-    bool keep_implausible = false;  ///< whether implausible readings are used nevertheless
+    /// True if readings that are physically implausible are used nevertheless.
+    bool keep_implausible = false;
     /// Smallest shear strain of the steady part of a step [1]; a step with a shorter steady part is
     /// excluded.
     double least_strain = 1;
@@ -78,17 +84,21 @@ struct ImportSettings {
 /// Content of the file study.toml of a study: grains, liquid, cell, measured files and model.
 struct Study {
     std::filesystem::path folder;  ///< folder of the study, to which paths are relative
-    std::filesystem::path file;    ///< path of study.toml
+    std::filesystem::path file;    ///< path of the study's file study.toml
     GrainProperties grains;
     std::optional<Liquid> liquid;
-    std::optional<AnnularCell> cell;  ///< present if the study has recordings
-    std::vector<Source> sources;      ///< in the order of study.toml
+    /// Annular cell of the rheometer; present if the study has recordings.
+    std::optional<AnnularCell> cell;
+    std::vector<Source> sources;  ///< recordings and tables of readings, in the order of study.toml
     ImportSettings import;
-    std::optional<StatedScatter> scatter;  ///< scatter of the instrument, if the user stated it
+    /// Scatter of the instrument between repeated readings, if the user stated it in [scatter].
+    std::optional<StatedScatter> scatter;
     ModelSettings model;
     std::vector<WrittenEffect> written_effects;  ///< effects that the study defines by formulas
-    std::vector<StatedDirect> direct;            ///< direct measurements of effect parameters
-    std::optional<Rig> rig;                      ///< possible further measurements and their costs
+    /// Direct measurements of effect parameters, made without shearing grains.
+    std::vector<StatedDirect> direct;
+    /// Conditions at which the rig can take further readings, and their costs, if stated.
+    std::optional<Rig> rig;
 };
 
 /// Reads the file study.toml of a study and checks every key. Quantities are texts with a unit, or
@@ -103,8 +113,10 @@ Study read_study(const std::filesystem::path& study);
 /// need not exist.
 struct FilePattern {
     Source::Kind kind = Source::Kind::recording;
-    std::string pattern;     ///< pattern of file paths, relative to the study's folder
-    FileFormat format = {};  ///< how the files are to be read, where the entry states it
+    std::string pattern;  ///< pattern of file paths, relative to the study's folder
+    /// Settings for reading the entry's files, such as layout and decimal mark, that the entry
+    /// states.
+    FileFormat format = {};
 };
 
 /// Reads only the patterns of file paths from study.toml, without the files, for a study in which

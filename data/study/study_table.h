@@ -44,11 +44,11 @@ class StudyTable {
     /// @throws InputError if the file cannot be read, at a syntax error and at an unknown key
     static StudyTable read(const std::filesystem::path& file, const std::vector<std::string>& keys);
 
-    /// Whether the table has a key.
+    /// Whether the table of the TOML file has a key.
     bool has(std::string_view key) const;
     /// Position of a key's value in the file, or of the table if the key is missing.
     Position at(std::string_view key) const;
-    /// Position of the table in the file.
+    /// Position of the table in the TOML file.
     const Position& position() const { return position_; }
     /// Name of the table with its brackets, such as "[grains]" or "[[effect]]"; empty for the top
     /// level.
@@ -136,9 +136,9 @@ class StudyTable {
     double quantity_from_text(std::string_view key, const toml::node& node,
                               const Unit& expected) const;
 
-    std::shared_ptr<const toml::table> root_;  ///< whole file; keeps `table_` alive
+    std::shared_ptr<const toml::table> root_;  ///< the whole TOML file, which keeps `table_` alive
     const toml::table* table_;
-    std::string name_;  ///< name as in the file: "[grains]"
+    std::string name_;  ///< name of the table as in the file: "[grains]"
     Position position_;
 };
 

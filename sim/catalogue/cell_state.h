@@ -6,22 +6,23 @@ namespace pendular {
 /// instrument shows. Torque and normal force are magnitudes, positive when the grains are sheared
 /// and compressed.
 struct CellState {
-    double torque = 0;            ///< torque on the lid [N m]
+    double torque = 0;            ///< torque on the lid of the cell [N m]
     double normal_force = 0;      ///< normal force on the sample at mid-height [N]
-    double height = 0;            ///< height of the sample [m]
+    double height = 0;            ///< height of the sample in the cell [m]
     double angular_velocity = 0;  ///< angular velocity of the lid [rad/s]
-    double liquid_content = 0;    ///< liquid volume over grain volume [1]
+    double liquid_content = 0;    ///< liquid volume over grain volume in the cell [1]
     double bead_volume = 0;       ///< volume of the beads in the cell [m^3]
     double time = 0;              ///< time since the first recording began [s]
 
     // No effect changes the quantities below.
-    double inner_radius = 0, outer_radius = 0;  ///< radii of the side walls [m]
-    double density = 0;                         ///< density of the grain material [kg/m^3]
-    double diameter = 0;                        ///< mean diameter of the grains [m]
+    /// Radii of the inner and outer side wall of the cell [m].
+    double inner_radius = 0, outer_radius = 0;
+    double density = 0;   ///< density of the grain material [kg/m^3]
+    double diameter = 0;  ///< mean diameter of the grains [m]
 
-    /// Area of the annulus on which the lid presses [m^2].
+    /// Area of the annulus of the cell on which the lid presses [m^2].
     double area() const;
-    /// Width of the annulus [m]: distance between the inner and outer side wall.
+    /// Width of the annulus of the cell [m]: distance between the inner and outer side wall.
     double width() const { return outer_radius - inner_radius; }
     /// Weight of the dry grains in the cell [N].
     double weight() const;

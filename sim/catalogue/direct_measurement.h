@@ -12,12 +12,16 @@ namespace pendular {
 /// torque of the empty cell, or the contact angle from a drop. A model without the effect predicts
 /// the value at which the effect vanishes.
 struct DirectMeasurement {
-    std::string parameter;      ///< "EFFECT.PARAMETER", such as "torque-offset.torque"
-    std::string unit;           ///< SI unit of the parameter
-    std::string by = {};        ///< how it is measured, such as "a viscometer"; empty: unknown
-    double neutral = 0;         ///< prediction of a model without the effect [unit]
-    double value = 0;           ///< measured value [unit]; 0 if it was not measured yet
-    double standard_error = 0;  ///< standard error of `value` [unit]
+    /// Name of the measured parameter, "EFFECT.PARAMETER": "torque-offset.torque".
+    std::string parameter;
+    std::string unit;  ///< SI unit of the measured parameter
+    /// Instrument or method that measures the parameter, such as "a viscometer"; empty: unknown.
+    std::string by = {};
+    /// Value of the parameter that a model without the effect predicts, in the parameter's unit.
+    double neutral = 0;
+    /// Measured value of the parameter, in its unit; 0 if it was not measured yet.
+    double value = 0;
+    double standard_error = 0;  ///< standard error of the measured value, in the parameter's unit
 };
 
 /// Converts a direct measurement from study.toml ([[direct]] or [[rig.direct]]) to the SI unit of

@@ -66,8 +66,9 @@ enum class Touches { all, dry, wet, failure };
 /// files.
 struct Effect {
     std::string name = {};  ///< name of the effect, such as "torque-offset"
-    std::string summary;    ///< summary in one line
-    std::string equation;   ///< equation and its validity, for the manual; lines of text
+    std::string summary;    ///< description of the effect in one line
+    /// Equation of the effect and its range of validity, for the manual; lines of text.
+    std::string equation;
     std::vector<EffectParameter> parameters;
     Change change;
     Touches touches = Touches::all;
@@ -82,10 +83,10 @@ struct Effect {
     /// Quantities of the condition or flow with which the effect's change of the readings
     /// increases, such as "1/normal_stress" for a change that is largest at small normal stress.
     std::vector<std::string> acts_through;
-    /// Instrument or method that measures the parameter without shearing grains, such as "a
-    /// viscometer"; empty if there is none.
+    /// Instrument or method that measures the effect's parameter without shearing grains, such as
+    /// "a viscometer"; empty if there is none.
     std::string directly = {};
-    std::vector<std::string> references;  ///< publications on the effect
+    std::vector<std::string> references;  ///< publications that describe the effect
 
     /// Whether the effect acts on the instrument: it changes the state of the cell that the
     /// instrument shows.
@@ -102,13 +103,13 @@ struct Effect {
     std::optional<closures::Level> level() const {
         return of_closure() ? std::optional(std::get<ChangeClosure>(change).level) : std::nullopt;
     }
-    /// Value of the first parameter, in its unit, in a study that does not list the effect: the
-    /// property of the liquid (`given_by_liquid`) or else the neutral value.
+    /// Value of the effect's first parameter, in the parameter's unit, in a study that does not
+    /// list the effect: the property of the liquid (`given_by_liquid`) or else the neutral value.
     double unlisted_value(const std::optional<Liquid>& liquid) const;
     /// Whether all parameters of the effect are switches, so that no value can be fitted.
     bool is_switch() const;
-    /// Neutral value of each parameter, at which the effect changes nothing, in SI units and in the
-    /// order of `parameters`.
+    /// Neutral value of each parameter of the effect, at which the effect changes nothing, in SI
+    /// units and in the order of `parameters`.
     std::vector<double> neutral() const;
     /// Index in `parameters` of the parameter with a given name.
     /// @throws std::invalid_argument if there is none; the message names the nearest name
@@ -118,12 +119,14 @@ struct Effect {
 /// Physical effect with a value for each of its parameters, such as lid slip by 10 %.
 struct ActiveEffect {
     const Effect* effect = nullptr;
-    std::vector<double> values;  ///< values in SI units, in the order of `Effect::parameters`
+    /// Value of each parameter of the effect in SI units, in the order of `Effect::parameters`.
+    std::vector<double> values;
 
-    /// Whether all parameters have their neutral values: the effect changes nothing.
+    /// True if all parameters of the effect have their neutral values, so that the effect changes
+    /// nothing.
     bool is_neutral() const { return values == effect->neutral(); }
-    /// Access to the parameter values in SI units by parameter name; valid as long as this object
-    /// and `effect`.
+    /// Access to the values of the effect's parameters, in SI units, by parameter name; valid as
+    /// long as this object and `effect`.
     Values by_name() const { return {effect->parameters, values}; }
 };
 

@@ -52,8 +52,12 @@ closures::Level level_of(const Study& study);
 
 /// Reason why an effect does not apply to a study.
 struct Obstacle {
-    std::string brief;     ///< reason in two or three words, for a table: "needs [cell]"
-    std::string sentence;  ///< reason with a remedy, for a message
+    /// Reason why the effect does not apply, in two or three words for a table, such as "needs
+    /// [cell]".
+    std::string brief;
+    /// Reason why the effect does not apply to the study, with a remedy, as a sentence for the
+    /// user.
+    std::string sentence;
 };
 
 /// Returns the reason why an effect does not apply to a study: the study has no readings that the
@@ -61,7 +65,8 @@ struct Obstacle {
 /// Returns an empty optional where the effect applies.
 std::optional<Obstacle> obstacle(const Effect& effect, const Study& study);
 
-/// Returns the sentence of `obstacle`; an empty optional where the effect applies to the study.
+/// Returns the reason why an effect does not apply to a study, with a remedy, as a sentence for the
+/// user; empty if the effect applies.
 std::optional<std::string> why_not(const Effect& effect, const Study& study);
 
 }  // namespace pendular

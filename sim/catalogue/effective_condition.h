@@ -14,10 +14,12 @@ struct EffectiveCondition : Condition {
     EffectiveCondition() = default;
     EffectiveCondition(const Condition& imposed) : Condition(imposed) {}
 
-    std::optional<Liquid> liquid;  ///< liquid as effects change it; empty: the study's liquid
+    /// Properties of the liquid as effects change them; empty: the study's liquid.
+    std::optional<Liquid> liquid;
     /// Friction coefficient between grains minus the friction coefficient of the study's model [1].
     double friction_difference = 0;
-    /// Effects on grains to simulate, with parameter values in SI units.
+    /// Effects on grains that a simulation of the condition must contain, with parameter values in
+    /// SI units.
     std::vector<EffectValues> grain_effects;
 
     bool operator==(const EffectiveCondition&) const = default;

@@ -20,7 +20,8 @@ class InstrumentMap {
     /// all at their neutral values. Other effects are ignored.
     explicit InstrumentMap(const std::vector<ActiveEffect>& effects);
 
-    /// Whether no effect acts: the instrument shows the true state.
+    /// True if no effect on the instrument acts, so that the instrument shows the true state of the
+    /// cell.
     bool empty() const { return effects_.empty(); }
 
     /// State of the cell that the instrument shows if `truth` is the true state. Without effects,

@@ -12,26 +12,35 @@ namespace pendular::closures {
 struct ClosureValues {
     /// Stress ratio of dry grains at the same friction and inertial number.
     double dry_stress_ratio = 0;
-    double contact_stress_ratio = 0;  ///< stress ratio of the contact forces alone (eq:coulombeff)
-    /// Effective coordination number Z* = Z_c + Z_d F_d/F0 (eq:defzstar).
+    /// Stress ratio of the contact forces alone in wet grains (eq:coulombeff).
+    double contact_stress_ratio = 0;
+    /// Effective coordination number Z* = Z_c + Z_d F_d/F0 (eq:defzstar). Z_c: contacts per grain;
+    /// Z_d: bridges without contact per grain; F_d: their mean force; F0: pull-off force.
     double effective_coordination = 0;
-    /// Approximate effective coordination number Z_c + 0.5 Z_d.
+    /// Approximate effective coordination number: contacts per grain plus half the number of
+    /// bridges without contact per grain.
     double approximate_coordination = 0;
-    /// Reduced cohesion a^2 c/F0 from the approximate coordination number (eq:cohesion3).
+    /// Reduced cohesion a^2 c/F0 from the approximate coordination number (eq:cohesion3), with
+    /// cohesion c, grain diameter a and pull-off force F0.
     double rumpf_cohesion = 0;
-    /// Reduced cohesion a^2 c/F0 with the capillary shear stress (eq:cohgen).
+    /// Reduced cohesion a^2 c/F0 with the capillary shear stress included (eq:cohgen), with
+    /// cohesion c, grain diameter a and pull-off force F0.
     double generalised_cohesion = 0;
-    double strength1 = 0;   ///< stress ratio from the measured capillary stresses (eq:strength1)
-    double strength2 = 0;   ///< stress ratio from Z* and the capillary shear stress (eq:strength2)
-    double strength3 = 0;   ///< stress ratio from Z* alone (eq:strength3)
-    double saturation = 0;  ///< share of the pore volume that liquid fills
+    /// Stress ratio of wet grains computed from the measured capillary stresses (eq:strength1).
+    double strength1 = 0;
+    /// Stress ratio of wet grains from the effective coordination number and the capillary shear
+    /// stress (eq:strength2).
+    double strength2 = 0;
+    /// Stress ratio of wet grains from the effective coordination number alone (eq:strength3).
+    double strength3 = 0;
+    double saturation = 0;  ///< share of the pore volume of the grains that liquid fills
 };
 
 /// Name, text and axis label of a member of `ClosureValues`.
 struct ClosureQuantity {
-    const char* name;   ///< key in JSON and CSV
-    const char* text;   ///< name in printed tables
-    const char* label;  ///< label of an axis
+    const char* name;   ///< key of the closure's value in JSON and CSV
+    const char* text;   ///< name of the closure's value in printed tables
+    const char* label;  ///< label of the closure's value at an axis
     double ClosureValues::*value;
 };
 

@@ -14,21 +14,27 @@ struct State {
     /// Reduced pressure a^2 s22/F0 [1], with grain diameter a, imposed normal stress s22 and
     /// pull-off force F0; infinite for dry grains.
     double reduced_pressure = std::numeric_limits<double>::infinity();
-    double solid_fraction = 0;        ///< solid fraction [1]
-    double contact_coordination = 0;  ///< number of contacts per grain [1]
-    double distant_coordination = 0;  ///< number of distant pairs per grain [1]
+    double solid_fraction = 0;        ///< solid fraction of the state [1]
+    double contact_coordination = 0;  ///< mean number of contacts per grain [1]
+    /// Mean number per grain of distant pairs [1], which a bridge joins without contact.
+    double distant_coordination = 0;
     /// Mean elastic normal force of contacts over a^2 s22 [1], with grain diameter a and normal
     /// stress s22.
     double contact_force = 0;
-    /// Mean attractive force of distant pairs over the pull-off force [1].
-    double distant_force = 0;
-    /// Mean product of force and gap of distant pairs, over pull-off force times grain diameter
+    /// Mean attractive force of distant pairs (a bridge without contact) over the pull-off force
     /// [1].
+    double distant_force = 0;
+    /// Mean product of force and gap of distant pairs (a bridge without contact), over pull-off
+    /// force times grain diameter [1].
     double distant_force_gap = 0;
-    /// Mean distance between the centres of distant pairs over the grain diameter [1].
+    /// Mean distance between the centres of distant pairs (a bridge without contact) over the grain
+    /// diameter [1].
     double distant_length = 1;
-    double fabric_12_contact = 0;  ///< mean of n1 n2 over contacts with direction n [1]
-    double fabric_12_distant = 0;  ///< mean of n1 n2 over distant pairs with direction n [1]
+    /// Mean of n1 n2 over contacts with direction n [1]; 1: flow, 2: velocity gradient.
+    double fabric_12_contact = 0;
+    /// Mean of n1 n2 [1] over distant pairs (a bridge without contact), whose line of centres has
+    /// the direction n; 1: flow, 2: velocity gradient.
+    double fabric_12_distant = 0;
     /// Component 12 of the anisotropy of the force q(n) of distant pairs with direction n [1],
     /// negative in steady shear: integral of q n1 n2 over the sphere, divided by 4 pi and the mean
     /// of q. Direction 1 is the flow, 2 the velocity gradient.
@@ -43,8 +49,12 @@ struct State {
 /// a. Compression is positive. Bridges attract, so that the normal stress is negative. The total
 /// shear stress is negative, so that a positive capillary shear stress reduces its magnitude.
 struct CapillaryStress {
-    double normal = 0;  ///< normal stress of the bridge forces [F0/a^2]
-    double shear = 0;   ///< shear stress of the bridge forces [F0/a^2]
+    /// Normal stress of the bridge forces in units of F0/a^2 [1], with pull-off force F0 and grain
+    /// diameter a; negative: attraction.
+    double normal = 0;
+    /// Shear stress of the bridge forces in units of F0/a^2 [1], with pull-off force F0 and grain
+    /// diameter a.
+    double shear = 0;
 };
 
 /// Returns the averages of a simulation run from which the closures (analytical formulas) compute

@@ -41,7 +41,7 @@ class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyCla
     }
 
   private:
-    std::string_view bytes_;  ///< bytes that were not read yet
+    std::string_view bytes_;  ///< bytes of the archive that were not read yet
 };
 
 template <typename Number, std::enable_if_t<std::is_arithmetic_v<Number>, int> = 0>

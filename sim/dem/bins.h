@@ -45,7 +45,7 @@ class Bins {
     std::vector<Entry> entries_;
 };
 
-/// Returns the numbers of all grains, sorted by rows along the flow that are one diameter wide: row
+/// Returns the indices of all grains, sorted by rows along the flow that are one diameter wide: row
 /// by row along the velocity gradient, then plane by plane along the vorticity. A loop over grains
 /// in this order reads memory at a few addresses that advance together, which processors prefetch:
 /// samples larger than the cache run a third faster than in the order of a Morton curve.

@@ -12,7 +12,7 @@ struct Wetting {
     /// Reduced pressure a^2 s22/F0 [1], with grain diameter a, imposed normal stress s22 and
     /// pull-off force F0.
     double reduced_pressure = 0;
-    double bridge_volume = 0;  ///< volume of one bridge over the cubed grain diameter [1]
+    double bridge_volume = 0;  ///< volume of one liquid bridge over the cubed grain diameter [1]
     /// Formula of the bridge force: as derived, or as Badetti et al. (2018) print it.
     FormulaVariant bridge_force = FormulaVariant::derived;
 };
@@ -51,10 +51,15 @@ inline double bridge_volume(double liquid_content, double coordination) {
 /// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105, with the grain radius in c; Badetti et
 /// al. (2018), eq:Maugis, print half of this c (FormulaVariant::as_printed).
 struct BridgeLaw {
-    double pull_off_force = 0;    ///< pull-off force F0 [a^2 s22]; 0: dry grains
-    double rupture_distance = 0;  ///< largest gap V0^(1/3) that a bridge spans [a]
-    double curvature = 1;         ///< constant c in the attraction [a^2]
-    double volume = 0;            ///< volume V0 of one bridge [a^3]
+    /// Pull-off force F0 of a bridge over a^2 s22 [1] (a: grain diameter, s22: imposed normal
+    /// stress); 0: dry grains.
+    double pull_off_force = 0;
+    /// Gap V0^(1/3) at which a bridge of volume V0 breaks [grain diameters].
+    double rupture_distance = 0;
+    /// Constant c in the attraction F0 [1 - 1/sqrt(1 + c/h^2)] of a bridge at gap h [squared grain
+    /// diameters].
+    double curvature = 1;
+    double volume = 0;  ///< volume V0 of one liquid bridge [cubed grain diameters]
 
     BridgeLaw() = default;
     explicit BridgeLaw(const Wetting& wetting)

@@ -16,25 +16,33 @@ namespace pendular::dem {
 struct PairBatch {
     std::size_t size = 0;
     double time_step = 0;
-    const double *nx, *ny, *nz;  ///< unit vector from the first to the second centre
-    const double* gap;           ///< gap between the surfaces; negative: overlap
-    const double* diameter;  ///< 2 d1 d2/(d1 + d2), d1 and d2 being the diameters of the two grains
-    const double* normal_speed;  ///< rate at which the gap grows
+    /// Components of the unit vector from the first to the second centre of each pair.
+    const double *nx, *ny, *nz;
+    /// Gap between the surfaces of each pair [grain diameters]; negative: overlap.
+    const double* gap;
+    /// 2 d1 d2/(d1 + d2) of each pair, with the diameters d1 and d2 of its grains over the mean
+    /// diameter [1].
+    const double* diameter;
+    const double* normal_speed;  ///< rate at which the gap of each pair grows, in reduced units
     const double *rolling_x, *rolling_y,
         *rolling_z;  ///< angular velocity of the second grain minus that of the first
     const double *pair_rotation_x, *pair_rotation_y,
         *pair_rotation_z;     ///< angular velocity at which the pair turns as a whole
-    const double* elastic;    ///< elastic normal force of the contact
-    const double* stiffness;  ///< tangential stiffness of the contact
-    const double* joined;     ///< 1 if a liquid bridge joins the grains, else 0
-    /// Attraction by the liquid bridge, 0 without bridge. The effect may change it; initially it
-    /// has the value without the effect.
+    const double* elastic;    ///< elastic normal force of each pair's contact, in reduced units
+    const double* stiffness;  ///< tangential stiffness of each pair's contact, in reduced units
+    const double* joined;     ///< 1 for each pair of grains that a liquid bridge joins, else 0
+    /// Attraction of each pair by its liquid bridge, in reduced units; 0 without bridge. The effect
+    /// may change it; initially it has the value without the effect.
     double* capillary;
-    /// Largest tangential force of the contact. The effect may change it; initially it is the
-    /// friction coefficient times `elastic`.
+    /// Largest tangential force of each pair's contact, in reduced units. The effect may change it;
+    /// initially it is the friction coefficient times `elastic`.
     double* coulomb_limit;
-    double *fx, *fy, *fz;  ///< force on the second grain; the first gets the opposite force
-    double *tx, *ty, *tz;  ///< torque on the second grain; the first gets the opposite torque
+    /// Force on the second grain of each pair, in reduced units; the first grain gets the opposite
+    /// force.
+    double *fx, *fy, *fz;
+    /// Torque on the second grain of each pair, in reduced units; the first grain gets the opposite
+    /// torque.
+    double *tx, *ty, *tz;
     /// Values that the effect keeps from step to step for each pair: contact_history[value][pair].
     double* const* contact_history = nullptr;
 };
@@ -44,7 +52,7 @@ struct PairBatch {
 struct PairContext {
     const Material& material;
     const BridgeLaw& bridges;
-    const Values& values;  ///< values of the effect's parameters, in reduced units
+    const Values& values;  ///< values of the parameters of the effect, in reduced units
 };
 
 /// Physical effect on the forces between grains. The force loop calls the functions `bridge`,
@@ -57,15 +65,17 @@ struct ChangePairs {
     /// preserved when the neighbour lists are renewed. If the two grains of a pair swap, the values
     /// change sign, as the components of the force on the second grain do.
     std::size_t contact_history = 0;
-    /// Whether bridges also form without contact, at any gap below the rupture distance.
+    /// True if the effect lets bridges form without contact, at any gap below the rupture distance.
     bool bridges_without_contact = false;
     /// Returns the law of the liquid bridges as the effect changes it, given the law without the
     /// effect. Called before a run. Null: unchanged.
     BridgeLaw (*bridge_law)(BridgeLaw, const Values&) = nullptr;
-    Stage bridge = nullptr;  ///< sets `PairBatch::capillary` of pairs with a bridge
-    Stage limit = nullptr;   ///< sets `PairBatch::coulomb_limit`
-    /// Adds forces and torques between grains, which count as contact forces and not as capillary
-    /// forces.
+    /// Function that changes `PairBatch::capillary`, the attraction of pairs with a bridge.
+    Stage bridge = nullptr;
+    /// Function that changes `PairBatch::coulomb_limit`, the largest tangential force of contacts.
+    Stage limit = nullptr;
+    /// Function that adds forces and torques of the effect between grains; they count as contact
+    /// forces, not as capillary forces.
     Stage add = nullptr;
     /// Returns the largest damping coefficient (force over relative velocity) of the forces that
     /// `add` adds, divided by the mass of a grain, in reduced units (grain diameter, grain mass and

@@ -11,9 +11,10 @@ struct Material {
     /// E/(1 - nu^2) over the imposed normal stress [1], with Young's modulus E and Poisson ratio
     /// nu; equal to the stiffness number to the power 3/2.
     double modulus = 0;
-    double poisson_ratio = 0.3;  ///< Poisson ratio nu [1]
+    double poisson_ratio = 0.3;  ///< Poisson ratio nu of the grain material [1]
     double friction = 0;         ///< friction coefficient between grains [1]
-    double damping = 0.98;       ///< normal damping as a fraction of critical damping [1]
+    /// Damping of the normal motion in contacts as a fraction of critical damping [1].
+    double damping = 0.98;
 };
 
 /// Ratio of tangential to normal stiffness of a Mindlin contact [1]: (2 - 2 nu)/(2 - nu), with the
@@ -33,9 +34,9 @@ inline double tangential_ratio(double poisson_ratio) {
 /// Source: Badetti et al. (2018), section 2.2, and the works cited there for the simplified
 /// Hertz-Mindlin law.
 struct Hertz {
-    double root;              ///< square root of the overlap
-    double elastic;           ///< elastic normal force
-    double normal_stiffness;  ///< normal stiffness
+    double root;              ///< square root of the overlap of the contact, in reduced units
+    double elastic;           ///< elastic normal force of the contact, in reduced units
+    double normal_stiffness;  ///< normal stiffness of the contact, in reduced units
 
     static Hertz at(double overlap, double modulus) {
         const double root = std::sqrt(overlap);

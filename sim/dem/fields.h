@@ -32,10 +32,10 @@ enum class Field {
 };
 
 struct CoordinateAbout {
-    std::string_view name;     ///< name in JSON and in headers of CSV files
-    std::string_view unit;     ///< "1": dimensionless
-    std::string_view meaning;  ///< description in one line
-    std::string_view table;    ///< name of the CSV file of all fields of this coordinate
+    std::string_view name;     ///< name of the coordinate in JSON and in headers of CSV files
+    std::string_view unit;     ///< unit of the coordinate; "1": dimensionless
+    std::string_view meaning;  ///< description of the coordinate in one line
+    std::string_view table;  ///< name of the CSV file with all fields that depend on the coordinate
 };
 constexpr std::array coordinates = std::to_array<CoordinateAbout>(
     {{"height", "1", "position along the velocity gradient over the sample's height", "profiles"},
@@ -48,10 +48,10 @@ constexpr std::array coordinates = std::to_array<CoordinateAbout>(
      {"gap", "1", "gap of a bridge without contact over the grain diameter", "gaps"}});
 
 struct FieldAbout {
-    std::string_view name;  ///< name in JSON and in headers of CSV files
+    std::string_view name;  ///< name of the field in JSON and in headers of CSV files
     Coordinate coordinate;
-    std::string_view unit;     ///< "1": dimensionless
-    std::string_view meaning;  ///< description in one line, with the normalisation
+    std::string_view unit;     ///< unit of the field; "1": dimensionless
+    std::string_view meaning;  ///< description of the field in one line, with its normalisation
     bool needs_bridges = false;
 };
 constexpr std::array fields = std::to_array<FieldAbout>(
@@ -113,7 +113,7 @@ Bins1d bins_of(Coordinate coordinate, int grains, double rupture_distance);
 /// Field (quantity as a function of a coordinate) of a run: average with standard error in each
 /// bin; NaN if a bin has no data.
 struct BinnedMeans {
-    std::vector<double> at;  ///< middle of each bin, in the unit of the coordinate
+    std::vector<double> at;  ///< middle of each bin of the coordinate, in the coordinate's unit
     std::vector<Mean> means;
 };
 

@@ -8,10 +8,14 @@ namespace pendular::dem {
 /// imposed normal stress are 1). With directions 1 (flow), 2 (velocity gradient) and 3 (vorticity):
 ///     v1 = length_rate x1 + shear_rate x2,  v2 = height_rate x2,  v3 = width_rate x3
 struct Flow {
-    double shear_rate = 0;   ///< dv1/dx2; in reduced units it equals the inertial number
-    double height_rate = 0;  ///< relative rate of change of the cell's height
-    double length_rate = 0;  ///< relative rate of change of the cell's length along the flow
-    double width_rate = 0;   ///< relative rate of change of the cell's width along the vorticity
+    /// Imposed shear rate dv1/dx2; in reduced units it equals the inertial number.
+    double shear_rate = 0;
+    /// Rate of change of the cell's height over the height, in reduced units.
+    double height_rate = 0;
+    /// Rate of change of the cell's length along the flow over this length, in reduced units.
+    double length_rate = 0;
+    /// Rate of change of the cell's width along the vorticity over the width, in reduced units.
+    double width_rate = 0;
 
     template <typename Archive>
     void serialize(Archive& archive) {

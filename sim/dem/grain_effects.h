@@ -18,7 +18,7 @@ namespace pendular::dem {
 struct GrainEffect {
     std::variant<const ChangePairs*, const ChangeSample*> change;
     std::span<const EffectParameter> parameters;
-    std::vector<double> values;  ///< value of each parameter, in reduced units
+    std::vector<double> values;  ///< value of each effect parameter, in reduced units
 };
 
 /// All physical effects on grains that act in a run, in the form that the solver calls.
@@ -27,10 +27,10 @@ class GrainEffects {
     GrainEffects() = default;
     explicit GrainEffects(const std::vector<GrainEffect>& on);
 
-    /// Whether any effect changes or adds forces between grains, or lets bridges form without
-    /// contact.
+    /// True if any effect of the run changes or adds forces between grains, or lets bridges form
+    /// without contact.
     bool changes_forces() const { return changes_forces_; }
-    /// Whether any effect changes the forces between grains or their sizes.
+    /// True if any effect of the run changes the forces between grains or the grain sizes.
     bool changes_pairs() const { return changes_forces_ || !samples_.empty(); }
     /// Number of values that all effects together keep from step to step for each pair of grains.
     std::size_t contact_history() const { return contact_history_; }

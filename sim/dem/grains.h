@@ -18,11 +18,13 @@ namespace pendular::dem {
 /// are needed per pair.
 struct Grains {
     struct Motion {
-        /// Centre of the grain; inside the cell when the neighbour list was built.
+        /// Centre of the grain [mean grain diameters]; inside the cell when the neighbour list was
+        /// built.
         Vector position;
-        /// Velocity of the grain without the imposed flow, half a time step before `position`.
+        /// Velocity of the grain without the imposed flow, half a time step before `position`, in
+        /// reduced units.
         Vector velocity;
-        /// Angular velocity of the grain, half a time step before `position`.
+        /// Angular velocity of the grain, half a time step before `position`, in reduced units.
         Vector angular_velocity;
 
         template <typename Archive>
@@ -39,10 +41,12 @@ struct Grains {
     /// Net force and torque on each grain, summed during a time step; zero between steps.
     std::vector<ForceAndTorque> net_force;
     /// Displacement of each grain, without the imposed flow, since the narrow neighbour list was
-    /// made.
+    /// made [mean grain diameters].
     std::vector<Vector> displacement;
-    std::vector<std::int32_t> number;  ///< original number of each grain, as grains are renumbered
-    std::vector<double> diameters;     ///< diameters with mean 1; empty: all diameters are 1
+    /// Original index of each grain, since grains are renumbered when they mix.
+    std::vector<std::int32_t> number;
+    /// Diameter of each grain over the mean diameter [1]; empty: all are 1.
+    std::vector<double> diameters;
 
     explicit Grains(std::size_t count = 0)
         : motion(count), net_force(count), displacement(count), number(count) {

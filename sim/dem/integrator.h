@@ -14,9 +14,13 @@ namespace pendular::dem {
 /// imposed normal stress are 1. m and d are mass and diameter of a grain; v is its velocity without
 /// the imposed flow.
 struct MotionSums {
-    Vector squares;               ///< sums of m v1^2, m v2^2, m v3^2
-    double shear = 0;             ///< sum of m v1 v2
-    double angular_velocity = 0;  ///< sum of m d^2 times the squared angular velocities
+    /// Sums of m v1^2, m v2^2 and m v3^2 over the grains, with mass m and velocity v without the
+    /// imposed flow.
+    Vector squares;
+    /// Sum of m v1 v2 over the grains, with mass m and velocity v without the imposed flow.
+    double shear = 0;
+    /// Sum of m d^2 omega^2 over the grains, with mass m, diameter d and angular velocity omega.
+    double angular_velocity = 0;
     /// Largest squared displacement of a grain, without the imposed flow, since the narrow
     /// neighbour list was made.
     double largest_squared = 0;
@@ -36,7 +40,7 @@ struct MotionSums {
 ///     dv/dt = f/m - L v,   dx/dt = v + L x
 /// x and v are position and velocity without the imposed flow, f/m net force over mass, L the
 /// imposed velocity gradient.
-/// @param range number of the first grain, and of the grain after the last
+/// @param range index of the first grain, and of the grain after the last
 /// @param net_forces net force and torque on each grain
 /// @param time_step length of the step in reduced units
 MotionSums advance(Grains& grains, std::pair<std::size_t, std::size_t> range,

@@ -38,8 +38,10 @@ struct Xyz {
 /// Relative position and velocities of two grains in reduced units (grain diameter, grain mass and
 /// imposed normal stress are 1).
 struct PairMotion {
-    Xyz separation;  ///< vector from the first to the second centre
-    /// Velocity of the second centre minus that of the first, without the imposed flow.
+    /// Vector from the centre of the first grain to that of the second [grain diameters].
+    Xyz separation;
+    /// Velocity of the second grain's centre minus that of the first, without the imposed flow, in
+    /// reduced units.
     Xyz velocity;
     /// Sum of the angular velocities of the two grains. For unequal grains, each is weighted with
     /// the distance from its centre to the contact point, over half the distance of the centres.
@@ -49,13 +51,15 @@ struct PairMotion {
 /// Geometry and relative velocities of two grains, including the imposed flow, in reduced units
 /// (grain diameter, grain mass and imposed normal stress are 1).
 struct ContactKinematics {
-    double distance;      ///< distance between the centres
-    Xyz normal;           ///< unit vector from the first to the second centre
-    double normal_speed;  ///< rate at which the distance between the centres grows
-    /// Velocity of the second grain's surface relative to the first at the contact point,
-    /// tangential.
+    double distance;  ///< distance between the centres of the two grains [grain diameters]
+    Xyz normal;       ///< unit vector from the centre of the first grain to that of the second
+    /// Rate at which the distance between the grains' centres grows, in reduced units.
+    double normal_speed;
+    /// Tangential velocity of the second grain's surface relative to the first grain's at the
+    /// contact point, in reduced units.
     Xyz sliding_velocity;
-    /// Angular velocity of the pair as a whole, including the rotation about its normal.
+    /// Angular velocity of the pair of grains as a whole, including the rotation about its normal,
+    /// in reduced units.
     Xyz rotation_rate;
 
     [[gnu::always_inline]] static ContactKinematics of(const PairMotion& motion, const Flow& flow) {
@@ -106,15 +110,18 @@ struct ContactKinematics {
 /// reduced units (grain diameter, grain mass and imposed normal stress are 1). All forces are zero
 /// for a pair without contact and bridge.
 struct NormalForces {
-    double overlap;        ///< overlap of the grains; 0 without contact
-    double gap;            ///< gap between the surfaces; 0 in contact
-    double root;           ///< square root of `overlap`
-    double elastic;        ///< elastic normal force of the contact, a repulsion
-    double viscous;        ///< viscous normal force of the contact, positive for repulsion
-    double joined = 0;     ///< 1 if a liquid bridge joins the grains, else 0
-    double capillary = 0;  ///< attraction by the liquid bridge; 0 without bridge
-    double stiffness;      ///< tangential stiffness of the contact
-    double coulomb_limit;  ///< largest tangential force of the contact; it slides at this limit
+    double overlap;  ///< overlap of the two grains [grain diameters]; 0 without contact
+    double gap;      ///< gap between the surfaces of the two grains [grain diameters]; 0 in contact
+    double root;     ///< square root of the two grains' `overlap` over the grain diameter [1]
+    double elastic;  ///< elastic normal force of the contact, a repulsion, in reduced units
+    /// Viscous normal force of the contact, in reduced units; positive for repulsion.
+    double viscous;
+    double joined = 0;  ///< 1 if a liquid bridge joins the grains, else 0
+    /// Attraction of the two grains by the liquid bridge, in reduced units; 0 without bridge.
+    double capillary = 0;
+    double stiffness;  ///< tangential stiffness of the contact, in reduced units
+    /// Largest tangential force of the contact, at which it slides, in reduced units.
+    double coulomb_limit;
 
     /// Total normal force, positive for repulsion, in units of a^2 s22 (a: grain diameter, s22:
     /// imposed normal stress).
@@ -162,10 +169,11 @@ struct NormalForces {
 /// Tangential force of a contact after one time step, and the energies of this step, in reduced
 /// units (grain diameter, grain mass and imposed normal stress are 1).
 struct TangentialStep {
-    Xyz force;       ///< tangential force on the second grain after the step
-    double stored;   ///< energy in the tangential spring after the step
-    double sliding;  ///< energy lost by sliding at the Coulomb limit in the step
-    /// Energy that the tangential spring loses in the step without sliding
+    Xyz force;      ///< tangential force on the second grain of the pair after the time step
+    double stored;  ///< energy in the tangential spring of the contact after the time step
+    /// Energy that the contact loses in the time step by sliding at the Coulomb limit.
+    double sliding;
+    /// Energy that the tangential spring of the contact loses in the time step without sliding
     /// (`PairEnergy::unloading`).
     double unloading;
 

@@ -9,10 +9,10 @@ namespace pendular::dem {
 /// Parts of the force loop, in addition to contacts, that a sample needs. The loop skips a part
 /// whose member is false.
 struct PairNeeds {
-    bool sizes = false;       ///< whether grains differ in size
-    bool bridges = false;     ///< whether liquid bridges join grains
-    bool accounting = false;  ///< whether stored and lost energies are summed
-    bool effects = false;     ///< whether effects change or add forces between grains
+    bool sizes = false;       ///< true if the grains of the sample differ in size
+    bool bridges = false;     ///< true if liquid bridges join grains of the sample
+    bool accounting = false;  ///< true if the force loop sums stored and lost energies
+    bool effects = false;     ///< true if effects change or add forces between the grains
 
     static PairNeeds of(const Grains& grains, const PairLaws& laws);
 };

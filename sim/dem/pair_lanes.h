@@ -29,11 +29,13 @@ struct alignas(64) XyzLanes {
 /// Relative positions and velocities of the pairs in a batch, and the forces and torques on their
 /// grains, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
 struct Batch {
-    /// Relative position, velocity and angular velocity of each pair, as in `PairMotion`.
+    /// Vector from the first to the second grain of each pair, their relative velocity and their
+    /// weighted sum of angular velocities, as in `PairMotion`, in reduced units.
     XyzLanes separation, velocity, angular_velocity;
-    XyzLanes force;   ///< force on the second grain
-    XyzLanes torque;  ///< torque on the second grain
-    /// Torque on the first grain, if it differs from `torque` (`Torques::separate`).
+    XyzLanes force;   ///< force on the second grain of each pair, in reduced units
+    XyzLanes torque;  ///< torque on the second grain of each pair, in reduced units
+    /// Torque on the first grain of each pair, if it differs from `torque`, the torque on the
+    /// second (`Torques::separate`).
     XyzLanes first_torque;
 
     [[gnu::always_inline]] PairMotion motion(std::size_t k) const {
@@ -62,7 +64,7 @@ struct alignas(64) SizeLanes {
 /// not depend on the width of the vector unit.
 struct alignas(64) LaneSums {
     Lane virial_11{}, virial_22{}, virial_33{}, virial_12{}, largest_overlap{};
-    /// Stored and lost energies, as in `PairEnergy`.
+    /// Sums of the stored and lost energies of the pairs, as in `PairEnergy`.
     Lane elastic{}, capillary{}, friction{}, bridges{}, unloading{};
 
     [[gnu::always_inline]] void add_virial(std::size_t k, const Xyz& force, const Xyz& separation) {

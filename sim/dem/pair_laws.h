@@ -18,15 +18,19 @@ struct PairEnergy {
     /// tangential direction, with E~ = E/(1 - nu^2) (E: Young's modulus, nu: Poisson ratio),
     /// overlap h, tangential force s and tangential stiffness K_T.
     double elastic = 0;
-    double capillary = 0;  ///< stored: potential energy of the bridges, zero at rupture
-    double friction = 0;   ///< energy lost by contacts that slide at the Coulomb limit
-    /// Energy lost by the viscous normal forces of contacts; computed by `viscous_loss`.
+    /// Potential energy stored in all liquid bridges, zero at the gap at which they break.
+    double capillary = 0;
+    /// Energy lost in the time step by contacts that slide at the Coulomb limit.
+    double friction = 0;
+    /// Energy lost in the time step by the viscous normal forces of contacts; computed by
+    /// `viscous_loss`.
     double viscosity = 0;
-    /// Energy lost when bridges form: their potential energy falls abruptly below zero.
+    /// Energy lost in the time step when liquid bridges form: their potential energy falls abruptly
+    /// below zero.
     double bridges = 0;
-    /// Energy lost by the tangential springs of contacts without sliding. Their stiffness changes
-    /// with the overlap while they are loaded, and the component of the tangential force along the
-    /// new normal is removed.
+    /// Energy lost in the time step by the tangential springs of contacts without sliding. Their
+    /// stiffness changes with the overlap while they are loaded, and the component of the
+    /// tangential force along the new normal is removed.
     double unloading = 0;
 
     PairEnergy& operator+=(const PairEnergy& other);
@@ -36,12 +40,16 @@ struct PairEnergy {
 /// grain mass and imposed normal stress are 1). F is the force on the second grain of a pair, r the
 /// vector from the first to the second centre; direction 1 is the flow, 2 the gradient.
 struct PairSums {
-    double virial_11 = 0;  ///< sum of F1 r1 over the pairs; positive in compression
+    /// Sum of F1 r1 over the pairs of grains (F: force on the second grain, r: vector to it, 1:
+    /// flow); positive in compression.
+    double virial_11 = 0;
     double virial_22 = 0;
     double virial_33 = 0;
-    double virial_12 = 0;  ///< sum of F1 r2 over the pairs; negative in simple shear
+    /// Sum of F1 r2 over the pairs of grains (F: force on the second grain, r: vector to it, 1:
+    /// flow, 2: gradient); negative in simple shear.
+    double virial_12 = 0;
     double largest_overlap = 0;
-    PairEnergy energy;  ///< zero without energy accounting
+    PairEnergy energy;  ///< stored and lost energies of the pairs; zero without energy accounting
 
     PairSums& operator+=(const PairSums& other);
 };

@@ -10,12 +10,13 @@
 
 namespace pendular::dem {
 
-/// List of pairs of neighbouring grains. `first` is the smaller of the two grain numbers; pairs are
-/// sorted by the first and then by the second number. The separation of a pair is the vector from
-/// the centre of the first grain to the centre of a periodic image of the second grain.
+/// List of pairs of neighbouring grains. `first` is the smaller of the two grain indices; pairs
+/// are sorted by the first and then by the second index. The separation of a pair is the vector
+/// from the centre of the first grain to the centre of a periodic image of the second grain.
 struct Neighbours {
     std::vector<std::int32_t> first, second;
-    std::vector<std::uint8_t> image;  ///< code of the second grain's periodic image (`image_code`)
+    /// Code of the periodic image (`image_code`) of the second grain of each pair.
+    std::vector<std::uint8_t> image;
 
     std::size_t size() const { return first.size(); }
     void add(std::int32_t i, std::int32_t j, std::uint8_t code);
@@ -31,12 +32,13 @@ struct Neighbours {
 /// Pairs of grains with their contact history: one array for each quantity, one element for each
 /// pair.
 struct Pairs : Neighbours {
-    /// Tangential force on the second grain, in units of a^2 s22 (a: grain diameter, s22: imposed
-    /// normal stress).
+    /// Components of the tangential force on the second grain of each pair, in units of a^2 s22 (a:
+    /// grain diameter, s22: imposed normal stress).
     std::vector<double> sx, sy, sz;
-    /// Square root of (overlap over grain diameter) in the last time step; 0 without contact.
+    /// Square root of (overlap over grain diameter) of each pair in the last time step [1]; 0
+    /// without contact.
     std::vector<double> root;
-    std::vector<double> bridge;  ///< 1 if a liquid bridge joins the grains, else 0
+    std::vector<double> bridge;  ///< 1 for each pair of grains that a liquid bridge joins, else 0
     /// Values that physical effects keep from step to step for each pair:
     /// contact_history[value][pair].
     std::vector<std::vector<double>> contact_history;
@@ -116,8 +118,8 @@ class PairList {
 
     Pairs& narrow() { return narrow_; }
     const Pairs& narrow() const { return narrow_; }
-    /// Number of real pairs in the narrow list, which precede the placeholder pairs of the last
-    /// batch.
+    /// Number of real pairs in the narrow neighbour list, which precede the placeholder pairs of
+    /// the last batch.
     std::size_t live() const { return live_; }
     /// Distant list: pairs without contact that a bridge joined, or could join, when the list was
     /// made. While the list is valid, none of them comes into contact.
@@ -125,7 +127,7 @@ class PairList {
     const Pairs& distant() const { return distant_; }
     std::size_t live_distant() const { return live_distant_; }
     std::size_t wide_rebuilds() const { return wide_rebuilds_; }
-    /// Number of times that the narrow and the distant list were renewed.
+    /// Number of times that the narrow and the distant neighbour list were renewed.
     std::size_t renewals() const { return renewals_; }
 
     /// Saves or loads the neighbour lists. They can be loaded only into an object that was made
@@ -142,11 +144,12 @@ class PairList {
     void find_close_ones(const Grains& grains, const Cell& cell);
 
     double wide_skin_;
-    /// Gap below which the wide list must contain all pairs [grain diameters].
+    /// Gap between surfaces [grain diameters] below which the wide neighbour list must contain all
+    /// pairs.
     double reach_ = narrow_skin;
     int parts_;
     ListWants wants_;
-    double largest_ = 1;  ///< largest grain diameter
+    double largest_ = 1;  ///< largest diameter of a grain in the sample over the mean diameter [1]
     Neighbours wide_;
     Pairs narrow_, distant_;
     std::size_t live_ = 0, live_distant_ = 0;

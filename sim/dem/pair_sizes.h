@@ -5,14 +5,17 @@ namespace pendular::dem {
 /// Sizes of a pair of grains with the diameters d1, d2 and masses m1, m2, relative to the mean
 /// diameter and the mass of a grain of this diameter.
 struct PairSizes {
-    /// Distance between the centres at which the grains touch: (d1 + d2)/2.
+    /// Distance between the centres at which the two grains touch, (d1 + d2)/2, with their
+    /// diameters d1 and d2 over the mean diameter [1].
     double contact_distance = 1;
-    /// Mean diameter in the laws of contact and bridge: 2 d1 d2/(d1 + d2).
+    /// Mean diameter of the two grains in the laws of contact and bridge, 2 d1 d2/(d1 + d2), with
+    /// their diameters d1 and d2 over the mean diameter [1].
     double diameter = 1;
-    /// Mean mass in the viscous force: 2 m1 m2/(m1 + m2).
+    /// Mean mass of the two grains in the viscous force, 2 m1 m2/(m1 + m2), with their masses m1
+    /// and m2 over that of a grain of mean diameter [1].
     double mass = 1;
-    /// Distance from the second centre to the contact point, divided by half the distance between
-    /// the centres [1].
+    /// Distance from the centre of the second grain to the contact point, divided by half the
+    /// distance between the centres [1].
     double second_arm = 1;
 
     /// Sizes of a pair from the diameters of its grains over the mean grain diameter [1].
@@ -23,8 +26,8 @@ struct PairSizes {
                 2 * first_mass * second_mass / (first_mass + second_mass),
                 second / contact_distance};
     }
-    /// Distance from the first centre to the contact point, divided by half the distance between
-    /// the centres [1].
+    /// Distance from the centre of the first grain to the contact point, divided by half the
+    /// distance between the centres [1].
     double first_arm() const { return 2 - second_arm; }
 };
 

@@ -14,10 +14,12 @@ namespace pendular::dem {
 /// normal stress are 1.
 struct alignas(64) Stages {
     XyzLanes normal, sliding_velocity;
-    XyzLanes rotation_rate;  ///< angular velocity of the pair as a whole
-    XyzLanes rolling;        ///< angular velocity of the second grain minus that of the first
-    XyzLanes own_torque;     ///< torque of effects on the second grain; opposite on the first
-    Lane gap;                ///< gap between the surfaces; negative: overlap
+    XyzLanes rotation_rate;  ///< angular velocity of each pair as a whole, in reduced units
+    /// Angular velocity of the second grain of each pair minus that of the first.
+    XyzLanes rolling;
+    /// Torque that effects exert on the second grain of each pair; the first gets the opposite.
+    XyzLanes own_torque;
+    Lane gap;  ///< gap between the surfaces of each pair [grain diameters]; negative: overlap
     Lane distance, normal_speed, root, elastic, viscous, joined, capillary, stiffness,
         coulomb_limit;
 

@@ -25,27 +25,32 @@ class GrainEffects;
 struct RunResult {
     RunParameters parameters;
     int threads = 1;  ///< number of threads that the run used
-    /// Time average of each observable, with its standard error, in the order of `Observable`.
+    /// Time average of each observable of the run, with its standard error, in the order of
+    /// `Observable`.
     std::array<Mean, observable_count> means;
-    /// Time average of each field (quantity as a function of a coordinate), in the order of
-    /// `Field`. Fields of bridges are empty in dry runs.
+    /// Time average of each field (quantity as a function of a coordinate) of the run, in the order
+    /// of `Field`. Fields of bridges are empty in dry runs.
     std::array<BinnedMeans, field_count> fields;
-    double covariance = 0;       ///< covariance of the means of stress ratio and solid fraction
+    /// Covariance of the run's mean stress ratio and mean solid fraction [1].
+    double covariance = 0;
     double strain_averaged = 0;  ///< shear strain over which the run was averaged [1]
-    /// Shear strain of the transient, which the averages exclude [1].
+    /// Shear strain of the run's transient, which the averages exclude [1].
     double strain_transient = 0;
-    /// Mean time step in units of sqrt(m/(a s22)), with mass m and diameter a of a grain and the
-    /// imposed normal stress s22.
+    /// Mean time step of the run in units of sqrt(m/(a s22)), with mass m and diameter a of a grain
+    /// and the imposed normal stress s22.
     double time_step = 0;
     std::uint64_t steps = 0;
     double wall_seconds = 0;
     bool crystallised = false;
     bool steady = false;
-    /// Whether all standard errors that `RunParameters::precision` requests were reached.
+    /// True if the run reached all standard errors that `RunParameters::precision` requests.
     bool precise = true;
-    Trace trace;               ///< averages over blocks of strain 0.02, with the transient
-    StoredSample final_state;  ///< state from which another run can start
-    std::string failure;       ///< reason why the run failed (set by `run_all`); empty: success
+    /// Averages of the run over successive blocks of shear strain 0.02, transient included.
+    Trace trace;
+    /// Positions and velocities of the grains at the end of the run, from which another run can
+    /// start.
+    StoredSample final_state;
+    std::string failure;  ///< reason why the run failed (set by `run_all`); empty: success
 
     const Mean& operator[](Observable which) const {
         return means[static_cast<std::size_t>(which)];
@@ -84,8 +89,8 @@ struct RunOptions {
     /// Checkpoint file. If it exists, the run resumes from it. The run writes it when it is due
     /// (`Checkpoint::due`) and when the run is stopped. Null: no checkpoints.
     Checkpoint* checkpoint = nullptr;
-    /// Parameters of the run as lines "name = value". They are stored in the checkpoint, so that no
-    /// other run resumes from it.
+    /// Parameters of the run as lines "name = value". They are stored in the checkpoint, so that a
+    /// run with other parameters cannot resume from it.
     std::string description = {};
 };
 constexpr int most_threads = 1024;

@@ -35,11 +35,12 @@ constexpr double shortest_precise_strain = 2;
 /// and imposed normal stress are 1).
 struct RunParameters {
     double friction = 0.09;          ///< friction coefficient between grains [1]
-    double inertial_number = 1e-3;   ///< inertial number [1]
+    double inertial_number = 1e-3;   ///< inertial number of the simulated flow [1]
     double stiffness_number = 1000;  ///< stiffness number of the contacts [1]
     double poisson_ratio = 0.3;      ///< Poisson ratio of the grains [1]
-    double damping = 0.98;           ///< normal damping as a fraction of critical damping [1]
-    std::optional<Wetting> wetting;  ///< liquid bridges; empty: dry grains
+    /// Damping of the normal motion in contacts as a fraction of critical damping [1].
+    double damping = 0.98;
+    std::optional<Wetting> wetting;  ///< parameters of the liquid bridges; empty: dry grains
     int grains = 2000;
     double strain = 10;  ///< shear strain over which the run is averaged, without transient [1]
     std::uint64_t seed = 1;

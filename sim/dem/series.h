@@ -22,8 +22,8 @@ constexpr double block_strain = 0.02;
 struct Block {
     double strain = 0;
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0, solid_fraction = 0, localization = 0;
-    /// Power that each mechanism dissipates per volume, divided by the shear rate and the imposed
-    /// normal stress [1]. The stored energies are 0.
+    /// Power that each mechanism dissipates in the block per volume, divided by the shear rate and
+    /// the imposed normal stress [1]. Its stored energies are 0.
     PairEnergy dissipation;
     Structure structure;
     FieldSums fields;
@@ -44,7 +44,8 @@ class OpenBlock {
     explicit OpenBlock(const ShearCell& sample);
 
     bool full(const ShearCell& sample) const { return sample.strain() >= begin_ + block_strain; }
-    double begin() const { return begin_; }  ///< strain of the sample when the block began [1]
+    /// Shear strain of the sample when the block began [1].
+    double begin() const { return begin_; }
     /// Advances the sample by one time step and adds its stress and solid fraction to the sums of
     /// the block. At some steps, dissipation, velocities and the contact network are added too.
     void step(ShearCell& sample);

@@ -23,7 +23,7 @@ struct Section {
 /// few of its grains interact with grains of other threads.
 struct Share {
     std::vector<Section> sections;
-    /// Numbers of the grains of other threads on which pairs of this thread exert forces, in
+    /// Indices of the grains of other threads on which pairs of this thread exert forces, in
     /// ascending order.
     std::vector<std::int32_t> ghosts;
 

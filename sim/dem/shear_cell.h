@@ -162,7 +162,7 @@ class ShearCell {
     int parts_ = 1;
     std::vector<Share> shares_;
     std::size_t shares_made_at_ = 0;  ///< value of PairList::renewals when `shares_` were made
-    /// Net forces on the grains as summed by each thread after the first.
+    /// For each thread after the first, the net forces on the grains that this thread summed.
     std::vector<std::vector<Grains::ForceAndTorque>> other_net_forces_;
     Stress stress_;
     PairEnergy energy_;
@@ -172,8 +172,10 @@ class ShearCell {
     double bead_volume_ = 0;
     double time_step_ = 0;
     double strain_ = 0;
-    double largest_overlap_ = 0;  ///< largest overlap of contacts in the last step [diameters]
-    double recent_overlap_ = 0;   ///< largest overlap since `time_step_` was updated [diameters]
+    /// Largest overlap of contacts in the last time step [grain diameters].
+    double largest_overlap_ = 0;
+    /// Largest overlap of contacts since `time_step_` was updated [grain diameters].
+    double recent_overlap_ = 0;
     std::uint64_t steps_ = 0;
 };
 

@@ -12,10 +12,15 @@ namespace pendular::dem {
 /// Pair of grains in contact or joined by a bridge, which is drawn as a line. Forces are in units
 /// of a^2 s22, with grain diameter a and imposed normal stress s22.
 struct DrawnPair {
-    /// Centres of the two grains [grain diameters]; `to` may be a periodic image outside the cell.
+    /// Centres of the two grains of the pair [grain diameters]; `to` may be a periodic image
+    /// outside the cell.
     Vector from, to;
-    double normal_force = 0;  ///< elastic normal force [a^2 s22]; 0 without contact
-    double bridge_force = 0;  ///< attraction of the bridge [a^2 s22]
+    /// Elastic normal force of the contact over a^2 s22 [1] (a: grain diameter, s22: imposed normal
+    /// stress); 0 without contact.
+    double normal_force = 0;
+    /// Attraction of the pair by its liquid bridge over a^2 s22 [1] (a: grain diameter, s22:
+    /// imposed normal stress).
+    double bridge_force = 0;
     bool touching = false;
 };
 
@@ -24,15 +29,16 @@ struct DrawnPair {
 /// flow.
 struct Snapshot {
     struct Grain {
-        std::int32_t id = 0;  ///< number from 1 on, constant throughout a run
+        std::int32_t id = 0;  ///< number of the grain from 1 on, constant throughout a run
         double radius = 0.5;
         Vector position, velocity, angular_velocity;
         int contacts = 0;
     };
     std::uint64_t step = 0;
-    double time = 0;    ///< time since the flow began, in reduced units
-    double strain = 0;  ///< shear strain since the flow began [1]
-    Cell cell;          ///< periodic cell, its offset between -length/2 and length/2
+    double time = 0;    ///< time of the snapshot since the flow began, in reduced units
+    double strain = 0;  ///< shear strain of the snapshot since the flow began [1]
+    /// Periodic cell that contains the grains; its offset is between -length/2 and length/2.
+    Cell cell;
     std::vector<Grain> grains;
     std::vector<DrawnPair> pairs;
 };
@@ -84,7 +90,7 @@ class Snapshots {
     std::filesystem::path folder_, dump_, growing_dump_;
     double every_;
     bool begun_ = false;
-    std::uint64_t next_ = 0;  ///< number of the next frame
+    std::uint64_t next_ = 0;  ///< number of the next frame to be written
     std::vector<Frame> frames_;
 };
 

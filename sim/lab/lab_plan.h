@@ -16,7 +16,7 @@ namespace pendular {
 /// conditions, instrument, and the friction and effects that a calibration has to find. Values are
 /// in SI units.
 struct LabPlan {
-    double friction = 0.09;  ///< true friction coefficient between grains [1]
+    double friction = 0.09;  ///< true friction coefficient between the simulated grains [1]
     GrainProperties grains = {.diameter = 500e-6, .density = 1050, .poisson_ratio = 0.3};
     Liquid liquid = {.surface_tension = 20.6e-3};
     AnnularCell cell = {.inner_radius = 21e-3, .outer_radius = 45e-3, .bead_volume = 60e-3 / 1050};
@@ -28,8 +28,9 @@ struct LabPlan {
     std::vector<double> liquid_contents = {0.007, 0.03};
     /// Inertial numbers in all recordings [1].
     std::vector<double> inertial_numbers = {3e-3, 3e-2};
-    std::vector<ActiveEffect> effects;  ///< true effects, which study.toml does not state
-    int replicates = 2;  ///< number of recordings for each liquid content, dry included
+    /// Effects that act in the simulated recordings; study.toml does not state them.
+    std::vector<ActiveEffect> effects;
+    int replicates = 2;  ///< number of recordings planned for each liquid content, dry included
     Instrument instrument;
     Fidelity fidelity;
     std::uint64_t seed = 1;
@@ -38,11 +39,12 @@ struct LabPlan {
 /// Recording that a virtual laboratory is to simulate: one replicate of all steps of constant set
 /// points at one liquid content.
 struct PlannedRecording {
-    std::string file;                   ///< file name, as in "wet_0.03_1.csv"
-    double liquid_content = 0;          ///< liquid over grain volume [1]; 0: dry
-    int replicate = 1;                  ///< number among equal recordings, from 1
-    std::uint64_t seed = 0;             ///< seed of the instrument's noise
-    std::vector<Condition> conditions;  ///< requested condition and time of each step
+    std::string file;           ///< name of the recording's file, as in "wet_0.03_1.csv"
+    double liquid_content = 0;  ///< liquid volume over grain volume in the recording [1]; 0: dry
+    int replicate = 1;  ///< number of the recording among those of the same liquid content, from 1
+    std::uint64_t seed = 0;  ///< seed of the instrument's noise in the recording
+    /// Requested condition and time of each step of the recording.
+    std::vector<Condition> conditions;
 };
 
 /// Returns all recordings of a plan, in the order of measurement: dry recordings first, then those

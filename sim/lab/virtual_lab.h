@@ -13,17 +13,17 @@ namespace pendular {
 /// One step of constant set points in a virtual recording: requested condition, true condition, and
 /// the simulation that gives the true state of the grains.
 struct LabStep {
-    Condition condition;         ///< requested condition, which the instrument shows
-    EffectiveCondition imposed;  ///< true condition of the grains (`imposed_condition`)
-    dem::RunResult run;          ///< simulation at the true condition
+    Condition condition;         ///< requested condition of the step, which the instrument shows
+    EffectiveCondition imposed;  ///< true condition of the grains in the step (`imposed_condition`)
+    dem::RunResult run;          ///< simulation of the step at its true condition
 };
 
 /// One simulated recording: a replicate of all steps of constant set points at one liquid content.
 struct LabRecording {
-    std::string file;           ///< file name, as in "wet_0.03_1.csv"
-    double liquid_content = 0;  ///< liquid over grain volume [1]; 0: dry
-    int replicate = 1;          ///< number among equal recordings, from 1
-    std::uint64_t seed = 0;     ///< seed of the instrument's noise
+    std::string file;           ///< name of the recording's file, as in "wet_0.03_1.csv"
+    double liquid_content = 0;  ///< liquid volume over grain volume in the recording [1]; 0: dry
+    int replicate = 1;  ///< number of the recording among those of the same liquid content, from 1
+    std::uint64_t seed = 0;  ///< seed of the instrument's noise in the recording
     std::vector<LabStep> steps;
 };
 
@@ -31,8 +31,10 @@ struct LabRecording {
 struct LabResult {
     LabPlan plan;
     std::vector<LabRecording> recordings;
-    std::size_t pilots = 0;          ///< number of short runs made to find bridge volumes
-    std::vector<std::string> notes;  ///< messages for the user, such as repeated runs
+    /// Number of short simulations made to find the volumes of liquid bridges.
+    std::size_t pilots = 0;
+    /// Messages for the user on the simulations, such as repeated runs.
+    std::vector<std::string> notes;
 };
 
 /// Callback that receives the name of each phase of a virtual laboratory's work, such as "pilot

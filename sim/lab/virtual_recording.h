@@ -22,9 +22,9 @@ constexpr double solid_fraction_scatter = 0.002;
 /// True steady state of the grains in one step of a virtual recording, with the standard errors of
 /// the simulation from which it comes.
 struct TrueState {
-    Condition condition;  ///< requested condition
-    Mean stress_ratio;    ///< true stress ratio [1]
-    Mean solid_fraction;  ///< true solid fraction [1]
+    Condition condition;  ///< requested condition of the step
+    Mean stress_ratio;    ///< true stress ratio of the grains with its standard error [1]
+    Mean solid_fraction;  ///< true solid fraction of the grains with its standard error [1]
     /// State of the cell that the instrument shows without noise; empty if it equals the true
     /// state.
     std::optional<CellState> shown = {};
@@ -35,7 +35,7 @@ struct Instrument {
     /// Scatter of the mean torque and mean solid fraction of a step about their true values [1]. 1:
     /// standard deviations of 1 % and 0.2 %; 0: only the statistical errors of the simulations.
     double noise = 1;
-    int rows = 400;  ///< recorded rows of each step
+    int rows = 400;  ///< number of rows that the rheometer records in each step
     /// Standard deviation of the drift of torque and solid fraction from the first to the last step
     /// of a recording, in units of `torque_scatter` and `solid_fraction_scatter` [1].
     double drift = 0;

@@ -14,10 +14,11 @@ class RunStore;
 /// Progress of a group of simulations that are carried out together.
 struct EnsembleProgress {
     std::size_t runs_done = 0;
-    std::size_t runs = 0;  ///< number of runs in the group
-    /// Completed fraction of the total expected computing time [1].
+    std::size_t runs = 0;  ///< number of simulations in the group
+    /// Completed fraction of the total expected computing time of the group of runs [1].
     double fraction = 0;
-    double seconds_left = 0;  ///< estimated time to the end [s]; 0 while unknown
+    /// Estimated time until all runs of the group are complete [s]; 0 while unknown.
+    double seconds_left = 0;
 };
 /// Callback that receives the progress of a group of simulations while they run.
 using EnsembleReport = std::function<void(const EnsembleProgress&)>;
@@ -27,7 +28,8 @@ using EnsembleReport = std::function<void(const EnsembleProgress&)>;
 struct Workers {
     int threads = 1;
     std::stop_token stop;
-    EnsembleReport report;  ///< called from one thread at a time
+    /// Callback that receives the progress; called from one thread at a time.
+    EnsembleReport report;
     /// Store (SQLite file of runs) to which every run is added when it ends, with its time series
     /// and final state, which the returned results then lack. Null: no store.
     RunStore* store = nullptr;

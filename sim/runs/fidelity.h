@@ -9,13 +9,13 @@ namespace pendular {
 /// Named set of simulation settings, which exchange accuracy for computing time: number of grains,
 /// stiffness, lowest inertial number, and strain over which the runs of a study are averaged.
 struct Fidelity {
-    std::string name;             ///< "quick", "standard" or "paper"
-    int grains = 0;               ///< number of grains in a run
-    double stiffness_number = 0;  ///< stiffness number of the contacts [1]
+    std::string name;  ///< name of the set of simulation settings: "quick", "standard" or "paper"
+    int grains = 0;    ///< number of grains in each simulation
+    double stiffness_number = 0;  ///< stiffness number of the contacts in each simulation [1]
     /// Lowest inertial number that is simulated [1]. Predictions at lower inertial numbers are
     /// extrapolated.
     double lowest_inertial_number = 0;
-    double strain = 0;  ///< strain over which one run averages [1]
+    double strain = 0;  ///< shear strain over which each simulation averages [1]
 };
 
 /// Returns the set of simulation settings with the name "quick", "standard" or "paper".

@@ -14,7 +14,7 @@ namespace pendular {
 struct RunScale {
     GrainProperties grains{.diameter = 500e-6, .density = 1050};
     Liquid liquid{.surface_tension = 20.6e-3};
-    double normal_stress = 1000;  ///< normal stress on dry grains [Pa]
+    double normal_stress = 1000;  ///< normal stress on the grains in dry runs [Pa]
 
     /// Returns the grains, liquid and normal stress with which values of a given run are converted.
     /// The normal stress of a wet run follows from its reduced pressure P*: s22 = P* F0/a^2 [Pa],
@@ -33,7 +33,8 @@ bool needs_scale(const Effect& effect);
 /// Returns the parameters of a run as effects change them. Effects of type `ChangeCondition` change
 /// friction and reduced pressure; effects on grains are added to `run.effects` in reduced units.
 /// @param effects effects with parameter values in SI units
-/// @param scale grains, liquid and normal stress for the conversion
+/// @param scale grains, liquid and normal stress with which SI units are converted to the reduced
+///         units of the run (grain diameter, grain mass and normal stress are 1)
 /// @throws std::invalid_argument for an effect that cannot act on a single run, an effect on wet
 ///         grains in a dry run, and an effect on dry grains in a wet run
 dem::RunParameters changed_run(dem::RunParameters run, const std::vector<ActiveEffect>& effects,

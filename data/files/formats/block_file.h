@@ -15,16 +15,20 @@ namespace pendular {
 
 /// Column of an interval, with the name and unit in the file and the quantity it is read as.
 struct BlockColumn {
-    std::string name;      ///< name in the file, such as "Contrainte de Cisaillement"
-    std::string unit;      ///< unit in the file, such as "Pa"; empty if the file states none
-    std::string quantity;  ///< name of the quantity it is read as; empty: not used
-    std::string set_point_of = {};  ///< quantity whose set points the column has; empty: none
+    std::string name;  ///< name of the column in the file: "Contrainte de Cisaillement"
+    std::string unit;  ///< unit of the column in the file, such as "Pa"; empty if none
+    /// Name of the quantity that the column is read as, such as "shear_stress"; empty: the column
+    /// is not used.
+    std::string quantity;
+    /// Name of the quantity whose set points the column contains, such as "normal_force"; empty for
+    /// a column of measured values.
+    std::string set_point_of = {};
 };
 
 /// Key and value in the header of a file, such as "Stress constant" and "79577.5 Pa/N.m".
 struct Fact {
     std::string key, value;
-    int line = 0;  ///< line of the file, from 1
+    int line = 0;  ///< line of the file in which the key and its value are, from 1
 };
 
 /// Rows of a file under one header, such as an interval of a rheometer's test.
@@ -50,32 +54,38 @@ struct Block {
 struct SkippedRows {
     int first_line = 0, last_line = 0;
     std::string reason;
-    bool points = true;  ///< whether the rows count as points that the interval declares
+    /// True if the skipped rows count among the rows (points) that the file declares for an
+    /// interval.
+    bool points = true;
 };
 
 /// Numbers of intervals and cells read from a file, which are limited so that a small file cannot
 /// use much memory.
 struct FileCounts {
     std::size_t intervals = 0;
-    std::size_t header_cells = 0;  ///< number of intervals times number of columns
-    std::size_t cells = 0;         ///< number of rows times number of columns
+    /// Number of header cells read from the file: sum of the columns of all intervals.
+    std::size_t header_cells = 0;
+    std::size_t cells = 0;  ///< number of table cells read from the file: rows times columns
 };
 
-/// Largest number of intervals in a file, and of intervals times columns.
+/// Largest number of intervals, and of header cells (intervals times columns), that are read from
+/// one file.
 constexpr std::size_t most_intervals = 10'000, most_header_cells = 1'000'000;
 
 /// Content of a file of measurements, independent of the layout of the file.
 struct BlockFile {
-    std::string file;      ///< path
+    std::string file;      ///< path of the file of measurements
     std::string layout;    ///< name of the file's layout, one of `layout_names`
-    std::string encoding;  ///< name of the character encoding
+    std::string encoding;  ///< name of the file's character encoding
     char delimiter = ',';
     NumberStyle numbers;
-    std::vector<Fact> facts;           ///< keys and values of the header, each key once
-    std::vector<Block> blocks;         ///< intervals, in the order of the file
-    std::vector<SkippedRows> skipped;  ///< rows that were left out, in the order of reading
-    FileCounts counts;                 ///< numbers of intervals and cells read so far
-    std::set<std::string> known_keys;  ///< keys of the facts in lower case
+    /// Keys and values in the header of the file, such as "Stress constant"; each key once.
+    std::vector<Fact> facts;
+    std::vector<Block> blocks;  ///< intervals of the file, in its order
+    /// Rows of the file that were left out, in the order of reading.
+    std::vector<SkippedRows> skipped;
+    FileCounts counts;  ///< numbers of intervals and cells that were read from the file so far
+    std::set<std::string> known_keys;  ///< keys in the header of the file (`facts`), in lower case
 
     /// Value of a key in the header of the file; empty if the header lacks the key. Upper and lower
     /// case count as equal.
@@ -98,7 +108,7 @@ struct SourceLines {
     Row row(std::size_t line, char delimiter) const;
 };
 
-/// Whether all cells of a row are empty.
+/// Whether all cells of a table row are empty.
 bool is_blank(const Row& row);
 
 /// Returns the delimiter (tab, semicolon or comma) that splits the lines from `begin` to `end` - 1

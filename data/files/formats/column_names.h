@@ -6,10 +6,10 @@ namespace pendular {
 
 /// Quantity that a column in the export of a rheometer measures.
 struct ColumnMeaning {
-    /// Name of the quantity; empty if the program does not use the column.
+    /// Name of the quantity that the column measures; empty if the program does not use the column.
     std::string_view quantity;
-    /// Order of preference if several columns have the quantity: 0 for the most specific name,
-    /// larger for others.
+    /// Order of preference among the columns of a file that have the same quantity: 0 for the most
+    /// specific column name, larger for less specific names.
     int rank = 0;
 };
 

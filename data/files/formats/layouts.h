@@ -11,9 +11,9 @@ namespace pendular {
 
 /// Layout of the files of one instrument or program: arrangement of rows, headers and units.
 struct Layout {
-    std::string name;     ///< name in study.toml, such as "rheocompass"
-    std::string meaning;  ///< description in a few words
-    /// Whether the lines of a file have this layout.
+    std::string name;     ///< name of the layout in study.toml, such as "rheocompass"
+    std::string meaning;  ///< description of the layout in a few words, for the user
+    /// Returns true if the lines of a file have this layout.
     bool (*recognise)(const SourceLines&);
     /// Reads the delimiter, the header and the intervals of a file with this layout into `file`.
     /// @throws InputError at file:line:column for text that the layout does not allow

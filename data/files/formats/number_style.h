@@ -9,9 +9,9 @@ namespace pendular {
 
 /// Style in which a file writes numbers.
 struct NumberStyle {
-    char decimal = '.';  ///< decimal mark, '.' or ','
-    /// Whether numbers must be rewritten before `parse_number` can read them, because they have a
-    /// decimal comma or thousands separators.
+    char decimal = '.';  ///< decimal mark of the file's numbers, '.' or ','
+    /// True if the file's numbers must be rewritten before `parse_number` can read them, because
+    /// they have a decimal comma or thousands separators.
     bool rewrite = false;
 };
 
@@ -38,9 +38,12 @@ class NumberStyleFinder {
     };
     void look_at(const Table& table, const Row& row, std::size_t cell);
 
-    Example point_, comma_;  ///< cells in which '.' or ',' must be the decimal mark
-    Example grouped_;        ///< cells with thousands separators of any kind
-    Example open_;           ///< cells such as "2,800", in which ',' may be either
+    /// First cells in which '.' (`point_`) and ',' (`comma_`) must be the decimal mark.
+    Example point_, comma_;
+    Example grouped_;  ///< first cell of a number with thousands separators of any kind
+    /// First cell with a number such as "2,800", in which ',' may be a decimal mark or a thousands
+    /// separator.
+    Example open_;
 };
 
 /// Returns a number as text with a decimal point and without thousands separators. Texts that are

@@ -8,11 +8,11 @@
 
 namespace pendular {
 
-/// Index, from 0, of the first line that has more than blanks and delimiters, beginning at line
-/// `from`; the number of lines if there is none.
+/// Index, from 0, of the first line of a file, from line index `from` on, that has more than blanks
+/// and delimiters; the number of lines if there is none.
 std::size_t first_filled_line(const SourceLines& source, std::size_t from);
 
-/// Names and units of the columns of a table.
+/// Names and units of the columns of a table, one element per column.
 struct NamesAndUnits {
     std::vector<std::string> names, units;
 };

@@ -13,12 +13,18 @@ namespace pendular {
 /// The series is fitted by
 ///     mean + change x/2 + bend (3 x^2 - 1)/2,   x from -1 to 1
 struct Course {
-    double mean = 0;    ///< mean of the series, in its unit
-    double change = 0;  ///< change of the trend from first to last sample [unit of the series]
-    double change_error = 0;  ///< standard error of `change`, in the unit of the series
-    double bend = 0;          ///< coefficient of the curvature, in the unit of the series
-    double bend_error = 0;    ///< standard error of `bend`, in the unit of the series
-    double freedom = 1;       ///< degrees of freedom of the errors: independent samples minus three
+    double mean = 0;  ///< mean of the fitted series, in the unit of the series
+    /// Change of the fitted trend from the first to the last sample, in the unit of the series.
+    double change = 0;
+    /// Standard error of the trend's `change` from first to last sample, in the unit of the series.
+    double change_error = 0;
+    /// Coefficient of the curved part (3 x^2 - 1)/2 of the trend, in the unit of the series.
+    double bend = 0;
+    /// Standard error of the trend's curvature coefficient `bend`, in the unit of the series.
+    double bend_error = 0;
+    /// Degrees of freedom of the standard errors of the trend: number of independent samples minus
+    /// three.
+    double freedom = 1;
 
     /// Distance, in the unit of the series, between the last sample and the level that the series
     /// approaches exponentially. It follows from the fitted means of the three thirds of the
@@ -38,8 +44,8 @@ std::vector<RecordingFinding> run_in_tests(const std::string& file,
 
 /// Trend of torque or gap over the second half of one step.
 struct StepTrend {
-    std::string quantity;  ///< "torque" or "height"
-    std::string file;      ///< path of the recording
+    std::string quantity;  ///< name of the column with the trend: "torque" or "height"
+    std::string file;      ///< path of the recording that contains the step
     int step = 0;          ///< number of the step in its file, from 1
     Course course;
 };

@@ -9,10 +9,12 @@ namespace pendular {
 
 /// Fault that a check found in a file of measurements, with what was done about it.
 struct FileFinding {
-    std::string file = {};                        ///< path of the file
-    std::vector<std::pair<int, int>> lines = {};  ///< ranges of lines: (first, last), from 1
-    std::string kind = {};  ///< name of the check: "torque-stress", "declared-rows", "time" ...
-    std::string what = {};  ///< sentence that says what is wrong
+    std::string file = {};  ///< path of the faulty file
+    /// Ranges of the faulty lines of the file: (first, last), from 1.
+    std::vector<std::pair<int, int>> lines = {};
+    /// Name of the check that found the fault: "torque-stress", "declared-rows", "time" ...
+    std::string kind = {};
+    std::string what = {};  ///< sentence that says what is wrong with the file
     std::string done = {};  ///< sentence that says what the program does about the fault
 };
 

@@ -20,28 +20,38 @@ struct RecordingFinding {
         unfinished_run_in  ///< a column still approaches its level at the end of a step
     };
     Kind kind = Kind::wobble;
-    std::string quantity = {};  ///< column by name: "torque", "normal_force" or "height"
-    /// Paths of the files with the fault, in the order of measurement. After a level change, these
-    /// are all files from the change on.
+    std::string quantity = {};  ///< name of the faulty column: "torque", "normal_force" or "height"
+    /// Paths of the recordings with the fault, in the order of measurement. After a level change,
+    /// these are all recordings from the change on.
     std::vector<std::string> files = {};
-    int step = 0;           ///< number of the step in its file, from 1; 0: several steps or files
-    std::size_t count = 1;  ///< number of steps that the finding is based on
-    /// Size of the fault in the SI unit of the column. Saturation: largest value; wobble:
+    /// Number of the faulty step in its file, from 1; 0: the fault concerns several steps or files.
+    int step = 0;
+    /// Number of steps from which the fault was found; for a level change, the number of recordings
+    /// compared.
+    std::size_t count = 1;
+    /// Size of the fault, in the SI unit of the faulty column. Saturation: largest value; wobble:
     /// amplitude; stick-slip: median drop; drift: change over a whole step; level change: change of
-    /// the column; run-in: distance from the level at the end of the step.
+    /// the column; unfinished run-in: distance from the level at the end of the step. Drift and
+    /// level change: negative for a decrease.
     double size = 0;
-    double size_error = 0;  ///< standard error of `size`, in its unit; 0: not estimated
-    /// Size of the fault over the mean of the column [1]. Saturation: share of the rows at the
-    /// largest value.
+    /// Standard error of the fault's size `size`, in the SI unit of the column; 0: not estimated.
+    double size_error = 0;
+    /// Size of the fault (`size`) divided by the mean of the faulty column [1]. For a saturation:
+    /// share of the step's rows that are at the largest value.
     double relative = 0;
-    double relative_error = 0;  ///< standard error of `relative` [1]; 0: not estimated
-    /// Wobble: period as a number of turns of the lid; stick-slip: period [s]; 0: none.
+    /// Standard error of the fault's relative size `relative` [1]; 0: not estimated.
+    double relative_error = 0;
+    /// Period of the fault. Wobble: number of turns of the lid; stick-slip: time [s] from one drop
+    /// of the torque to the next; 0 for other faults.
     double period = 0;
     /// p value [1]: probability that a faultless instrument causes as clear a finding by chance in
     /// one step (level change and drift: in one study).
     double p = 1;
-    bool offset = false;  ///< level change: whether an offset fits better than a factor
-    /// Whether import moved the affected readings to the excluded ones or corrected them.
+    /// True for a level change of the column that a common offset describes better than a common
+    /// factor.
+    bool offset = false;
+    /// True if the readings with this fault were moved to the excluded ones or corrected during
+    /// import.
     bool corrected = false;
 };
 

@@ -10,10 +10,10 @@ namespace pendular {
 
 /// Periodic part of a series with a whole number of periods per turn of the lid.
 struct Harmonic {
-    int per_turn = 1;           ///< periods per turn of the lid
-    double amplitude = 0;       ///< amplitude, in the unit of the series
+    int per_turn = 1;           ///< number of periods of the variation per turn of the lid
+    double amplitude = 0;       ///< amplitude of the periodic variation, in the unit of the series
     double standard_error = 0;  ///< standard error of the amplitude, in the unit of the series
-    double p = 1;               ///< probability that noise alone has such an amplitude [1]
+    double p = 1;  ///< p value [1]: probability that noise alone has an amplitude this large
 };
 
 /// Rotation angle [rad] of the lid at each sample of a step, 0 at the first sample: integral of the
@@ -34,9 +34,10 @@ std::vector<Harmonic> harmonics(std::span<const double> samples, std::span<const
 
 /// Periodic parts of one column of a step with one and two periods per turn of the lid.
 struct PeriodicColumn {
-    const char* quantity = "";  ///< column by name: "torque", "normal_force" or "height"
-    double mean = 0;            ///< plain mean of the column, in its SI unit
-    double mean_error = 0;  ///< standard error of the mean of correlated samples, in its SI unit
+    const char* quantity = "";  ///< name of the column: "torque", "normal_force" or "height"
+    double mean = 0;  ///< arithmetic mean of the column's samples, in the column's SI unit
+    /// Standard error of the column's mean, autocorrelation included, in the column's SI unit.
+    double mean_error = 0;
     std::vector<Harmonic> harmonics;
 };
 

@@ -12,15 +12,17 @@ namespace pendular {
 
 /// One step of a recording, without spikes, with the end of its transient.
 struct RecordedStep {
-    Step rows;                          ///< rows of the step in its recording
-    int number = 0;                     ///< number of the step in its file, from 1
-    StepSeries series;                  ///< samples of the step, without spikes
-    std::vector<std::size_t> spikes;    ///< indices of the samples that were spikes
-    bool lid_turns = false;             ///< whether the lid turns
-    std::optional<std::size_t> steady;  ///< index of the first sample after the transient, if any
+    Step rows;                        ///< rows of the recording that form the step
+    int number = 0;                   ///< number of the step in its file, from 1
+    StepSeries series;                ///< samples of the step, without spikes
+    std::vector<std::size_t> spikes;  ///< indices of the step's samples that were spikes
+    bool lid_turns = false;           ///< true if the lid turns during the step
+    /// Index of the first sample after the step's transient; empty if no part of the step is
+    /// steady.
+    std::optional<std::size_t> steady;
     /// Reason why no part of the step is steady; empty if a part is steady.
     std::string why_unsteady = {};
-    /// Periodic parts of the columns after the transient; empty if this part is too short.
+    /// Periodic parts of the step's columns after the transient; empty if this part is too short.
     std::vector<PeriodicColumn> periodic = {};
     /// Number of samples at the beginning of the steady part that are not averaged, so that the
     /// average covers whole turns of the lid and a wobble does not bias it.

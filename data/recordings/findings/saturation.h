@@ -13,10 +13,11 @@ namespace pendular {
 /// Rows of a recording in which torque or normal force is limited by the largest value that the
 /// instrument records.
 struct Saturation {
-    std::string quantity;  ///< "torque" or "normal_force"
-    double limit = 0;      ///< largest magnitude that the instrument records [N m or N]
-    std::set<int> lines;   ///< line numbers in the file of the saturated rows
-    double p = 1;          ///< probability that a recording without saturation has such rows [1]
+    std::string quantity;  ///< name of the saturated column: "torque" or "normal_force"
+    double limit = 0;  ///< largest magnitude of the column that the instrument records [N m or N]
+    std::set<int> lines;  ///< line numbers in the file of the saturated rows
+    /// p value [1]: probability that a recording without saturation has rows like these.
+    double p = 1;
 };
 
 /// Finds the columns of a recording, torque (by magnitude) or normal force, that are cut off at

@@ -11,8 +11,8 @@ namespace pendular {
 
 /// Sudden drops of a series that rises slowly between them, as the torque does in stick-slip.
 struct Slips {
-    double drop = 0;     ///< median size of a drop, in the unit of the series
-    double samples = 0;  ///< mean number of samples from one drop to the next
+    double drop = 0;     ///< median size of a sudden drop, in the unit of the series
+    double samples = 0;  ///< mean number of samples from one sudden drop to the next
     /// p value [1]: probability that noise with equally frequent sudden rises and drops has such an
     /// excess of drops.
     double p = 1;

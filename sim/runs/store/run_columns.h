@@ -19,9 +19,11 @@ struct RunColumn {
     enum class Type { integer, real, text };
     std::string name;
     Type type = Type::real;
-    bool determines = false;  ///< whether the column is an input of the run, not a result
-    std::function<RunCell(const dem::RunResult&)> get;  ///< returns the cell of a run
-    /// Sets the value of this column in a run to that of a cell.
+    /// True if the column contains an input of the run rather than a result.
+    bool determines = false;
+    /// Function that returns the cell of this column for a run.
+    std::function<RunCell(const dem::RunResult&)> get;
+    /// Function that sets the value of this column in a run to that of a cell.
     std::function<void(dem::RunResult&, const RunCell&)> set;
 };
 

@@ -19,7 +19,8 @@ namespace pendular {
 struct StoredRun {
     std::int64_t id = 0;      ///< number of the run in the store; 0: it is in no store
     int physics_version = 0;  ///< version of the solver that made the run
-    /// Averages of the run; its trace and final state are present only from `get` and `nearest`.
+    /// Parameters and averages of the stored run; its time series (trace) and final state are
+    /// present only from `get` and `nearest`.
     dem::RunResult run;
 };
 
@@ -104,7 +105,8 @@ class RunStore {
                const std::function<void(SQLite::Statement&)>& take) const;
 
     std::filesystem::path file_;
-    std::array<std::uint64_t, 2> identity_{};  ///< device and number of the file that was opened
+    /// Device and inode number of the store's file when it was opened.
+    std::array<std::uint64_t, 2> identity_{};
     std::unique_ptr<SQLite::Database> database_;
     mutable std::mutex mutex_;  ///< serialises access by the threads of this process
 };
