@@ -33,7 +33,8 @@ struct Plan {
     std::size_t point = 0;  ///< index into the list of points that were compared
     /// Values that each rival model predicts at the point, in the order of the rivals.
     std::vector<Forecast> forecasts;
-    /// Covariance of the values of one measurement at the point, in their squared units.
+    /// Covariance of the measurement errors of the values of one measurement at the point, in their
+    /// squared units.
     Eigen::MatrixXd noise;
     /// Smallest number of readings at the point that separates as many pairs of rivals as the
     /// largest number allowed would; 0: the point separates no pair.
@@ -47,7 +48,8 @@ struct Plan {
     /// Noncentrality D' S_1^-1 D of `separating_plans`, summed over all pairs of rivals, at the
     /// largest number of readings allowed [1].
     double noncentrality = 0;
-    /// Cost of `repeats` readings, at least one, with filling and waiting [cost of a dry reading].
+    /// Cost of `repeats` readings at the point (of one reading if `repeats` is 0), with filling and
+    /// waiting [cost of a dry reading].
     double cost = 0;
 };
 
@@ -84,10 +86,11 @@ Series next_series(const std::vector<Plan>& plans, const std::vector<Rival>& riv
 struct Sharpening {
     std::size_t point = 0;  ///< index into the list of points that were compared
     Forecast forecast;      ///< values that the model predicts at the point
-    /// Standard errors expected after the readings, in the order and units of the parameters.
+    /// Standard errors of the model's parameters that are expected after the readings at the point,
+    /// in the order and units of the parameters.
     Eigen::VectorXd standard_errors;
-    /// Sum over the parameters of ln(standard error before/after), divided by the cost [1/cost of a
-    /// dry reading].
+    /// Gain in precision: sum over the parameters of ln(standard error before/after the readings),
+    /// divided by the cost of the readings [1/cost of a dry reading].
     double gain = 0;
 };
 

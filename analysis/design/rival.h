@@ -24,11 +24,13 @@ struct Rival {
 /// reading.
 struct Point {
     Condition condition = {};  ///< condition of the reading; unused where `direct` is given
-    /// Direct measurement of a parameter; empty: a reading.
+    /// Direct measurement of a parameter, without shearing grains; empty: the point is a reading of
+    /// steady shear.
     std::optional<DirectMeasurement> direct = {};
-    /// Cost of another filling of the cell, if needed [cost of a dry reading].
+    /// Cost of another filling of the cell, where the point needs one [cost of a dry reading].
     double first_cost = 0;
-    double wait = 0;       ///< waiting time after the study's last reading [s]
+    /// Waiting time between the study's last reading and the measurement at the point [s].
+    double wait = 0;
     double wait_cost = 0;  ///< cost of the waiting time [cost of a dry reading]
     double cost = 1;       ///< cost of each reading at the point [cost of a dry reading]
 };
@@ -37,8 +39,10 @@ struct Point {
 /// [1]) or, for a direct measurement, the value of the measured parameter [its unit].
 struct Forecast {
     Eigen::VectorXd value;  ///< predicted values: two entries or, for a direct measurement, one
-    Eigen::MatrixXd from_parameters;  ///< covariance from errors of the rival's parameters
-    Eigen::MatrixXd from_simulation;  ///< covariance from errors of the simulation
+    /// Covariance of the errors of `value` that come from errors of the rival's fitted parameters.
+    Eigen::MatrixXd from_parameters;
+    /// Covariance of the errors of `value` that come from errors of the simulation.
+    Eigen::MatrixXd from_simulation;
 };
 
 /// Smallest noncentrality of chi2 [1] at which a test at 5 % significance tells two rival models

@@ -12,7 +12,8 @@ struct Series {
     /// Part of the series: readings at one point.
     struct Step {
         std::size_t point = 0;  ///< index into the list of points given to the search
-        int readings = 0;       ///< number of readings at the point
+        /// Number of readings to make at the point.
+        int readings = 0;
     };
     /// Readings at each point, in increasing order of the waiting times of the points; empty where
     /// even the largest number of readings allowed separates no pair of rivals.

@@ -62,13 +62,14 @@ class Explanations {
 
     /// Random draws of the errors of readings and predictions that all tests use.
     const NullDraws& draws() const { return draws_; }
-    /// p value [1] below which a test rejects a model: half of DiagnosisOptions::significance,
-    /// since each model has two tests, for lack of fit and for further effects.
+    /// p value [1] below which one test of a model rejects the model: half of
+    /// DiagnosisOptions::significance, since each model has two tests, for lack of fit and for
+    /// further effects.
     double half_significance() const { return options_.significance / 2; }
 
-    /// For each candidate effect (not in the model), covariances of the change of the readings at
-    /// the smallest size that matters (amplitude 1) from errors of the emulator. The caller sets
-    /// them once, before the tests of refitted models.
+    /// For each candidate effect (not in the model), covariances of the change of the readings that
+    /// the effect makes at its smallest size of interest (amplitude 1) from errors of the emulator.
+    /// The caller sets them once, before the tests of refitted models.
     std::vector<ModelSpace::ChangeErrors> errors;
 
   private:

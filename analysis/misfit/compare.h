@@ -15,9 +15,11 @@ namespace pendular {
 /// Reading with the model's prediction. All pairs are in the order (shear stress, solid fraction).
 struct ReadingMisfit {
     Reading reading;
-    Eigen::Vector2d predicted;             ///< predicted shear stress [Pa], solid fraction [1]
-    Eigen::Matrix2d predicted_covariance;  ///< covariance of the errors of `predicted`
-    /// Part of the chi2 of all readings from each observable, never negative.
+    Eigen::Vector2d predicted;  ///< predicted shear stress [Pa], solid fraction [1]
+    /// Covariance of the errors of the predicted shear stress [Pa] and solid fraction [1].
+    Eigen::Matrix2d predicted_covariance;
+    /// Part of the chi2 of all readings that each observable of this reading contributes [1], never
+    /// negative.
     Eigen::Vector2d chi2;
     /// Normalised residual of each observable [1]: (measured - predicted) over the standard error
     /// of this difference, from errors of measurement and prediction.
@@ -27,8 +29,9 @@ struct ReadingMisfit {
 /// Misfit of the readings of one condition (replicates) together.
 struct ConditionMisfit {
     Condition condition;
-    std::vector<std::size_t> readings;  ///< indices into Comparison::readings
-    double chi2 = 0;                    ///< sum of the readings' contributions to chi2
+    /// Readings of the condition, as indices into Comparison::readings.
+    std::vector<std::size_t> readings;
+    double chi2 = 0;  ///< sum of the readings' contributions to chi2
     /// Normalised mean residual of (shear stress, solid fraction) [1]: mean of (measured -
     /// predicted) over the condition's readings, divided by the standard error of that mean.
     Eigen::Vector2d normalised = Eigen::Vector2d::Zero();
@@ -66,8 +69,8 @@ double freedom_behind(std::span<const Reading> readings);
 
 /// Misfit of a set of readings: chi2 with its degrees of freedom.
 struct Misfit {
-    /// chi2 with the errors that are estimated from the scatter of replicates, not widened where
-    /// there are few replicates.
+    /// chi2 of the readings. Their errors are estimated from the scatter of replicates and not
+    /// widened where there are few replicates.
     double chi2 = 0;
     int dof = 0;  ///< degrees of freedom of `chi2`
     /// Effective degrees of freedom with which the errors of the readings were estimated

@@ -100,10 +100,12 @@ class WeightedResiduals {
     std::shared_ptr<Inverse> inverse_ = std::make_shared<Inverse>();
     Eigen::VectorXd residuals_;
     Eigen::MatrixXd slopes_;
-    Eigen::VectorXd lengths_;  ///< norms of the columns of J
+    /// Lengths (norms) of the columns of J, the whitened derivatives of the predictions.
+    Eigen::VectorXd lengths_;
     /// Decomposition of J with its columns divided by `lengths_`.
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed_;
-    Eigen::MatrixXd basis_;  ///< orthonormal basis of the columns of J
+    /// Orthonormal basis of the columns of J, the whitened derivatives of the predictions.
+    Eigen::MatrixXd basis_;
 };
 
 }  // namespace pendular

@@ -19,19 +19,21 @@ struct FittedShape {
 };
 
 /// Proposal for a misfit that no known effect explains: one or two changes of unknown cause that
-/// explain the misfit or most of it when they are added to the model. + std::vector<FittedShape>
-/// shapes; The proposed changes, one or two.
+/// explain the misfit or most of it when they are added to the model.
 struct Proposal {
+    /// The one or two changes of unknown cause that are proposed, fitted to the readings.
     std::vector<FittedShape> shapes;
     /// Other changes, estimated in the linear approximation, that would change the readings in
     /// nearly the same way as the single proposed change; empty if two changes are proposed.
     std::vector<FittedShape> alike;
-    /// Model refitted with the proposed changes; `chosen` has no meaning here.
+    /// Model refitted to the readings with the proposed changes, with its chi2 and tests. Its
+    /// `chosen` has no meaning here.
     Explanation explanation;
     /// p value [1]: probability that the best of all shapes that were tried reduces chi2 as much by
     /// chance, if nothing is missing.
     double p = 1;
-    /// Share of the excess chi2 - dof (chi2 minus degrees of freedom) that the changes remove [1].
+    /// Share [1] of the excess chi2 - dof (chi2 minus degrees of freedom) of the study's model that
+    /// the proposed changes remove.
     double explained = 0;
     /// Penalty for the choice of the shapes among all that were tried, to be added to chi2 [1].
     double price = 0;

@@ -17,10 +17,13 @@ class ScoredShapes {
   public:
     /// Score of one shape, or of two together.
     struct Score {
-        std::vector<std::size_t> shapes;  ///< indices of one or two shapes
-        double reduction = 0;             ///< predicted reduction of chi2 [1]
+        /// Indices of the one or two shapes (changes of unknown cause) that are scored.
+        std::vector<std::size_t> shapes;
+        /// Predicted reduction of chi2 when these shapes are added to the model [1].
+        double reduction = 0;
         double price = 0;  ///< penalty for the choice of the shapes, to be added to chi2 [1]
-        std::vector<double> changes;  ///< estimated changes of the shapes, in their units
+        /// Estimated change of the quantity of each shape, in the unit of the change.
+        std::vector<double> changes;
         /// Single shapes of other quantities that change the readings in nearly the same way, at a
         /// similar score; set by `unlike`.
         std::vector<std::size_t> alike;
@@ -55,7 +58,8 @@ class ScoredShapes {
     /// Quantity that may change, with the change of the readings per unit of the quantity's change.
     struct Changeable {
         ChangedQuantity quantity;
-        Eigen::VectorXd response;  ///< change of all entries per unit of the quantity's change
+        /// Change of each entry of the readings per unit of the quantity's change.
+        Eigen::VectorXd response;
         std::vector<ReadingCoordinate> coordinates;
     };
 
@@ -84,8 +88,10 @@ class ScoredShapes {
     std::vector<std::size_t> changed_by_;  ///< index into `changeables_` for each shape
     Eigen::MatrixXd directions_;           ///< whitened changes of length 1, P g/|P g|, as columns
     Eigen::VectorXd lengths_;              ///< length |P g| for each shape [1/unit of its change]
-    Eigen::VectorXd along_;                ///< component of the residuals along each direction
-    Eigen::VectorXd drawn_;                ///< largest reduction by any shape in each random draw
+    /// Component of the whitened residuals along the direction of each shape [1].
+    Eigen::VectorXd along_;
+    /// Largest reduction of chi2 by any shape, in each random draw of errors [1].
+    Eigen::VectorXd drawn_;
 };
 
 }  // namespace pendular
