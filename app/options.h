@@ -23,13 +23,18 @@ std::uint64_t checked_seed(std::int64_t seed);
 
 /// Values of the command-line options that every command has, and the study that it reads.
 struct CommonOptions {
-    std::optional<std::string> json;           ///< file for JSON, or "-" for standard output
+    /// File to which the command writes its result as JSON, or "-" for standard output; empty: no
+    /// JSON.
+    std::optional<std::string> json;
     std::optional<std::filesystem::path> out;  ///< folder for results, if --out was given
     Fidelity fidelity;                         ///< size and accuracy of simulation runs
-    int threads = 1;                           ///< number of simulation runs or refits at a time
-    bool quiet = false;                        ///< print no progress on standard error
-    bool all = false;                          ///< print all rows of tables and all notes
-    std::filesystem::path store;               ///< SQLite file that keeps every simulation run
+    /// Number of simulation runs or refits that are carried out at the same time.
+    int threads = 1;
+    /// Whether the command prints no progress on standard error.
+    bool quiet = false;
+    /// Whether the command prints all rows of tables and all notes.
+    bool all = false;
+    std::filesystem::path store;  ///< SQLite file that keeps every simulation run
     bool store_named = false;     ///< whether the user named `store`: --store or $PENDULAR_STORE
     std::filesystem::path study;  ///< study or other file to read; empty: the command reads none
 
@@ -129,7 +134,9 @@ class Options {
 
     std::string usage_, about_, examples_;
     bool takes_study_;
-    std::string missing_word_;  ///< first word and its meaning; empty: a study
+    /// Name and meaning of the command's first word, for the message that it is missing; empty: the
+    /// word is a study.
+    std::string missing_word_;
     std::vector<std::string>* words_ = nullptr;
     ValueKind words_kind_;
     /// Values that the options of the command accept, by the name of the option.
@@ -137,9 +144,12 @@ class Options {
     /// Times [min] that apply where no number follows an option of `add_time`, by the name of the
     /// option.
     std::map<std::string, std::string> times_;
-    int default_threads_ = 0;       ///< default of --threads; 0: one per core
+    /// Default of option --threads; 0: one thread for each core of the processor.
+    int default_threads_ = 0;
     std::set<std::string> unused_;  ///< common options that the help text leaves out
-    std::string fidelity_meaning_;  ///< empty: the settings of simulations
+    /// Meaning of option --fidelity in the help text; empty: the usual text, which lists the
+    /// settings of simulations.
+    std::string fidelity_meaning_;
     std::string store_meaning_ =
         "SQLite file that keeps the result of every simulation (default: $PENDULAR_STORE, else "
         "~/.local/share/pendular/runs.sqlite)";

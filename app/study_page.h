@@ -14,14 +14,17 @@ namespace pendular::app {
 /// Page of a study as HTML, and the results that the console prints when the page is made.
 struct StudyPage {
     std::string html;
-    std::string answer;   ///< verdict of the diagnosis in a sentence
-    std::string verdict;  ///< name of the verdict, as in JSON
+    std::string answer;  ///< verdict of the diagnosis in a sentence
+    /// Name of the diagnosis's verdict as in JSON, such as "missing".
+    std::string verdict;
     std::string next;     ///< command that the user should give next
     std::string measure;  ///< next measurement to make, or why there is none, in a sentence
     std::vector<std::string> switches;  ///< names of the effects that the page switches on and off
-    std::size_t models = 0;             ///< number of fitted combinations of these effects
-    std::size_t readings = 0;           ///< number of readings that were tested
-    std::vector<std::string> notes;     ///< reasons why recordings cannot be drawn
+    /// Number of combinations of the switched effects for which a fitted model exists.
+    std::size_t models = 0;
+    std::size_t readings = 0;  ///< number of readings that were tested
+    /// Sentences on recordings that the page cannot draw, with the reasons.
+    std::vector<std::string> notes;
 };
 
 /// Makes the page of a study: diagnoses the study, plans the next measurement, and fits all

@@ -20,8 +20,10 @@ struct EffectStatus {
 /// effects` prints.
 struct EffectEntry {
     const Effect* effect;
-    bool written = false;                     ///< whether the user wrote the effect in study.toml
-    std::optional<EffectStatus> status = {};  ///< relation to the user's study; empty: no study
+    bool written = false;  ///< whether the user wrote the effect in study.toml
+    /// Whether the user's study lists the effect, and whether the effect applies to it; empty where
+    /// the user named no study.
+    std::optional<EffectStatus> status = {};
 };
 
 /// Table of physical effects as lines of text, one line per parameter of an effect, grouped by the

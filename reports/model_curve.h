@@ -38,7 +38,7 @@ class ConditionPath {
 
   private:
     Coordinate along_;
-    /// Conditions to interpolate between, in the order of rising coordinate.
+    /// Conditions between which the path interpolates, in the order of rising coordinate.
     std::vector<Condition> nodes_;
 };
 

@@ -16,7 +16,8 @@ namespace pendular {
 struct SessionOptions {
     Fidelity fidelity;       ///< settings of the simulations, such as the number of grains
     std::uint64_t seed = 1;  ///< seed of simulations and of random draws of errors
-    int threads = 1;         ///< number of threads for runs and refits
+    /// Largest number of threads for simulation runs and refits.
+    int threads = 1;
     /// Store: the user's file of simulated runs, which keeps new runs and provides earlier runs;
     /// null: no store.
     RunStore* store = nullptr;

@@ -84,13 +84,14 @@ struct ChangedStudy {
     /// converge.
     bool written = false;
 
-    /// The fit after the change that uses the same readings as `before`.
+    /// Returns the fit of the study after the change that uses the same readings as `before`.
     const Fitted& comparable_after() const { return after_to_all ? *after_to_all : after; }
 };
 
 /// Options for fitting a study before and after a change of its effects.
 struct ChangeOptions {
-    FitOptions fit = {};  ///< options of the fits
+    /// Options of the fits before and after the change.
+    FitOptions fit = {};
     /// Whether to use the fidelity (set of simulation settings) of the fit in `folder`, if there is
     /// one.
     bool same_fidelity = true;

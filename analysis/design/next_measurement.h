@@ -58,11 +58,11 @@ struct Plan {
 /// criterion T. For n readings at a point and rivals i and j,
 ///     T = D' S^-1 D + tr(2 V S^-1)/n,   D = f_i - f_j,
 ///     S = 2 V/n + J_i C_i J_i' + J_j C_j J_j' + 2 C_f,
-/// with the predicted values f, their derivatives J by the parameters, the covariance C of the
-/// parameters, the covariance V of one reading and the covariance C_f of the simulation's errors,
-/// which both rivals share. A pair is separated where D' S_1^-1 D reaches `telling_noncentrality`,
-/// or `telling_directly` for a direct measurement; S_1 is S with V/n and C_f only once, since both
-/// rivals are compared with one measurement.
+/// with the predicted values f, their derivatives J with respect to the parameters, the covariance
+/// C of the parameters, the covariance V of one reading and the covariance C_f of the simulation's
+/// errors, which both rivals share. A pair is separated where D' S_1^-1 D reaches
+/// `telling_noncentrality`, or `telling_directly` for a direct measurement; S_1 is S with V/n and
+/// C_f only once, since both rivals are compared with one measurement.
 /// @param relative_noise standard errors of (shear stress, solid fraction) of one reading, over
 ///        their values [1]
 /// @param most_repeats largest number of readings at one point
@@ -99,7 +99,8 @@ struct Sharpening {
 /// C of the parameters becomes
 ///     C' = (C^-1 + J' (V/n + C_f)^-1 J)^-1
 /// with the number n of readings, the covariance V of one reading, the covariance C_f of the
-/// simulation's errors and the derivatives J of the predicted values by the parameters.
+/// simulation's errors and the derivatives J of the predicted values with respect to the
+/// parameters.
 /// @param relative_noise standard errors of (shear stress, solid fraction) of one reading, over
 ///        their values [1]
 std::vector<Sharpening> sharpening_plans(const Rival& model, const std::vector<Point>& points,

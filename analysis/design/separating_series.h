@@ -31,11 +31,11 @@ struct Series {
 /// search finds. Rivals i and j are separated where D' S^-1 D over all points of the series reaches
 /// `telling_noncentrality`, with the difference D of their predictions and
 ///     S = V/n + J_i C_i J_i' + J_j C_j J_j' + C_f,
-/// V/n: covariance of n readings; J: derivatives of the predictions by the parameters; C:
-/// covariance of the parameters; C_f: covariance of the simulation's errors. S contains the errors
-/// that points share, so that a second point with the same error adds little. The search adds one
-/// reading at a time, where it increases D' S^-1 D of the pairs not yet separated most for its
-/// cost, and finally removes readings that turned out to be unnecessary.
+/// V/n: covariance of n readings; J: derivatives of the predictions with respect to the parameters;
+/// C: covariance of the parameters; C_f: covariance of the simulation's errors. S contains the
+/// errors that points share, so that a second point with the same error adds little. The search
+/// adds one reading at a time, where it increases D' S^-1 D of the pairs not yet separated most for
+/// its cost, and finally removes readings that turned out to be unnecessary.
 /// @param relative_noise standard errors of (shear stress, solid fraction) of one reading, over
 ///        their values [1]
 /// @param most_repeats largest number of readings at one point

@@ -12,8 +12,8 @@ inline constexpr FitEffort refit_effort{
     .most_steps = 12, .tolerance = 1e-6, .settled = 1e-4, .elsewhere = false};
 
 /// Returns the whitened residuals (in units of their errors) of the readings from a fitted model.
-/// Derivatives by parameters at a bound are set to zero, since a parameter at its bound cannot move
-/// to imitate a change.
+/// Derivatives with respect to parameters at a bound are set to zero, since a parameter at its
+/// bound cannot move to imitate a change.
 /// @param fit fit of the model; amplitudes of a suspect measurement may follow its parameters
 WeightedResiduals residuals_of(const Model& model, const Measured& measured, const Fit& fit);
 
@@ -42,8 +42,8 @@ class Explanations {
     void judge(Explanation& explanation) const;
 
     /// Returns the whitened residuals (in units of their errors) of the readings from a refitted
-    /// model. Derivatives by parameters at a bound are set to zero, since a parameter at its bound
-    /// cannot move to imitate a change.
+    /// model. Derivatives with respect to parameters at a bound are set to zero, since a parameter
+    /// at its bound cannot move to imitate a change.
     WeightedResiduals residuals_of(const Explanation& explanation) const;
     /// p value of the test for lack of fit [1]: probability that errors of readings and predictions
     /// make the mean residuals of the conditions at least as large as observed.

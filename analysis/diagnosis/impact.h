@@ -16,9 +16,9 @@ struct Shift {
     double size = 0;
     /// Shift of the calibrated parameters in the linear approximation:
     ///     -(J'J)^-1 J' g A,
-    /// with the derivatives J of the predictions by the parameters and the change g of the readings
-    /// per unit of the amplitude, both whitened (in units of the readings' errors), and the
-    /// amplitude A at `size`.
+    /// with the derivatives J of the predictions with respect to the parameters and the change g of
+    /// the readings per unit of the amplitude, both whitened (in units of the readings' errors),
+    /// and the amplitude A at `size`.
     Eigen::VectorXd linear;
     /// Shift of the calibrated parameters after a refit with the effect fixed at `size`; empty: the
     /// model was not refitted.
@@ -81,7 +81,7 @@ struct Impact {
 
 /// Impacts of all effects or errors of one group together: for each calibrated parameter [its
 /// unit], the root of the sum of squares of its shifts in the linear approximation, at the smallest
-/// sizes that matter (`at_interest`), at the estimated sizes and by the errors of the estimates.
+/// sizes of interest (`at_interest`), at the estimated sizes and by the errors of the estimates.
 struct GroupImpact {
     std::string group;
     Eigen::VectorXd at_interest, at_estimate, by_error;
@@ -102,11 +102,11 @@ struct ImpactTable {
 
 /// Computes the impacts of effects and errors of measurement on the fit of a diagnosis in the
 /// linear approximation. For the leading effects, they are also computed by refits, at the
-/// estimated and at the smallest sizes that matter. The leading effects are up to `most_refitted`
-/// effects that the verdict names, which are also refitted at one standard error above and below
-/// their estimates, and the `most_refitted` others with the largest impacts. Sizes are estimated by
-/// refits of the diagnosis where there are any, else by score tests. Effects with several free
-/// parameters, and effects with which the readings are impossible, are left out.
+/// estimated sizes and at the smallest sizes of interest. The leading effects are up to
+/// `most_refitted` effects that the verdict names, which are also refitted at one standard error
+/// above and below their estimates, and the `most_refitted` others with the largest impacts. Sizes
+/// are estimated by refits of the diagnosis where there are any, else by score tests. Effects with
+/// several free parameters, and effects with which the readings are impossible, are left out.
 /// @param threads largest number of threads; no result depends on it
 ImpactTable impacts(const ModelSpace& space, const Evidence& evidence, const Diagnosis& diagnosis,
                     std::size_t most_refitted = 3, std::size_t threads = 1);

@@ -34,7 +34,7 @@ class LinearisedSpace : public ModelSpace {
 
     /// Adds the candidate with index `k` of `space`, and returns its amplitude in `refit`.
     /// @param refit refitted model with the candidate, at whose estimate the change of the readings
-    /// is computed; null: at the smallest size of interest
+    ///        is computed; null: at the smallest size of interest
     double add(const ModelSpace& space, std::size_t k, const Explanation* refit);
     /// Returns a prediction with the covariances of the model with an effect set if `diagnosis` has
     /// refitted this model, else with those of the bare model.
@@ -44,7 +44,9 @@ class LinearisedSpace : public ModelSpace {
     ParameterBounds bounds_;
     /// Parameters theta_0 and predictions f_0 of the bare model at the point of linearisation.
     Eigen::VectorXd at_, value_;
-    Eigen::MatrixXd slopes_;  ///< derivatives J of the bare model's predictions by its parameters
+    /// Derivatives J of the bare model's predictions with respect to its parameters: a row for each
+    /// predicted value, a column for each parameter.
+    Eigen::MatrixXd slopes_;
     std::vector<Candidate> candidates_;
     /// Change c_k of the predictions at the smallest size of interest (amplitude 1), for each
     /// candidate k: a column for each of its parameters.

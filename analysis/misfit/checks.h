@@ -80,9 +80,9 @@ struct EntryKinds {
 /// - Lack of fit: squared length of the residuals in the space of the conditions' means.
 /// - Score: the sum S(x) = sum_{x_i <= x} (L^-1 J)_i (L^-1 (y - f))_i over the entries i whose
 ///   covariate x_i is at most x, for one parameter (y: measured values, f: predictions, J:
-///   derivative of f by the parameter, L: Cholesky factor of the covariance). S returns to zero at
-///   the optimum and fluctuates like a Brownian bridge. The statistic is its largest distance from
-///   zero over its standard deviation (after Hjort and Koning 2002).
+///   derivative of f with respect to the parameter, L: Cholesky factor of the covariance). S
+///   returns to zero at the optimum and fluctuates like a Brownian bridge. The statistic is its
+///   largest distance from zero over its standard deviation (after Hjort and Koning 2002).
 /// - Trend: component of the residuals of one observable along the measured value times the rank of
 ///   the covariate.
 /// - Runs: negative number of changes of sign between successive readings of one observable, only

@@ -20,7 +20,8 @@ namespace pendular {
 class WeightedResiduals {
   public:
     /// @param prediction prediction of the measured values at the fitted parameters, with its
-    ///        derivatives by these parameters and its covariance from errors of the simulation
+    ///        derivatives with respect to these parameters and its covariance from errors of the
+    ///        simulation
     /// @throws std::logic_error where the covariance of measurement and prediction together is not
     ///         positive definite, or that of the prediction has negative eigenvalues
     WeightedResiduals(const Measured& measured, const Prediction& prediction);
@@ -82,8 +83,8 @@ class WeightedResiduals {
     /// Number of linearly independent combinations of the calibrated parameters that the readings
     /// determine.
     Eigen::Index determined() const { return basis_.cols(); }
-    /// Whitened derivatives of the predictions f by the calibrated parameters theta, L^-1
-    /// df/dtheta, with the Cholesky factor L of the covariance of measurement and simulation;
+    /// Whitened derivatives of the predictions f with respect to the calibrated parameters theta,
+    /// L^-1 df/dtheta, with the Cholesky factor L of the covariance of measurement and simulation;
     /// entries x parameters.
     const Eigen::MatrixXd& slopes() const { return slopes_; }
 

@@ -11,8 +11,11 @@ namespace pendular {
 struct Response {
     /// Parameter values theta of the expansion, in the units of the parameters.
     Eigen::VectorXd at;
-    Eigen::VectorXd value;  ///< predicted values at theta, N
-    Eigen::MatrixXd first;  ///< derivatives by the parameters, N x p
+    /// Values that the model predicts at the parameters theta, N entries.
+    Eigen::VectorXd value;
+    /// Derivatives of the predicted values with respect to the parameters at theta: a row for each
+    /// of the N values, a column for each of the p parameters.
+    Eigen::MatrixXd first;
     Eigen::MatrixXd
         second;  ///< coefficients of d_i d_j, N x p (p + 1)/2, in the order of `products`
 

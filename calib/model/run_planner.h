@@ -18,8 +18,10 @@ namespace pendular {
 
 /// Number of simulation runs that were carried out for one reason.
 struct Order {
-    std::size_t runs = 0;  ///< number of runs carried out
-    std::string why;       ///< reason, as in "to confirm the optimum"
+    /// Number of simulation runs that were carried out for the reason `why`.
+    std::size_t runs = 0;
+    /// Reason for the simulation runs, as in "to confirm the optimum".
+    std::string why;
 };
 
 /// Planner of the simulation runs of a calibration. It repeatedly chooses the runs that reduce the
@@ -154,7 +156,8 @@ class RunPlanner {
     std::vector<WetSetting> wet_settings_;
     std::vector<std::string> notes_;
     std::vector<Order> orders_;
-    std::vector<dem::RunResult> made_;  ///< new runs carried out so far
+    /// New simulation runs that the planner has carried out so far.
+    std::vector<dem::RunResult> made_;
     bool exhausted_ = false;
     int rounds_ = 0;  ///< number of calls of `improve`
     bool began_wet_ = false;
