@@ -71,7 +71,8 @@ class Console {
     std::vector<Note> notes_;
     /// Whether the terminal shows a progress bar.
     bool drawn_ = false;
-    std::string stage_;  ///< name of the work in the last progress line
+    /// Name of the work that the last progress line showed.
+    std::string stage_;
     /// Share of the work that was done when the last progress line was printed [1].
     double fraction_shown_ = -1;
     std::chrono::steady_clock::time_point last_{};

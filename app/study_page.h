@@ -14,15 +14,19 @@ namespace pendular::app {
 /// Page of a study as HTML, and the results that the console prints when the page is made.
 struct StudyPage {
     std::string html;
-    std::string answer;  ///< verdict of the diagnosis in a sentence
+    /// Sentence on the verdict of the diagnosis.
+    std::string answer;
     /// Name of the diagnosis's verdict as in JSON, such as "missing".
     std::string verdict;
-    std::string next;     ///< command that the user should give next
-    std::string measure;  ///< next measurement to make, or why there is none, in a sentence
+    /// Command that the user should give next, after reading the page.
+    std::string next;
+    /// Sentence that says which measurement to make next, or why there is none.
+    std::string measure;
     std::vector<std::string> switches;  ///< names of the effects that the page switches on and off
     /// Number of combinations of the switched effects for which a fitted model exists.
     std::size_t models = 0;
-    std::size_t readings = 0;  ///< number of readings that were tested
+    /// Number of readings that the diagnosis tested.
+    std::size_t readings = 0;
     /// Sentences on recordings that the page cannot draw, with the reasons.
     std::vector<std::string> notes;
 };

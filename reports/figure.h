@@ -56,7 +56,8 @@ enum class Key { none, top_left, top_right, bottom_left, bottom_right, outside }
 
 /// One pair of axes with the data drawn in it.
 struct Panel {
-    std::string x_label, y_label;  ///< labels of the axes with units
+    /// Labels of the x axis and of the y axis of the panel, with units.
+    std::string x_label, y_label;
     bool log_x = false, log_y = false;
     std::vector<Reference> references;  ///< reference lines, drawn behind the curves
     std::vector<Curve> curves;

@@ -47,7 +47,8 @@ class Ink {
   private:
     /// Shapes of one style, drawn by one element of a gnuplot `plot` command.
     struct Layer {
-        std::string style;  ///< gnuplot's plot style and its options
+        /// Plot style of the layer's shapes in gnuplot, with its options.
+        std::string style;
         std::vector<Outline> pieces;
     };
     void add(const std::string& style, Outline points);

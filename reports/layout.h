@@ -31,7 +31,8 @@ constexpr double name_line = 0.19;
 /// Layout of the page of a figure: sizes and positions in inches, known before the figure is drawn,
 /// so that symbols and key keep their shape.
 struct Page {
-    double width = 0, height = 0;  ///< size of the page [inch]
+    /// Width and height of the figure's page [inch].
+    double width = 0, height = 0;
     /// Title of the figure, with line ends where it would be wider than the page.
     std::string title;
     std::vector<PanelPlace> panels;

@@ -35,7 +35,8 @@ struct FitOptions {
     /// Whether the fit simulates all its training runs and uses none of the atlas (runs that come
     /// with the program) or of the store (the user's file of runs).
     bool cold = false;
-    bool profile = false;  ///< whether to compute the friction's profile likelihood interval too
+    /// Whether the fit also computes the 68 % interval of the friction by its profile likelihood.
+    bool profile = false;
     CohesionOptions cohesion = {};  ///< options of the Mohr-Coulomb lines through the wet readings
 };
 

@@ -25,7 +25,8 @@ struct StatePrediction {
     /// lie outside their ranges in the training runs, as in "friction 0.9 is above 0.6"; empty
     /// where none does.
     std::string beyond;
-    std::size_t runs = 0;  ///< number of the emulator's training runs
+    /// Number of simulation runs on which the emulator is trained.
+    std::size_t runs = 0;
     /// Values of the closures (analytical formulas) of Badetti et al. (2018), computed from the
     /// predicted observables; empty for a dry state.
     std::optional<closures::ClosureValues> closures = {};

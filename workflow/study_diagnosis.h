@@ -23,11 +23,14 @@ namespace pendular {
 /// Rival model: the study's model with other effects in place of one that the study lists, fitted
 /// to the readings.
 struct RivalModel {
-    std::string in_place_of;           ///< effect that the study lists and this model lacks
-    std::vector<std::string> effects;  ///< effects that this model has instead
+    /// Name of the effect that the study lists and that the rival model lacks.
+    std::string in_place_of;
+    /// Names of the effects that the rival model has instead.
+    std::vector<std::string> effects;
     /// The rival model with its fitted parameters.
     Rival fitted;
-    double chi2 = 0;  ///< chi2 of all readings and direct measurements in this model [1]
+    /// chi2 of all readings and direct measurements in the rival model [1].
+    double chi2 = 0;
 };
 
 /// Simulations that tested the verdict of a diagnosis, and whether the verdict is firm.

@@ -51,8 +51,10 @@ struct SwitchOptions {
 /// Models of a study with all combinations of its leading effects, the effects that are most likely
 /// to matter; each is fitted to the readings.
 struct SwitchedModels {
-    ResolvedStudy study;                     ///< the study, whose catalogue the models use
-    std::vector<std::string> switches = {};  ///< names of the effects to switch on and off
+    /// The study, with the catalogue of effects from which the models take theirs.
+    ResolvedStudy study;
+    /// Names of the effects that the models switch on and off.
+    std::vector<std::string> switches = {};
     /// Effects that the study lists and that cannot be switched off, since there are too many to
     /// switch.
     std::vector<std::string> always = {};

@@ -31,7 +31,7 @@ Eigen::Vector2d relative_errors(const std::vector<Reading>& readings);
 /// Expected result of measuring at one point, to find out which of several rival models is right.
 struct Plan {
     std::size_t point = 0;  ///< index into the list of points that were compared
-    /// Values that each rival model predicts at the point, in the order of the rivals.
+    /// Prediction of each rival model at the point with its errors, in the order of the rivals.
     std::vector<Forecast> forecasts;
     /// Covariance of the measurement errors of the values of one measurement at the point, in their
     /// squared units.
@@ -85,7 +85,8 @@ Series next_series(const std::vector<Plan>& plans, const std::vector<Rival>& riv
 /// Expected standard errors of a model's fitted parameters after further readings at one point.
 struct Sharpening {
     std::size_t point = 0;  ///< index into the list of points that were compared
-    Forecast forecast;      ///< values that the model predicts at the point
+    /// Values that the model predicts at the point, with their errors.
+    Forecast forecast;
     /// Standard errors of the model's parameters that are expected after the readings at the point,
     /// in the order and units of the parameters.
     Eigen::VectorXd standard_errors;

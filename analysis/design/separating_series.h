@@ -11,7 +11,8 @@ namespace pendular {
 struct Series {
     /// Part of the series: readings at one point.
     struct Step {
-        std::size_t point = 0;  ///< index into the list of points given to the search
+        /// Point of the readings, as index into the list of points given to the search.
+        std::size_t point = 0;
         /// Number of readings to make at the point.
         int readings = 0;
     };
@@ -21,7 +22,8 @@ struct Series {
     /// Pairs of rivals, as indices into the list of rivals, that the series separates: a test at 5
     /// % significance tells them apart with a probability of 0.8.
     std::vector<std::pair<std::size_t, std::size_t>> separated;
-    double cost = 0;  ///< cost of the series [cost of a dry reading]
+    /// Cost of all readings of the series, with fillings and waiting [cost of a dry reading].
+    double cost = 0;
 
     /// Total number of readings of the series, at all points.
     int readings() const;

@@ -18,7 +18,8 @@ namespace pendular {
 /// Suspect measurement: part of the measurement that may be wrong, such as all readings of one
 /// condition.
 struct SuspectMeasurement {
-    std::string name;  ///< name of the part, as in "the readings of dry_1.csv"
+    /// Name of the part of the measurement, as in "the readings of dry_1.csv".
+    std::string name;
     /// Changes of the measured values by each kind of error at amplitude 1, entries x kinds, in the
     /// units of the readings. An entry is one observable of one reading, or a direct measurement.
     Eigen::MatrixXd columns;
@@ -69,13 +70,15 @@ struct Explanation {
 /// Result of a diagnosis for one candidate (effect not in the model): its score test (test without
 /// a refit) and, where the model was refitted with it, the reduction of chi2.
 struct Finding {
-    std::size_t candidate = 0;  ///< index into ModelSpace::candidates()
+    /// Candidate effect that was tested, as index into ModelSpace::candidates().
+    std::size_t candidate = 0;
     /// Score test of the candidate on the residuals of the study's model.
     ScoreTest test;
     /// Value of the candidate's parameter, estimated by the score test [its unit]; for a switch,
     /// the amplitude [1].
     double value = 0;
-    double standard_error = 0;  ///< standard error of `value` [unit of `value`]
+    /// Standard error of the estimated `value` of the candidate's parameter [unit of `value`].
+    double standard_error = 0;
     /// p value of the candidate's score test [1], corrected for the number of tests.
     double p = 1;
     /// Power of the score test [1]: probability that it finds the effect where the parameter
@@ -96,7 +99,8 @@ struct Finding {
 
 /// Options of a diagnosis.
 struct DiagnosisOptions {
-    double significance = 0.05;  ///< probability that a complete model is called incomplete [1]
+    /// Probability that a model which lacks nothing is called incomplete [1].
+    double significance = 0.05;
     /// Smallest power [1] of the score test of a candidate effect (not in the model) at which the
     /// effect counts as excluded if the test does not find it.
     double wanted_power = 0.8;
@@ -117,7 +121,8 @@ struct DiagnosisOptions {
     /// Function that is called with the progress: `done` of `of` steps of the work that `what`
     /// names are finished; may be empty.
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
-    std::size_t threads = 1;  ///< largest number of threads for refits; no result depends on it
+    /// Largest number of threads for refits of models; no result depends on it.
+    std::size_t threads = 1;
 };
 
 }  // namespace pendular

@@ -16,9 +16,10 @@ struct Scanned {
     const Explanation& base;
     /// Whitened residuals (in units of their errors) of the model `base`.
     const WeightedResiduals& residuals;
-    const std::vector<Addition>& additions;    ///< predictions of `base` with each candidate added
-    const std::vector<Signature>& signatures;  ///< change of the readings by each candidate
-    const std::vector<Finding>& findings;      ///< result of each candidate's score test
+    const std::vector<Addition>& additions;  ///< predictions of `base` with each candidate added
+    /// Change of the readings per unit of amplitude that each candidate effect makes.
+    const std::vector<Signature>& signatures;
+    const std::vector<Finding>& findings;         ///< result of each candidate's score test
     const std::vector<ScoreTest>& suspect_tests;  ///< score test of each suspect measurement
 };
 

@@ -32,8 +32,10 @@ struct Shift {
 /// Impact of one effect, or of one error of measurement, on the calibrated parameters: shifts of
 /// the parameters for several sizes of the effect or error.
 struct Impact {
-    std::string name;      ///< effect or suspect measurement, as in "the readings of dry_1.csv"
-    std::string quantity;  ///< parameter of the effect, or measured quantity that is in error
+    /// Name of the effect or of the suspect measurement, as in "the readings of dry_1.csv".
+    std::string name;
+    /// Name of the effect's parameter, or of the measured quantity that is in error.
+    std::string quantity;
     /// Unit of all sizes of the effect or error; "1" for relative sizes and sizes without a
     /// dimension.
     std::string unit;
@@ -84,6 +86,8 @@ struct Impact {
 /// sizes of interest (`at_interest`), at the estimated sizes and by the errors of the estimates.
 struct GroupImpact {
     std::string group;
+    /// Shifts of the calibrated parameters [their units] that the group causes: at the smallest
+    /// sizes of interest, at the estimated sizes, and by the errors of the estimates.
     Eigen::VectorXd at_interest, at_estimate, by_error;
 };
 
@@ -91,7 +95,9 @@ struct GroupImpact {
 /// calibrated parameters.
 struct ImpactTable {
     std::vector<Parameter> parameters;  ///< calibrated parameters, friction first
-    Eigen::VectorXd fitted, errors;     ///< fitted values and standard errors of the parameters
+    /// Fitted values of the calibrated parameters (`fitted`) and their standard errors (`errors`),
+    /// in the order and units of `parameters`.
+    Eigen::VectorXd fitted, errors;
     /// All impacts. Those of the effects or suspect measurements that the verdict names come first,
     /// then the others; both parts are sorted by the shift of the first parameter at the smallest
     /// size of interest, the largest first.

@@ -29,7 +29,8 @@ struct RepetitionOptions {
     Eigen::Index draws = 2000;
     /// Seed of the random errors of the simulated readings and of the random draws.
     std::uint64_t seed = 1;
-    std::size_t threads = 1;  ///< largest number of threads; no result depends on it
+    /// Largest number of threads for the diagnoses of repetitions; no result depends on it.
+    std::size_t threads = 1;
     /// Function that is called with the progress: `done` of `of` steps of the work that `what`
     /// names are finished; may be empty, and may throw to end the work.
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};

@@ -23,7 +23,8 @@ struct Signature {
     /// Whether the amplitude cannot be negative: the neutral value is a bound of the parameter, or
     /// values above and below it change the readings in the same way.
     bool one_sided = false;
-    double taken_at = 1;  ///< amplitude at which the change was computed [1]
+    /// Amplitude of the candidate at which the change of the readings was computed [1].
+    double taken_at = 1;
 };
 
 /// Predictions of a model to which one effect is added, as a function of the amplitude of this

@@ -13,7 +13,8 @@ namespace pendular {
 /// Group of readings that deviate together from the model: those of one condition or one file, or
 /// the direct measurements of one parameter.
 struct Offending {
-    std::string readings;  ///< name of the group, as in "the readings of dry_1.csv"
+    /// Name of the group of readings, as in "the readings of dry_1.csv".
+    std::string readings;
     /// p value of the deviation of these readings from the model [1], corrected for the number of
     /// groups that were tested.
     double p = 1;

@@ -68,7 +68,9 @@ struct EntryKinds {
     /// Names of the calibrated parameters, in the order of the columns of
     /// WeightedResiduals::slopes().
     std::vector<std::string> parameters;
-    bool replicated = false;  ///< whether any reading has replicates; if so, runs are not checked
+    /// Whether any reading has replicates (repeated measurements); if so, `check_fit` does not
+    /// check the runs of equal sign.
+    bool replicated = false;
 };
 
 /// Checks where, and along which quantities, a model deviates from the readings beyond what a

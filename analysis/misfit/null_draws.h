@@ -39,7 +39,9 @@ struct ErrorKnowledge {
     /// Degrees of freedom of the estimated size of each kind of error; infinite: the size is known.
     std::vector<double> freedom;
     std::vector<SharedErrors> shared;  ///< errors that several readings share
-    Eigen::Index readings = 0;  ///< number of readings; reading k has the entries 2 k and 2 k + 1
+    /// Number of readings; the entries 2 k and 2 k + 1 are the shear stress and the solid fraction
+    /// of reading k.
+    Eigen::Index readings = 0;
     /// Degrees of freedom of the estimated correlation between the errors of the two observables of
     /// a reading; infinite: the correlation is known.
     double correlation_freedom = INFINITY;

@@ -90,7 +90,8 @@ class WeightedResiduals {
 
   private:
     Eigen::VectorXd measured_;
-    Eigen::MatrixXd lower_;  ///< Cholesky factor L of Sigma_measurement + Sigma_simulation
+    /// Lower triangular Cholesky factor L of the covariance Sigma_measurement + Sigma_simulation.
+    Eigen::MatrixXd lower_;
     Eigen::MatrixXd prediction_root_;
     /// Inverse of Sigma_measurement + Sigma_simulation, computed when it is first needed; the same
     /// for all copies.

@@ -45,7 +45,9 @@ struct Profile {
     Dependence dependence = Dependence::none;
     std::string variable;  ///< name of the coordinate in formulas; empty for `none`
     std::string unit;      ///< SI unit of the coordinate
-    double constant = 0;   ///< constant c of `Dependence` [unit of the coordinate; 1 for a power]
+    /// Constant c of the formula of `dependence` (see `Dependence`) [unit of the coordinate; 1 for
+    /// a power].
+    double constant = 0;
     /// Phase of the oscillation, where the dependence is an oscillation [rad].
     double phase = 0;
     /// Value of the coordinate at which the size is 1 [its unit]; 0 where the formula needs no such

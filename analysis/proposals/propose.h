@@ -13,8 +13,10 @@ namespace pendular {
 /// which quantity changes, and how the change varies between readings.
 struct FittedShape {
     ShapeOfChange shape;
-    WrittenEffect effect;  ///< the change, as an effect for study.toml
-    double change = 0;     ///< fitted change at readings where the profile has size 1 [its unit]
+    /// The change, written as an effect that can be copied to study.toml.
+    WrittenEffect effect;
+    /// Fitted change of the quantity at readings where the profile has size 1 [unit of the change].
+    double change = 0;
     double standard_error = 0;  ///< standard error of `change` [its unit]
 };
 

@@ -21,7 +21,8 @@ class ScoredShapes {
         std::vector<std::size_t> shapes;
         /// Predicted reduction of chi2 when these shapes are added to the model [1].
         double reduction = 0;
-        double price = 0;  ///< penalty for the choice of the shapes, to be added to chi2 [1]
+        /// Penalty to be added to chi2 because these shapes were chosen among many [1].
+        double price = 0;
         /// Estimated change of the quantity of each shape, in the unit of the change.
         std::vector<double> changes;
         /// Single shapes of other quantities that change the readings in nearly the same way, at a
@@ -85,9 +86,13 @@ class ScoredShapes {
     WeightedResiduals residuals_;
     std::vector<Changeable> changeables_;
     std::vector<ShapeOfChange> shapes_;
-    std::vector<std::size_t> changed_by_;  ///< index into `changeables_` for each shape
-    Eigen::MatrixXd directions_;           ///< whitened changes of length 1, P g/|P g|, as columns
-    Eigen::VectorXd lengths_;              ///< length |P g| for each shape [1/unit of its change]
+    /// For each shape, the quantity that it changes, as index into `changeables_`.
+    std::vector<std::size_t> changed_by_;
+    /// Direction of the change of the readings by each shape, a column of length 1: P g/|P g| with
+    /// the whitened change g and the projection P of `WeightedResiduals`.
+    Eigen::MatrixXd directions_;
+    /// Length |P g| of the whitened change of the readings by each shape [1/unit of its change].
+    Eigen::VectorXd lengths_;
     /// Component of the whitened residuals along the direction of each shape [1].
     Eigen::VectorXd along_;
     /// Largest reduction of chi2 by any shape, in each random draw of errors [1].

@@ -88,10 +88,13 @@ struct StrengthLine {
     /// Friction coefficient [1], and bridge volume over cubed grain diameter [1], of the states on
     /// the line.
     double friction = 0, bridge_volume = 0;
-    Mean intercept, cohesion;  ///< intercept, and reduced cohesion c* = a^2 c/F0 [1]
+    /// Fitted intercept of the line [1], and its slope, the reduced cohesion c* = a^2 c/F0 [1] (a:
+    /// grain diameter, c: cohesion, F0: pull-off force of a bridge).
+    Mean intercept, cohesion;
     /// Covariance of the errors of the intercept and of the reduced cohesion c* [1].
     double covariance = 0;
-    int points = 0;  ///< number of states that the line is fitted to
+    /// Number of simulated states to which the line is fitted.
+    int points = 0;
 
     /// Returns the stress ratio of the line at a reduced pressure [1], with its standard error.
     Mean at(double reduced_pressure) const;

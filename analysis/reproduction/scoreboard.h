@@ -24,13 +24,17 @@ struct ScoreboardRow {
     /// Lower and upper end of the published range; for a single published value, the value minus
     /// and plus its error.
     double lower = 0, upper = 0;
-    double least = 0, greatest = 0;  ///< smallest and largest simulated value
+    /// Smallest and largest of the simulated values of the quantity.
+    double least = 0, greatest = 0;
     /// Distance of the farthest simulated value from the published value or range, in standard
     /// errors [1]: combined ones for a published value, those of the simulation for a range; 0
     /// inside the range.
     double distance = 0;
-    int values = 0;   ///< number of simulated values
-    int outside = 0;  ///< number of simulated values that are further away than `allowed_distance`
+    /// Number of simulated values of the quantity.
+    int values = 0;
+    /// Number of simulated values of the quantity that are further from the publication than
+    /// `allowed_distance`.
+    int outside = 0;
     std::string where;  ///< text that names the farthest value outside and its state; empty: none
     /// Whether simulation and publication agree: `distance` is at most `allowed_distance`.
     bool agrees = true;

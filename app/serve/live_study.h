@@ -116,7 +116,8 @@ class LiveStudy {
     /// Sizes and times of the study's files for the last page whose outcome was printed on the
     /// console.
     StudyStamps told_;
-    std::stop_source page_stop_;  ///< stops the making of the page in progress
+    /// Request that stops the making of the page in progress.
+    std::stop_source page_stop_;
     /// Requests that all work ends.
     std::stop_token end_;
     std::deque<Job> jobs_;

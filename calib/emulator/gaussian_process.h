@@ -13,7 +13,9 @@ namespace pendular {
 struct Observations {
     /// Places of the n observations, as coordinates of states of steady shear.
     std::vector<Coordinates> at;
-    Eigen::MatrixXd values;  ///< observed values, n x m: a row for each place
+    /// Observed values of the m quantities: a row for each of the n places, a column for each
+    /// quantity.
+    Eigen::MatrixXd values;
     /// Covariance (m x m) of the noise of the m observed values at each place.
     std::vector<Eigen::MatrixXd> noise;
 

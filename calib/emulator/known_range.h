@@ -58,7 +58,8 @@ class KnownRange {
     /// Points whose convex hull is the supported range of states of steady shear, in coordinates
     /// scaled to 0 to 1 over the range of the runs.
     struct Cloud {
-        Eigen::Matrix<double, 4, Eigen::Dynamic> corners;  ///< a column for each point
+        /// Coordinates of the points, scaled to 0 to 1: a column for each point.
+        Eigen::Matrix<double, 4, Eigen::Dynamic> corners;
         /// Number of points that are states of runs; they are the first columns of `corners`.
         Eigen::Index runs = 0;
     };

@@ -109,7 +109,8 @@ class PlainEmulator {
             std::unique_ptr<const GaussianProcess> trained;
         };
         std::array<Process, dem::observable_count> processes;
-        std::mutex mutex;  ///< guards `hyperparameters`
+        /// Guards the map `hyperparameters` when several threads use the emulator.
+        std::mutex mutex;
         EmulatorHyperparameters hyperparameters;
     };
     std::vector<dem::RunResult> runs_;

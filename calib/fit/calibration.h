@@ -33,8 +33,10 @@ struct Calibration {
     std::vector<WrittenEffect> written_effects;
     /// Settings of the simulations of the calibration, such as the number of grains.
     Fidelity fidelity;
-    std::uint64_t seed = 1;             ///< seed from which the seeds of simulations follow
-    bool cold = false;                  ///< whether the calibration began without any training run
+    /// Random seed from which the seeds of all simulations of the calibration follow.
+    std::uint64_t seed = 1;
+    /// Whether the calibration began without any earlier run on which to train its emulator.
+    bool cold = false;
     std::vector<Parameter> parameters;  ///< parameters of the model; the first is the friction
     /// Result of the last fit of the model's parameters.
     Fit fit;

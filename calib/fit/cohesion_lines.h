@@ -35,11 +35,15 @@ struct CohesionLine {
     double liquid_content = 0;
     /// Inertial number I [1], mean of the points; 0: the quasi-static limit.
     double inertial_number = 0;
-    Estimate stress_ratio_intercept;  ///< intercept: stress ratio for 1/P* -> 0 [1]
-    Estimate reduced_cohesion;        ///< reduced cohesion c* = a^2 c/F0 [1]
+    /// Intercept of the line: stress ratio in the limit 1/P* -> 0 [1].
+    Estimate stress_ratio_intercept;
+    /// Slope of the line: reduced cohesion c* = a^2 c/F0 [1], with the grain diameter a, the
+    /// cohesion c and the pull-off force F0 of a bridge.
+    Estimate reduced_cohesion;
     /// Correlation between the errors of the intercept and of the reduced cohesion c* [1].
     double correlation = 0;
-    Estimate cohesion;  ///< cohesion c = c* F0/a^2 [Pa]
+    /// Cohesion c = c* F0/a^2 of the wet grains that follows from the slope of the line [Pa].
+    Estimate cohesion;
     /// Number of points (stress ratios of readings) to which the line is fitted.
     int points = 0;
     /// chi2 of the fit of the line to its points.

@@ -41,9 +41,12 @@ struct Fit {
     /// Part of `covariance` from the noise of the simulation runs. The rest of `covariance`,
     /// besides this part and `measurement_part`, comes from corrections of the simulation.
     Eigen::MatrixXd run_part;
-    double chi2 = 0;             ///< minimum of chi2, the sum of squared whitened residuals [1]
-    int dof = 0;                 ///< number of measured values minus number of parameters
-    bool converged = false;      ///< whether the search (or, in `calibrate`, the rounds) converged
+    double chi2 = 0;  ///< minimum of chi2, the sum of squared whitened residuals [1]
+    /// Degrees of freedom of the fit: number of measured values minus number of parameters.
+    int dof = 0;
+    /// Whether the search for the minimum of chi2 (or, in `calibrate`, the rounds of simulations
+    /// and fits) converged.
+    bool converged = false;
     std::vector<bool> at_bound;  ///< for each parameter, whether it ended at an end of its range
     Prediction prediction;       ///< prediction of the measured values at the fitted parameters
     /// How the fit ended, in the words of the solver Ceres or of this program.
@@ -69,7 +72,8 @@ struct Fit {
 struct FitEffort {
     /// Largest number of steps of one search for the minimum of chi2.
     int most_steps = 1000;
-    double tolerance = 1e-14;  ///< relative change of chi2 at which a search ends
+    /// Relative change of chi2 in one step at which a search ends [1].
+    double tolerance = 1e-14;
     /// The fit has converged when the last step of the parameters, in standard errors, is at most
     /// this number times sqrt(chi2) [1].
     double settled = 1e-10;

@@ -34,7 +34,8 @@ class EmulatedNeighbourhood : public FlowNeighbourhood {
     /// Expansion of the emulated quantities about one condition.
     struct Place {
         FlowState state;
-        double liquid_content = 0;  ///< volume of liquid over volume of grains [1]
+        /// Liquid content of the condition: volume of liquid over volume of grains [1].
+        double liquid_content = 0;
         Quantities value = Quantities::Zero();
         /// Part of the emulated quantities `value` that comes from effects on grains and from
         /// stiffness.

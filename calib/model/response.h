@@ -16,8 +16,9 @@ struct Response {
     /// Derivatives of the predicted values with respect to the parameters at theta: a row for each
     /// of the N values, a column for each of the p parameters.
     Eigen::MatrixXd first;
-    Eigen::MatrixXd
-        second;  ///< coefficients of d_i d_j, N x p (p + 1)/2, in the order of `products`
+    /// Coefficients second_ij of the products d_i d_j: a row for each of the N values, and p (p +
+    /// 1)/2 columns in the order of `products`.
+    Eigen::MatrixXd second;
 
     /// Returns the expanded values at theta + `change`, N entries. `change` has the units of the
     /// parameters.

@@ -147,7 +147,8 @@ class RunPlanner {
     RunBudget budget_;
     bool orders_more_;
     std::shared_ptr<const EmulatedSimulation> simulation_;
-    double slowest_;  ///< lowest inertial number of the readings [1]
+    /// Lowest inertial number of the study's readings [1].
+    double slowest_;
     /// Inertial numbers at which dry runs are requested [1].
     std::vector<double> inertial_numbers_;
     /// Whether a reading's inertial number is more than 5 % below that of all runs, in a
@@ -159,7 +160,8 @@ class RunPlanner {
     /// New simulation runs that the planner has carried out so far.
     std::vector<dem::RunResult> made_;
     bool exhausted_ = false;
-    int rounds_ = 0;  ///< number of calls of `improve`
+    /// Number of calls of the function `improve` so far.
+    int rounds_ = 0;
     bool began_wet_ = false;
     bool confirmed_ = false;
 };

@@ -28,14 +28,20 @@ struct PageContent {
     Checks checks;                    ///< tests of the residuals, which show where the model fails
     /// Shifts of the fitted friction by effects and errors of measurement; empty: not computed.
     std::optional<ImpactTable> impacts = {};
-    Ladder ladder = {};  ///< sequence of the study's models; may be empty
+    /// Ladder: sequence of the study's models, with one effect more or fewer in each step; may be
+    /// empty.
+    Ladder ladder = {};
     /// Lines of text on the next measurement to make; empty: none.
     std::vector<std::string> next = {};
-    SwitchedModels switched;  ///< all combinations of the leading effects
+    /// Fitted models with all combinations of the leading effects, which the page switches on and
+    /// off.
+    SwitchedModels switched;
     /// Panels of readings, with the curves of the models in `switched`.
     std::vector<PagePanel> panels;
-    std::string version;      ///< version of the program
-    SessionOptions options;   ///< fidelity and seed of the results
+    /// Version of the program that made the page.
+    std::string version;
+    /// Options with which the results were computed; the page shows their fidelity and seed.
+    SessionOptions options;
     std::size_t runs = 0;     ///< number of simulation runs that the emulator was trained on
     bool calibrated = false;  ///< whether the results folder has a fit of the study
     /// Number of the page among those that a server on this computer hands out; empty: a page
