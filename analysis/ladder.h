@@ -10,7 +10,8 @@
 
 namespace pendular {
 
-/// Fitted parameter of one model in a ladder (the sequence of a study's models).
+/// Fitted parameter of one model in a ladder (the sequence of a study's models): name, unit, value
+/// and standard error.
 struct LadderParameter {
     std::string name, unit;
     double value = 0, standard_error = 0;  ///< fitted value and its standard error [unit]
@@ -19,17 +20,24 @@ struct LadderParameter {
 /// One step of a ladder (the sequence of a study's models): the model after one effect was added or
 /// dropped, with its fitted parameters and its misfit.
 struct LadderStep {
-    int step = 0;                      ///< number of the step, from 0
-    std::string change = "start";      ///< kind of the step: "start", "add" or "drop"
-    std::string effect = {};           ///< effect that was added or dropped; empty for "start"
-    std::vector<std::string> effects;  ///< all effects of the model
+    /// Number of the step in the ladder, from 0.
+    int step = 0;
+    /// Kind of the step in the ladder: "start", "add" or "drop" of an effect.
+    std::string change = "start";
+    /// Name of the effect that was added or dropped in this step; empty for "start".
+    std::string effect = {};
+    /// Names of all effects of the model after this step.
+    std::vector<std::string> effects;
     /// Alternatives to the added effect: sets of effects each of which, in its place, explained the
-    /// readings equally well when the effect was added. + std::vector<LadderParameter> parameters;
-    /// Fitted parameters of the model, friction first.
+    /// readings equally well when the effect was added.
     std::vector<std::vector<std::string>> rivals = {};
+    /// Fitted parameters of the model of this step, friction first.
     std::vector<LadderParameter> parameters;
-    double chi2 = 0;  ///< chi2 of all readings (fitted or only predicted) and direct measurements
-    int dof = 0;      ///< degrees of freedom of `chi2`
+    /// chi2 of the model of this step for all readings (fitted or only predicted) and direct
+    /// measurements.
+    double chi2 = 0;
+    /// Degrees of freedom of `chi2`: measured values minus fitted values.
+    int dof = 0;
     /// RMS errors of the predicted (shear stress, solid fraction) over all readings [%]: 100
     /// sqrt(mean((predicted/measured - 1)^2)).
     std::array<double, 2> rms_percent{};

@@ -17,8 +17,9 @@ struct LeftOut {
     /// 100 sqrt(mean((predicted/measured - 1)^2)).
     std::array<double, 2> rms_percent{};
     std::size_t conditions = 0;  ///< number of fitted conditions, each left out of one refit
-    /// Number of conditions whose omission leaves a fitted parameter undetermined. The refit then
-    /// starts from the model's starting values, which undetermined parameters keep.
+    /// Number of conditions without which the other readings do not determine all fitted
+    /// parameters. The refit without such a condition starts from the model's starting values,
+    /// which undetermined parameters keep.
     std::size_t undetermined = 0;
 };
 

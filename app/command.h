@@ -52,9 +52,12 @@ const std::vector<CommandGroup>& command_groups();
 
 /// Texts on the program as a whole, for its help text and its manual page, with line ends.
 struct ProgramTexts {
-    const char* about;       ///< what the program does
-    const char* session;     ///< commands of a first session
-    const char* exit_codes;  ///< exit codes and their meaning
+    /// Text that says what the program does.
+    const char* about;
+    /// Text with the commands of a first session with the program.
+    const char* session;
+    /// Text on the exit codes of the program and their meaning.
+    const char* exit_codes;
 };
 extern const ProgramTexts program_texts;
 

@@ -64,13 +64,17 @@ class Console {
     /// such as a number or file name. Notes with equal patterns are printed once.
     struct Note {
         std::string text, pattern;
-        int count = 1;  ///< number of notes with this pattern
+        /// Number of stored notes that have this pattern.
+        int count = 1;
     };
     const CommonOptions& options_;
     std::vector<Note> notes_;
-    bool drawn_ = false;          ///< whether a progress bar is on the terminal
-    std::string stage_;           ///< name of the work in the last progress line
-    double fraction_shown_ = -1;  ///< share of the work done, by the last progress line [1]
+    /// Whether the terminal shows a progress bar.
+    bool drawn_ = false;
+    /// Name of the work that the last progress line showed.
+    std::string stage_;
+    /// Share of the work that was done when the last progress line was printed [1].
+    double fraction_shown_ = -1;
     std::chrono::steady_clock::time_point last_{};
 };
 

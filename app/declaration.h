@@ -38,10 +38,13 @@ inline ValueKind one_of(std::vector<std::string> choices) {
 
 /// Name and texts of one command-line option, as the help text shows them.
 struct OptionDeclaration {
-    std::string name;         ///< name of the option, without the leading hyphens
-    std::string argument;     ///< placeholder of the value, with the default; empty: no value
+    std::string name;  ///< name of the option, without the leading hyphens
+    /// Word that stands for the option's value in the help text, with the default; empty: the
+    /// option has no value.
+    std::string argument;
     std::string description;  ///< meaning of the option, on one line
-    ValueKind value;          ///< values that the option accepts
+    /// Kind of values that the option accepts.
+    ValueKind value;
 };
 
 /// Options of a command that are listed under one heading of the help text.

@@ -13,10 +13,14 @@ namespace pendular::app {
 /// Options of `pendular import FILE`, which state how the file is to be read and what to write.
 struct ImportFileOptions {
     std::string layout, encoding, sheet, decimal;
-    std::string columns;  ///< header cells `name [unit]`, separated by semicolons
-    std::string study;    ///< folder of a new study to make from the file; empty: none
-    std::string tidy;     ///< CSV file for all rows in SI units; empty: none
-    /// Folder for the figures of the file or study; empty: none.
+    /// Names and units of the file's columns as the user states them: header cells `name [unit]`,
+    /// separated by semicolons.
+    std::string columns;
+    /// Folder of the new study that is made from the file; empty: no study is made.
+    std::string study;
+    /// CSV file to which all rows of the file are written in SI units; empty: none is written.
+    std::string tidy;
+    /// Folder for the figures of the file or study; empty: no figures are drawn.
     std::string figures;
 
     /// Adds the options to the command line of `pendular import`.

@@ -75,7 +75,8 @@ class OpenSession {
 
     std::unique_ptr<InterruptGuard> guard_;
     std::unique_ptr<StudyLock> lock_;
-    StudyInput input_;  ///< study as read, until the session takes it
+    /// The study as it was read, until `session_` takes it over.
+    StudyInput input_;
     std::unique_ptr<RunStore> store_;
     Session session_;
 };

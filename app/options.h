@@ -23,15 +23,25 @@ std::uint64_t checked_seed(std::int64_t seed);
 
 /// Values of the command-line options that every command has, and the study that it reads.
 struct CommonOptions {
-    std::optional<std::string> json;           ///< file for JSON, or "-" for standard output
-    std::optional<std::filesystem::path> out;  ///< folder for results, if --out was given
-    Fidelity fidelity;                         ///< size and accuracy of simulation runs
-    int threads = 1;                           ///< number of simulation runs or refits at a time
-    bool quiet = false;                        ///< print no progress on standard error
-    bool all = false;                          ///< print all rows of tables and all notes
-    std::filesystem::path store;               ///< SQLite file that keeps every simulation run
-    bool store_named = false;     ///< whether the user named `store`: --store or $PENDULAR_STORE
-    std::filesystem::path study;  ///< study or other file to read; empty: the command reads none
+    /// File to which the command writes its result as JSON, or "-" for standard output; empty: no
+    /// JSON.
+    std::optional<std::string> json;
+    /// Folder for the results of the command, as the user gave it by --out; empty without this
+    /// option.
+    std::optional<std::filesystem::path> out;
+    /// Settings of the simulation runs, such as the number of grains.
+    Fidelity fidelity;
+    /// Number of simulation runs or refits that are carried out at the same time.
+    int threads = 1;
+    /// Whether the command prints no progress on standard error.
+    bool quiet = false;
+    /// Whether the command prints all rows of tables and all notes.
+    bool all = false;
+    std::filesystem::path store;  ///< SQLite file that keeps every simulation run
+    /// Whether the user named the file `store`, by option --store or by $PENDULAR_STORE.
+    bool store_named = false;
+    /// Study or other file that the command reads; empty: the command reads none.
+    std::filesystem::path study;
 
     /// Folder for results: the folder of option --out or, without this option, STUDY/out.
     std::filesystem::path out_folder() const;
@@ -118,7 +128,8 @@ class Options {
     /// Texts and values of the common options as the user gives them.
     struct CommonValues {
         std::string json, out, fidelity, store;
-        CommonOptions options;  ///< receives --threads, --quiet and --all
+        /// Receives the values of the options --threads, --quiet and --all.
+        CommonOptions options;
     };
     /// Declares the common options, whose values go to `values`.
     /// @param shown whether to declare the options of the help text or those it leaves out
@@ -129,7 +140,9 @@ class Options {
 
     std::string usage_, about_, examples_;
     bool takes_study_;
-    std::string missing_word_;  ///< first word and its meaning; empty: a study
+    /// Name and meaning of the command's first word, for the message that it is missing; empty: the
+    /// word is a study.
+    std::string missing_word_;
     std::vector<std::string>* words_ = nullptr;
     ValueKind words_kind_;
     /// Values that the options of the command accept, by the name of the option.
@@ -137,16 +150,23 @@ class Options {
     /// Times [min] that apply where no number follows an option of `add_time`, by the name of the
     /// option.
     std::map<std::string, std::string> times_;
-    int default_threads_ = 0;       ///< default of --threads; 0: one per core
-    std::set<std::string> unused_;  ///< common options that the help text leaves out
-    std::string fidelity_meaning_;  ///< empty: the settings of simulations
+    /// Default of option --threads; 0: one thread for each core of the processor.
+    int default_threads_ = 0;
+    /// Names of the common options that the help text leaves out, since the command makes no use of
+    /// them.
+    std::set<std::string> unused_;
+    /// Meaning of option --fidelity in the help text; empty: the usual text, which lists the
+    /// settings of simulations.
+    std::string fidelity_meaning_;
     std::string store_meaning_ =
         "SQLite file that keeps the result of every simulation (default: $PENDULAR_STORE, else "
         "~/.local/share/pendular/runs.sqlite)";
     std::string threads_meaning_ = "number of simulations at a time";
     std::string out_meaning_ = "folder for results of a study (default: STUDY/out)";
-    std::vector<std::string> headings_;  ///< headings of the `sections_`
-    std::list<boost::program_options::options_description> sections_;  ///< options by section
+    /// Headings of the sections of the help text, in the order of `sections_`.
+    std::vector<std::string> headings_;
+    /// Options of the command, grouped by section of the help text.
+    std::list<boost::program_options::options_description> sections_;
     boost::program_options::variables_map variables_;
 };
 

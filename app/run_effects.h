@@ -45,9 +45,10 @@ class RunEffects {
     EffectOptions options_;
     std::vector<ActiveEffect> effects_;
     RunScale scale_;
-    bool scaled_ = false;         ///< whether an effect has parameters that `scale_` converts
-    bool scale_given_ = false;    ///< whether the user gave an option for a part of `scale_`
-    dem::RunParameters without_;  ///< parameters of the run without the effects
+    bool scaled_ = false;       ///< whether an effect has parameters that `scale_` converts
+    bool scale_given_ = false;  ///< whether the user gave an option for a part of `scale_`
+    /// Parameters of the run before the effects were applied.
+    dem::RunParameters without_;
 };
 
 /// Returns an option for the examples in a help text, "--EFFECT.PARAMETER VALUE". It sets the first

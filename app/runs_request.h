@@ -13,11 +13,13 @@ namespace pendular::app {
 /// Arguments of an action of `pendular runs`, such as "show 12".
 struct RunsRequest {
     CommonOptions common;
-    std::vector<std::string> words;  ///< words after the action
+    /// Words that follow the name of the action on the command line.
+    std::vector<std::string> words;
     /// SQL condition on the stored runs (--where; empty: all runs) and columns on the axes of a
     /// plot.
     std::string condition, x = "inertial_number", y = "stress_ratio";
-    /// Whether to read the atlas instead of the store; whether to remove without asking.
+    /// `atlas`: whether to read the runs of the atlas (which come with the program) instead of the
+    /// user's store. `yes`: whether to remove runs without asking.
     bool atlas = false, yes = false;
 
     /// Opens the store of the runs to read: the user's store or, with --atlas, the runs of the

@@ -14,14 +14,21 @@ namespace pendular::app {
 /// Page of a study as HTML, and the results that the console prints when the page is made.
 struct StudyPage {
     std::string html;
-    std::string answer;   ///< verdict of the diagnosis in a sentence
-    std::string verdict;  ///< name of the verdict, as in JSON
-    std::string next;     ///< command that the user should give next
-    std::string measure;  ///< next measurement to make, or why there is none, in a sentence
+    /// Sentence on the verdict of the diagnosis.
+    std::string answer;
+    /// Name of the diagnosis's verdict as in JSON, such as "missing".
+    std::string verdict;
+    /// Command that the user should give next, after reading the page.
+    std::string next;
+    /// Sentence that says which measurement to make next, or why there is none.
+    std::string measure;
     std::vector<std::string> switches;  ///< names of the effects that the page switches on and off
-    std::size_t models = 0;             ///< number of fitted combinations of these effects
-    std::size_t readings = 0;           ///< number of readings that were tested
-    std::vector<std::string> notes;     ///< reasons why recordings cannot be drawn
+    /// Number of combinations of the switched effects for which a fitted model exists.
+    std::size_t models = 0;
+    /// Number of readings that the diagnosis tested.
+    std::size_t readings = 0;
+    /// Sentences on recordings that the page cannot draw, with the reasons.
+    std::vector<std::string> notes;
 };
 
 /// Makes the page of a study: diagnoses the study, plans the next measurement, and fits all

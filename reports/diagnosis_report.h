@@ -37,7 +37,8 @@ std::string fit_line(const Diagnosis& diagnosis);
 /// without and with the effects, in how many of 100 simulated repetitions of the experiment the
 /// best model would contain them, and the trend that remains. Empty for any other diagnosis.
 /// @param before RMS relative errors [%] of (shear stress, solid fraction) without the effects
-/// @param after the RMS relative errors with the effects in the model
+/// @param after RMS relative errors [%] of (shear stress, solid fraction) with the effects in the
+///        model
 /// @param remaining tests of the residuals of the model with the effects
 std::vector<std::string> incomplete_lines(const Diagnosis& diagnosis,
                                           const std::array<double, 2>& before,
@@ -54,10 +55,9 @@ std::string discrepancy_line(double size);
 /// Empty if there are none, or more than eight.
 std::string suspects_line(const Diagnosis& diagnosis, const Evidence& evidence);
 
-/// Table of the effects that could be large enough to matter without showing in the study's
-/// readings: below a heading, a line with those that would show at no size, and one line for each
-/// other effect. Empty unless the verdict of the diagnosis is
-/// inconclusive.
+/// Table of the effects that could have their smallest size of interest without showing in the
+/// study's readings. Below a heading, it has a line with the effects that would show at no size,
+/// and one line for each other effect. Empty unless the verdict of the diagnosis is inconclusive.
 std::vector<std::string> unseen_table(const Diagnosis& diagnosis, const ModelSpace& space);
 
 /// Sentences of advice after a diagnosis: how similarly the effects that explain the readings

@@ -11,7 +11,8 @@ namespace pendular {
 
 /// Whether a study lists a physical effect, and whether the effect can be added to the study.
 struct EffectStatus {
-    bool listed = false;  ///< whether the study's model has the effect
+    /// Whether study.toml lists the effect, so that the study's model has it.
+    bool listed = false;
     /// Reason why the effect does not apply to the study; empty: it applies.
     std::optional<Obstacle> obstacle;
 };
@@ -20,8 +21,11 @@ struct EffectStatus {
 /// effects` prints.
 struct EffectEntry {
     const Effect* effect;
-    bool written = false;                     ///< whether the user wrote the effect in study.toml
-    std::optional<EffectStatus> status = {};  ///< relation to the user's study; empty: no study
+    /// Whether the user defined the effect by formulas in study.toml; false: a built-in effect.
+    bool written = false;
+    /// Whether the user's study lists the effect, and whether the effect applies to it; empty where
+    /// the user named no study.
+    std::optional<EffectStatus> status = {};
 };
 
 /// Table of physical effects as lines of text, one line per parameter of an effect, grouped by the

@@ -10,8 +10,10 @@ namespace pendular {
 /// Style of a line in a figure, drawn by gnuplot.
 struct Pen {
     std::string colour;
-    double width = 1;            ///< line width in gnuplot's unit
-    std::string dash = "solid";  ///< dash type in gnuplot's syntax, such as "(7,4)"
+    /// Width of the line, in gnuplot's unit of line widths.
+    double width = 1;
+    /// Dashes of the line in gnuplot's syntax, such as "(7,4)".
+    std::string dash = "solid";
 };
 
 /// Collects shapes and texts of a figure at places on a page, in inches from the page's lower left
@@ -45,13 +47,15 @@ class Ink {
   private:
     /// Shapes of one style, drawn by one element of a gnuplot `plot` command.
     struct Layer {
-        std::string style;  ///< gnuplot's plot style and its options
+        /// Plot style of the layer's shapes in gnuplot, with its options.
+        std::string style;
         std::vector<Outline> pieces;
     };
     void add(const std::string& style, Outline points);
     void label(const std::string& text, PaperPoint place, const char* alignment);
 
-    std::vector<Layer> layers_;  ///< shapes in the order of drawing; later ones cover earlier ones
+    /// Shapes of the figure in the order of drawing; later shapes cover earlier ones.
+    std::vector<Layer> layers_;
     std::vector<std::string> labels_;
 };
 

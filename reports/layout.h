@@ -14,7 +14,8 @@ using AxisRange = std::pair<double, double>;
 /// Position of the axes of a panel on the page of a figure, and the ranges of values along the
 /// axes.
 struct PanelPlace {
-    /// Edges of the axes [inch], from the page's left edge and lower edge.
+    /// Edges of the panel's axes on the page [inch], measured from the page's left edge and lower
+    /// edge.
     double left = 0, right = 0, bottom = 0, top = 0;
     AxisRange x, y;
     bool log_x = false, log_y = false;
@@ -30,8 +31,10 @@ constexpr double name_line = 0.19;
 /// Layout of the page of a figure: sizes and positions in inches, known before the figure is drawn,
 /// so that symbols and key keep their shape.
 struct Page {
-    double width = 0, height = 0;  ///< size of the page [inch]
-    std::string title;             ///< title, with line ends where it would be wider than the page
+    /// Width and height of the figure's page [inch].
+    double width = 0, height = 0;
+    /// Title of the figure, with line ends where it would be wider than the page.
+    std::string title;
     std::vector<PanelPlace> panels;
 };
 /// Returns the layout of a figure's page: its size, the wrapped title and the place of each panel.

@@ -17,8 +17,10 @@ namespace pendular {
 /// Quantity of a condition, such as the inertial number, along which a figure draws the curve of a
 /// model.
 struct Coordinate {
-    double (*of)(const Condition&);   ///< returns the quantity of a condition
-    void (*set)(Condition&, double);  ///< sets the quantity of a condition
+    /// Function that returns the value of the quantity at a condition.
+    double (*of)(const Condition&);
+    /// Function that sets the value of the quantity of a condition.
+    void (*set)(Condition&, double);
 };
 extern const Coordinate along_inertial_number;        ///< inertial number of a condition [1]
 extern const Coordinate along_inverse_normal_stress;  ///< 1/(normal stress) of a condition [1/Pa]
@@ -38,7 +40,7 @@ class ConditionPath {
 
   private:
     Coordinate along_;
-    /// Conditions to interpolate between, in the order of rising coordinate.
+    /// Conditions between which the path interpolates, in the order of rising coordinate.
     std::vector<Condition> nodes_;
 };
 
@@ -47,7 +49,8 @@ enum class Apart { normal_stress, bead_volume, file };
 
 /// Group of readings that a figure draws as one series, with a model curve if `curve` is true.
 struct CurveGroup {
-    std::vector<std::size_t> members;  ///< indices of the readings in the calibration
+    /// Indices of the group's readings in the list of all readings of the calibration.
+    std::vector<std::size_t> members;
     /// Text of the quantity by which the group differs from the others, such as "σ_{22} = 300 Pa"
     /// with gnuplot markup; empty if there is one group only.
     std::string name = {};

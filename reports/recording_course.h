@@ -14,10 +14,12 @@ namespace pendular {
 /// Range of rows of a recording that are averaged, and whether their mean is used as a reading.
 struct AveragedWindow {
     enum class Kind { used, no_plateau, set_aside };
-    /// First row, counted from 0, and the row after the last one.
+    /// First row of the range in the recording, counted from 0, and the row after the last one.
     std::size_t begin = 0, end = 0;
     Kind kind = Kind::used;
-    int line = 0;  ///< first line of the reading that averages the rows; 0: no reading
+    /// Number of the first line, in the file, of the reading that averages the rows; 0: no reading
+    /// averages them.
+    int line = 0;
 };
 
 /// Text for the key of a figure on how a range of averaged rows is used, such as "averaged, no
@@ -58,7 +60,9 @@ class RecordingCourse {
     std::optional<double> mean(const AveragedWindow& window) const;
 
   private:
-    std::vector<double> values_;  ///< not a number: unknown
+    /// Value of the course in each row of the recording, in its unit; not a number where it is
+    /// unknown.
+    std::vector<double> values_;
     bool shear_, is_stress_ = false;
 };
 

@@ -28,8 +28,10 @@ struct Symbol {
 
 /// Outlines that draw one symbol of area 1 with its centre of area at the origin.
 struct SymbolDrawing {
-    std::vector<Outline> fills;    ///< filled areas; the last point repeats the first
-    std::vector<Outline> strokes;  ///< lines, among them the closed edge of the symbol
+    /// Outlines of the filled areas of the symbol; the last point of each repeats the first.
+    std::vector<Outline> fills;
+    /// Lines of the symbol, among them its closed edge.
+    std::vector<Outline> strokes;
 };
 
 /// Returns the outlines of a symbol of area 1, so that symbols of all shapes look equally large.

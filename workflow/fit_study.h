@@ -16,7 +16,8 @@ namespace pendular {
 struct SessionOptions {
     Fidelity fidelity;       ///< settings of the simulations, such as the number of grains
     std::uint64_t seed = 1;  ///< seed of simulations and of random draws of errors
-    int threads = 1;         ///< number of threads for runs and refits
+    /// Largest number of threads for simulation runs and refits.
+    int threads = 1;
     /// Store: the user's file of simulated runs, which keeps new runs and provides earlier runs;
     /// null: no store.
     RunStore* store = nullptr;
@@ -34,7 +35,8 @@ struct FitOptions {
     /// Whether the fit simulates all its training runs and uses none of the atlas (runs that come
     /// with the program) or of the store (the user's file of runs).
     bool cold = false;
-    bool profile = false;  ///< whether to compute the friction's profile likelihood interval too
+    /// Whether the fit also computes the 68 % interval of the friction by its profile likelihood.
+    bool profile = false;
     CohesionOptions cohesion = {};  ///< options of the Mohr-Coulomb lines through the wet readings
 };
 

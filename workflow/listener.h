@@ -19,10 +19,15 @@ struct Event {
         refits  ///< progress of the refits that `text` names: `number` of `total`
     };
     Kind kind = Kind::note;
-    std::string text = {};              ///< text of the note, or name of the stage or work
-    EnsembleProgress runs = {};         ///< progress of simulations, for the kind `runs`
-    std::size_t number = 0, total = 0;  ///< number of the round, or refits done and all refits
-    const Fit* fit = nullptr;           ///< fit of a round; valid only while the listener is called
+    /// Text of the note, or name of the stage of work or of the refits.
+    std::string text = {};
+    /// Progress of the simulations, for an event of the kind `runs`.
+    EnsembleProgress runs = {};
+    /// For the kind `round`, `number` is the number of the round. For the kind `refits`, `number`
+    /// of `total` refits are done.
+    std::size_t number = 0, total = 0;
+    /// Fit at the end of a round; valid only while the listener is called.
+    const Fit* fit = nullptr;
 };
 
 /// Callback that receives notes and progress reports of the work on a study. It is called from one

@@ -26,7 +26,8 @@ struct NextMeasurement {
     /// Readings to make to tell the rivals apart; without steps where no readings do so or where
     /// there is one rival only.
     Series series = {};
-    /// Largest number of readings that the instrument allows at one point, and in total.
+    /// Largest numbers of readings that the instrument allows: at one point (`most_repeats`), and
+    /// in total (`most_readings`).
     int most_repeats = 1, most_readings = 1;
     /// Number of measurements that the instrument can make but that are left out of `points`, since
     /// no run of atlas (comes with the program) and store (the user's file of runs) is near their

@@ -12,14 +12,15 @@ namespace pendular {
 /// Irregularity found inside the recordings of a study, such as a saturated sensor, and the share
 /// of the misfit that it may explain.
 struct RecordingEvidence {
+    /// The irregularity, as the import of the recordings found it.
     RecordingFinding finding;
     /// Share of the excess chi2 - dof of the study's model that one common factor on the readings
     /// concerned would remove [1], beyond what a change of the calibrated parameters would.
     /// Negative: not computed, since none of these readings was tested or the diagnosis found no
     /// misfit.
     double explains = -1;
-    /// Whether this factor reduces chi2 by more than each candidate effect would, and significantly
-    /// (p < 0.01).
+    /// Whether a common factor on the readings that the irregularity concerns reduces chi2 by more
+    /// than each candidate effect would, and significantly (p < 0.01).
     bool beats_effects = false;
 
     /// Whether the irregularity explains at least half of the misfit, or more of it than any

@@ -28,10 +28,12 @@ struct CalibratedStudy {
 /// Fit of a study, read from the study's results folder, with its comparison with the readings.
 struct ComparedStudy {
     Calibration calibration;
-    StudyModel model;  ///< model that was fitted
+    /// Model of the study whose parameters were fitted.
+    StudyModel model;
     Comparison comparison;
-    WhereItFails where;  ///< tests where the model fails on the readings
-    Belief belief;       ///< judgement whether the fit can be believed
+    /// Tests of the residuals, which show where the model deviates from the readings.
+    WhereItFails where;
+    Belief belief;  ///< judgement whether the fit can be believed
 };
 
 /// Session on a study: reads its files once, then calibrates, compares, predicts, diagnoses, plans
@@ -128,7 +130,8 @@ class Session {
                         bool same_fidelity) const;
 
     SessionOptions options_;
-    std::filesystem::path folder_;  ///< folder for results
+    /// Folder to which the session writes its results.
+    std::filesystem::path folder_;
     StudyInput input_;
 };
 

@@ -25,7 +25,8 @@ struct StatePrediction {
     /// lie outside their ranges in the training runs, as in "friction 0.9 is above 0.6"; empty
     /// where none does.
     std::string beyond;
-    std::size_t runs = 0;  ///< number of the emulator's training runs
+    /// Number of simulation runs on which the emulator is trained.
+    std::size_t runs = 0;
     /// Values of the closures (analytical formulas) of Badetti et al. (2018), computed from the
     /// predicted observables; empty for a dry state.
     std::optional<closures::ClosureValues> closures = {};
@@ -36,9 +37,12 @@ struct VariedQuantity {
     /// Name of the quantity: "friction", "inertial_number", "reduced_pressure", "bridge_volume" or
     /// "liquid_content".
     std::string name;
-    double from = 0, to = 0;   ///< first and last value of the quantity [1]
-    int points = 60;           ///< number of values of the quantity
-    bool logarithmic = false;  ///< whether the values are evenly spaced in the logarithm
+    /// First and last value of the varied quantity [1].
+    double from = 0, to = 0;
+    /// Number of values that the varied quantity takes along the curve.
+    int points = 60;
+    /// Whether the values of the quantity are evenly spaced in the logarithm.
+    bool logarithmic = false;
 
     /// Parses the name and range of a varied quantity from a text such as
     /// "reduced-pressure=0.5:10". The values are evenly spaced in the logarithm, except for
@@ -58,7 +62,7 @@ struct VariedQuantity {
 struct PredictionCurve {
     std::string variable;    ///< name of the varied quantity, as in `VariedQuantity`
     std::vector<double> at;  ///< value of the varied quantity at each predicted state [1]
-    /// Predicted states, in the order of `at`.
+    /// States of steady shear at which the curve has predictions, in the order of `at`.
     std::vector<FlowState> states;
     /// Predicted observables of each state, in the order of `states`.
     std::vector<std::vector<EmulatedObservable>> observables;

@@ -7,8 +7,8 @@
 namespace pendular {
 
 /// JSON of the predictions at one state, as `pendular predict --json` writes it: each observable
-/// with its standard error and its derivatives by friction, logarithm of inertial number, inverse
-/// reduced pressure and bridge volume.
+/// with its standard error and its derivatives with respect to friction, logarithm of inertial
+/// number, inverse reduced pressure and bridge volume.
 nlohmann::ordered_json to_json(const StatePrediction& prediction);
 
 /// JSON of the predictions along a curve, as `pendular predict --along --json` writes it: an array

@@ -79,22 +79,26 @@ struct ChangedStudy {
     /// Fit to all readings after the change, where `before` fits all readings and `after` the dry
     /// ones alone.
     std::optional<Fitted> after_to_all;
-    Ladder ladder;  ///< sequence of the study's models; the last is the changed one if `written`
+    /// Ladder: sequence of the study's models. The last one is the changed model if `written` is
+    /// true.
+    Ladder ladder;
     /// Whether the change was written to study.toml; false where the fit after the change did not
     /// converge.
     bool written = false;
 
-    /// The fit after the change that uses the same readings as `before`.
+    /// Returns the fit of the study after the change that uses the same readings as `before`.
     const Fitted& comparable_after() const { return after_to_all ? *after_to_all : after; }
 };
 
 /// Options for fitting a study before and after a change of its effects.
 struct ChangeOptions {
-    FitOptions fit = {};  ///< options of the fits
+    /// Options of the fits before and after the change.
+    FitOptions fit = {};
     /// Whether to use the fidelity (set of simulation settings) of the fit in `folder`, if there is
     /// one.
     bool same_fidelity = true;
-    std::filesystem::path folder;  ///< results folder, with the results of earlier commands
+    /// Folder for results, which also contains the results of earlier commands.
+    std::filesystem::path folder;
 };
 
 /// Adds an effect to a study or drops one, and fits the study before and after the change. The fit

@@ -23,16 +23,21 @@ namespace pendular {
 /// Rival model: the study's model with other effects in place of one that the study lists, fitted
 /// to the readings.
 struct RivalModel {
-    std::string in_place_of;           ///< effect that the study lists and this model lacks
-    std::vector<std::string> effects;  ///< effects that this model has instead
+    /// Name of the effect that the study lists and that the rival model lacks.
+    std::string in_place_of;
+    /// Names of the effects that the rival model has instead.
+    std::vector<std::string> effects;
+    /// The rival model with its fitted parameters.
     Rival fitted;
-    double chi2 = 0;  ///< chi2 of all readings and direct measurements in this model [1]
+    /// chi2 of all readings and direct measurements in the rival model [1].
+    double chi2 = 0;
 };
 
 /// Simulations that tested the verdict of a diagnosis, and whether the verdict is firm.
 struct Confirmation {
-    std::size_t runs = 0;  ///< number of runs that were made
-    double seconds = 0;    ///< time that the simulations and the diagnoses took together [s]
+    /// Number of simulation runs that were made to test the verdict.
+    std::size_t runs = 0;
+    double seconds = 0;  ///< time that the simulations and the diagnoses took together [s]
     /// Whether the verdict is firm: the last runs did not change the verdict and agreed with the
     /// emulator, and the noise of all runs is small compared with the other errors.
     bool settled = false;
@@ -49,7 +54,8 @@ struct StudyDiagnosis {
     /// Readings that are tested, dry readings first: the readings of the study, or means of
     /// neighbouring readings if there are more than `most_tested`.
     std::vector<Reading> readings;
-    std::size_t measured = 0;  ///< number of readings of the study
+    /// Number of readings of the study, before any means were taken.
+    std::size_t measured = 0;
     /// Models that were tested: the study's model with any set of candidate effects added.
     std::unique_ptr<StudyModels> models;
     /// Tested readings and direct measurements, as one vector of values with its covariance.

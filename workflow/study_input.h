@@ -28,7 +28,8 @@ std::filesystem::path study_folder(const std::filesystem::path& study);
 
 /// Files and folders to which a command writes.
 struct OutputPlaces {
-    std::filesystem::path folder;  ///< folder for results, as given by option --out
+    /// Folder to which the command writes its results.
+    std::filesystem::path folder;
     /// Paths in `folder` that the command writes to: files, and folders in which it creates files
     /// whose names are not known beforehand.
     std::vector<std::filesystem::path> files;

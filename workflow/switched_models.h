@@ -19,10 +19,12 @@ namespace pendular {
 /// Model of a study with some effects switched on and others off, fitted to the readings without
 /// new simulations.
 struct SwitchedModel {
+    /// Predictor of readings with the effects that are switched on.
     std::shared_ptr<const EffectModel> predictor;
     /// Fit of the model with the readings that it uses. Its list of training runs is empty.
     Calibration calibration;
-    Comparison comparison;  ///< comparison of the fit with all readings
+    /// Comparison of the fitted model with all readings of the study.
+    Comparison comparison;
     /// Expansions of the predictions about the fitted parameters: of all readings and direct
     /// measurements, and at the conditions of `SwitchOptions::along`.
     Response response, along;
@@ -39,16 +41,20 @@ struct SwitchedModel {
 
 /// Options for fitting a study with all combinations of its leading effects.
 struct SwitchOptions {
-    std::size_t most = 6;  ///< largest number of switches; 2^most models are fitted
-    /// Further conditions to predict, such as points of curves.
+    /// Largest number of effects to switch on and off; for n switches, 2^n models are fitted.
+    std::size_t most = 6;
+    /// Conditions, other than those of the readings, at which the models also predict, such as
+    /// points of curves.
     std::vector<Condition> along = {};
 };
 
 /// Models of a study with all combinations of its leading effects, the effects that are most likely
 /// to matter; each is fitted to the readings.
 struct SwitchedModels {
-    ResolvedStudy study;                     ///< the study, whose catalogue the models use
-    std::vector<std::string> switches = {};  ///< names of the effects to switch on and off
+    /// The study, with the catalogue of effects from which the models take theirs.
+    ResolvedStudy study;
+    /// Names of the effects that the models switch on and off.
+    std::vector<std::string> switches = {};
     /// Effects that the study lists and that cannot be switched off, since there are too many to
     /// switch.
     std::vector<std::string> always = {};
@@ -58,7 +64,7 @@ struct SwitchedModels {
     /// Reason why each combination cannot be fitted, as in "the readings are impossible with these
     /// effects"; empty where it is fitted.
     std::vector<std::string> why_not = {};
-    /// Index of the combination with the effects that the study lists.
+    /// Index into `models` of the combination that has the effects which the study lists.
     std::size_t current = 0;
 };
 

@@ -31,9 +31,10 @@ Eigen::Vector2d relative_errors(const std::vector<Reading>& readings);
 /// Expected result of measuring at one point, to find out which of several rival models is right.
 struct Plan {
     std::size_t point = 0;  ///< index into the list of points that were compared
-    /// Values that each rival model predicts at the point, in the order of the rivals.
+    /// Prediction of each rival model at the point with its errors, in the order of the rivals.
     std::vector<Forecast> forecasts;
-    /// Covariance of the values of one measurement at the point, in their squared units.
+    /// Covariance of the measurement errors of the values of one measurement at the point, in their
+    /// squared units.
     Eigen::MatrixXd noise;
     /// Smallest number of readings at the point that separates as many pairs of rivals as the
     /// largest number allowed would; 0: the point separates no pair.
@@ -47,7 +48,8 @@ struct Plan {
     /// Noncentrality D' S_1^-1 D of `separating_plans`, summed over all pairs of rivals, at the
     /// largest number of readings allowed [1].
     double noncentrality = 0;
-    /// Cost of `repeats` readings, at least one, with filling and waiting [cost of a dry reading].
+    /// Cost of `repeats` readings at the point (of one reading if `repeats` is 0), with filling and
+    /// waiting [cost of a dry reading].
     double cost = 0;
 };
 
@@ -56,11 +58,11 @@ struct Plan {
 /// criterion T. For n readings at a point and rivals i and j,
 ///     T = D' S^-1 D + tr(2 V S^-1)/n,   D = f_i - f_j,
 ///     S = 2 V/n + J_i C_i J_i' + J_j C_j J_j' + 2 C_f,
-/// with the predicted values f, their derivatives J by the parameters, the covariance C of the
-/// parameters, the covariance V of one reading and the covariance C_f of the simulation's errors,
-/// which both rivals share. A pair is separated where D' S_1^-1 D reaches `telling_noncentrality`,
-/// or `telling_directly` for a direct measurement; S_1 is S with V/n and C_f only once, since both
-/// rivals are compared with one measurement.
+/// with the predicted values f, their derivatives J with respect to the parameters, the covariance
+/// C of the parameters, the covariance V of one reading and the covariance C_f of the simulation's
+/// errors, which both rivals share. A pair is separated where D' S_1^-1 D reaches
+/// `telling_noncentrality`, or `telling_directly` for a direct measurement; S_1 is S with V/n and
+/// C_f only once, since both rivals are compared with one measurement.
 /// @param relative_noise standard errors of (shear stress, solid fraction) of one reading, over
 ///        their values [1]
 /// @param most_repeats largest number of readings at one point
@@ -83,11 +85,13 @@ Series next_series(const std::vector<Plan>& plans, const std::vector<Rival>& riv
 /// Expected standard errors of a model's fitted parameters after further readings at one point.
 struct Sharpening {
     std::size_t point = 0;  ///< index into the list of points that were compared
-    Forecast forecast;      ///< values that the model predicts at the point
-    /// Standard errors expected after the readings, in the order and units of the parameters.
+    /// Values that the model predicts at the point, with their errors.
+    Forecast forecast;
+    /// Standard errors of the model's parameters that are expected after the readings at the point,
+    /// in the order and units of the parameters.
     Eigen::VectorXd standard_errors;
-    /// Sum over the parameters of ln(standard error before/after), divided by the cost [1/cost of a
-    /// dry reading].
+    /// Gain in precision: sum over the parameters of ln(standard error before/after the readings),
+    /// divided by the cost of the readings [1/cost of a dry reading].
     double gain = 0;
 };
 
@@ -96,7 +100,8 @@ struct Sharpening {
 /// C of the parameters becomes
 ///     C' = (C^-1 + J' (V/n + C_f)^-1 J)^-1
 /// with the number n of readings, the covariance V of one reading, the covariance C_f of the
-/// simulation's errors and the derivatives J of the predicted values by the parameters.
+/// simulation's errors and the derivatives J of the predicted values with respect to the
+/// parameters.
 /// @param relative_noise standard errors of (shear stress, solid fraction) of one reading, over
 ///        their values [1]
 std::vector<Sharpening> sharpening_plans(const Rival& model, const std::vector<Point>& points,

@@ -14,8 +14,8 @@ inline Eigen::Index entries_at(const Point& point) {
 
 /// Returns the values that a rival model predicts with its fitted parameters at several points,
 /// point after point: shear stress [Pa] and solid fraction [1] of a reading, one value of a direct
-/// measurement. Also returns the derivatives of the values by the parameters, and the covariance of
-/// the values from errors of the simulation.
+/// measurement. Also returns the derivatives of the values with respect to the parameters, and the
+/// covariance of the values from errors of the simulation.
 Prediction predicted_at(const Rival& rival, const std::vector<Point>& points);
 
 /// Returns the variance of the measurement error of each value, in its squared unit, point after

@@ -13,10 +13,14 @@ namespace pendular {
 /// Rival model: one of several models of a study among which measurements are to decide, with its
 /// fitted parameters.
 struct Rival {
-    std::string name;  ///< effects added to the study's model, or "the model as it is"
-    std::shared_ptr<const Predictor> model;  ///< predictor of readings with these effects
-    Eigen::VectorXd parameters;  ///< fitted parameters, in the order of `model->parameters()`
-    Eigen::MatrixXd covariance;  ///< covariance of the errors of `parameters`
+    /// Name of the rival model: the effects added to the study's model, or "the model as it is".
+    std::string name;
+    /// Predictor of readings by the rival model.
+    std::shared_ptr<const Predictor> model;
+    /// Fitted parameters of the rival model, in the order of `model->parameters()`.
+    Eigen::VectorXd parameters;
+    /// Covariance of the errors of the rival model's fitted `parameters`.
+    Eigen::MatrixXd covariance;
 };
 
 /// Possible next measurement with its cost: a reading of steady shear at a condition, or a direct
@@ -24,21 +28,28 @@ struct Rival {
 /// reading.
 struct Point {
     Condition condition = {};  ///< condition of the reading; unused where `direct` is given
-    /// Direct measurement of a parameter; empty: a reading.
+    /// Direct measurement of a parameter, without shearing grains; empty: the point is a reading of
+    /// steady shear.
     std::optional<DirectMeasurement> direct = {};
-    /// Cost of another filling of the cell, if needed [cost of a dry reading].
+    /// Cost of another filling of the cell, where the point needs one [cost of a dry reading].
     double first_cost = 0;
-    double wait = 0;       ///< waiting time after the study's last reading [s]
-    double wait_cost = 0;  ///< cost of the waiting time [cost of a dry reading]
-    double cost = 1;       ///< cost of each reading at the point [cost of a dry reading]
+    /// Waiting time between the study's last reading and the measurement at the point [s].
+    double wait = 0;
+    /// Cost of the waiting time before the measurement [cost of a dry reading].
+    double wait_cost = 0;
+    double cost = 1;  ///< cost of each reading at the point [cost of a dry reading]
 };
 
 /// Prediction of a rival model at one point with its errors: (shear stress [Pa], solid fraction
 /// [1]) or, for a direct measurement, the value of the measured parameter [its unit].
 struct Forecast {
-    Eigen::VectorXd value;  ///< predicted values: two entries or, for a direct measurement, one
-    Eigen::MatrixXd from_parameters;  ///< covariance from errors of the rival's parameters
-    Eigen::MatrixXd from_simulation;  ///< covariance from errors of the simulation
+    /// Values that the rival model predicts at the point: shear stress [Pa] and solid fraction [1],
+    /// or the one value of a direct measurement [its unit].
+    Eigen::VectorXd value;
+    /// Covariance of the errors of `value` that come from errors of the rival's fitted parameters.
+    Eigen::MatrixXd from_parameters;
+    /// Covariance of the errors of `value` that come from errors of the simulation.
+    Eigen::MatrixXd from_simulation;
 };
 
 /// Smallest noncentrality of chi2 [1] at which a test at 5 % significance tells two rival models

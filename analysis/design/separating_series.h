@@ -11,8 +11,10 @@ namespace pendular {
 struct Series {
     /// Part of the series: readings at one point.
     struct Step {
-        std::size_t point = 0;  ///< index into the list of points given to the search
-        int readings = 0;       ///< number of readings at the point
+        /// Point of the readings, as index into the list of points given to the search.
+        std::size_t point = 0;
+        /// Number of readings to make at the point.
+        int readings = 0;
     };
     /// Readings at each point, in increasing order of the waiting times of the points; empty where
     /// even the largest number of readings allowed separates no pair of rivals.
@@ -20,7 +22,8 @@ struct Series {
     /// Pairs of rivals, as indices into the list of rivals, that the series separates: a test at 5
     /// % significance tells them apart with a probability of 0.8.
     std::vector<std::pair<std::size_t, std::size_t>> separated;
-    double cost = 0;  ///< cost of the series [cost of a dry reading]
+    /// Cost of all readings of the series, with fillings and waiting [cost of a dry reading].
+    double cost = 0;
 
     /// Total number of readings of the series, at all points.
     int readings() const;
@@ -30,11 +33,11 @@ struct Series {
 /// search finds. Rivals i and j are separated where D' S^-1 D over all points of the series reaches
 /// `telling_noncentrality`, with the difference D of their predictions and
 ///     S = V/n + J_i C_i J_i' + J_j C_j J_j' + C_f,
-/// V/n: covariance of n readings; J: derivatives of the predictions by the parameters; C:
-/// covariance of the parameters; C_f: covariance of the simulation's errors. S contains the errors
-/// that points share, so that a second point with the same error adds little. The search adds one
-/// reading at a time, where it increases D' S^-1 D of the pairs not yet separated most for its
-/// cost, and finally removes readings that turned out to be unnecessary.
+/// V/n: covariance of n readings; J: derivatives of the predictions with respect to the parameters;
+/// C: covariance of the parameters; C_f: covariance of the simulation's errors. S contains the
+/// errors that points share, so that a second point with the same error adds little. The search
+/// adds one reading at a time, where it increases D' S^-1 D of the pairs not yet separated most for
+/// its cost, and finally removes readings that turned out to be unnecessary.
 /// @param relative_noise standard errors of (shear stress, solid fraction) of one reading, over
 ///        their values [1]
 /// @param most_repeats largest number of readings at one point

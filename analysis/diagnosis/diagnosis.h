@@ -11,8 +11,8 @@ namespace pendular {
 
 /// Verdict of a diagnosis: whether a study's model lacks a physical effect.
 enum class Verdict {
-    /// The model fits, and the readings would have shown every effect of a size that matters,
-    /// except effects that they cannot show at any size.
+    /// The model fits, and the readings would have shown every effect at its smallest size of
+    /// interest, except effects that they cannot show at any size.
     nothing_missing,
     /// The model fits, but the readings cannot exclude some effects, or errors are assumed.
     inconclusive,
@@ -30,8 +30,8 @@ std::string_view to_string(Verdict verdict);
 struct Diagnosis {
     Verdict verdict = Verdict::inconclusive;
     /// Names of the effects that the verdict is about: missing effects, effects that may be missing
-    /// or, with `inconclusive`, effects that may be too small to be seen but large enough to
-    /// matter.
+    /// or, with `inconclusive`, effects that the readings cannot exclude at their smallest sizes of
+    /// interest.
     std::vector<std::string> effects;
     /// Whether the study's model or a refitted one fits the readings.
     bool complete = true;
@@ -41,9 +41,11 @@ struct Diagnosis {
     /// Parts of the measurement whose error alone would explain the misfit, as text such as "the
     /// readings of dry_1.csv".
     std::vector<std::string> suspects;
-    std::vector<Explanation> confidence_set;  ///< models that fit with the fewest further effects
-    std::vector<Explanation> tried;           ///< all models that were refitted, accepted or not
-    /// Result for each candidate effect (not in the model), in decreasing reduction of chi2.
+    /// Refitted models that fit the readings with the fewest further effects.
+    std::vector<Explanation> confidence_set;
+    std::vector<Explanation> tried;  ///< all models that were refitted, accepted or not
+    /// Result of the score test of each candidate effect (not in the model), sorted by the
+    /// reduction of chi2, the largest first.
     std::vector<Finding> scan;
     /// p value [1] of each suspect measurement (part of the measurement that may be wrong), in the
     /// order of `Evidence::suspects`, corrected for the number of tests.
@@ -56,13 +58,14 @@ struct Diagnosis {
     Fit fit;  ///< fit of the model without further effects
     /// Chi2 of all measured values in the fit of the model without further effects.
     double chi2 = 0;
-    int dof = 0;  ///< degrees of freedom of `chi2`
+    /// Degrees of freedom of `chi2`, the chi2 of the model without further effects.
+    int dof = 0;
     /// p values [1] of the tests of the model without further effects: for lack of fit of the
     /// conditions' means (`lack_of_fit_p`), and for the most significant candidate effect (not in
     /// the model) or suspect measurement, corrected for the number of tests (`further_p`).
     double lack_of_fit_p = 0, further_p = 0;
     /// For each candidate effect (not in the model), covariances of the change of the readings that
-    /// it causes at the smallest size that matters (amplitude 1), from errors of the emulator, in
+    /// it causes at its smallest size of interest (amplitude 1), from errors of the emulator, in
     /// the squared units of the readings.
     std::vector<ModelSpace::ChangeErrors> change_errors;
     bool errors_assumed = false;  ///< whether errors of some readings are assumed, not measured

@@ -18,14 +18,16 @@ namespace pendular {
 /// Suspect measurement: part of the measurement that may be wrong, such as all readings of one
 /// condition.
 struct SuspectMeasurement {
-    std::string name;  ///< name of the part, as in "the readings of dry_1.csv"
+    /// Name of the part of the measurement, as in "the readings of dry_1.csv".
+    std::string name;
     /// Changes of the measured values by each kind of error at amplitude 1, entries x kinds, in the
     /// units of the readings. An entry is one observable of one reading, or a direct measurement.
     Eigen::MatrixXd columns;
     /// Quantity that each kind of error changes, as in "shear stress"; empty if `name` names the
     /// quantity.
     std::vector<std::string> quantities = {};
-    /// Smallest amplitude of each kind of error that matters to the user [1].
+    /// Smallest amplitude of interest to the user, for each kind of error of this part of the
+    /// measurement [1].
     double smallest_of_interest = 1;
     /// Group to which the part belongs in tables, such as "files"; may be empty.
     std::string group = {};
@@ -34,8 +36,10 @@ struct SuspectMeasurement {
 /// Input of a diagnosis: readings and direct measurements with their errors, conditions and suspect
 /// measurements. An entry is one observable of one reading, or a direct measurement.
 struct Evidence {
-    Measured measured;            ///< measured values with their errors
-    ErrorKnowledge errors;        ///< uncertainty of the sizes of these errors
+    Measured measured;  ///< measured values with their errors
+    /// Uncertainty of the sizes of the errors of the measured values, which few replicates
+    /// determine.
+    ErrorKnowledge errors;
     bool errors_assumed = false;  ///< whether errors of some readings are assumed, not measured
     /// Groups of entries, as indices. A group contains the values of one observable at one
     /// condition, or a single direct measurement; every entry is in one group.
@@ -48,10 +52,13 @@ struct Evidence {
 struct Explanation {
     /// Effects added to the study's model, as indices into ModelSpace::candidates().
     EffectSet chosen;
-    /// Index into Evidence::suspects; empty: without an error of a suspect measurement.
+    /// Suspect measurement whose error is fitted too, as index into Evidence::suspects; empty where
+    /// the model has no error of a suspect measurement.
     std::optional<std::size_t> suspect;
+    /// Fit of the refitted model to the readings.
     Fit fit;
-    double chi2 = 0;           ///< chi2 of all measured values in the fit
+    /// Chi2 of all measured values in the fit of the refitted model.
+    double chi2 = 0;
     double lack_of_fit_p = 0;  ///< p value of the test for lack of fit of the conditions' means [1]
     /// p value [1] of the most significant effect or suspect measurement that the model does not
     /// contain, corrected for the number of tests; 1 where it was not tested.
@@ -63,16 +70,19 @@ struct Explanation {
 /// Result of a diagnosis for one candidate (effect not in the model): its score test (test without
 /// a refit) and, where the model was refitted with it, the reduction of chi2.
 struct Finding {
-    std::size_t candidate = 0;  ///< index into ModelSpace::candidates()
+    /// Candidate effect that was tested, as index into ModelSpace::candidates().
+    std::size_t candidate = 0;
+    /// Score test of the candidate on the residuals of the study's model.
     ScoreTest test;
     /// Value of the candidate's parameter, estimated by the score test [its unit]; for a switch,
     /// the amplitude [1].
     double value = 0;
-    double standard_error = 0;  ///< standard error of `value` [unit of `value`]
-    /// p value of the score test [1], corrected for the number of tests.
+    /// Standard error of the estimated `value` of the candidate's parameter [unit of `value`].
+    double standard_error = 0;
+    /// p value of the candidate's score test [1], corrected for the number of tests.
     double p = 1;
     /// Power of the score test [1]: probability that it finds the effect where the parameter
-    /// differs from its neutral value (no effect) by the smallest amount that matters.
+    /// differs from its neutral value (no effect) by the smallest amount of interest.
     double power = 0;
     /// Smallest difference of the parameter from its neutral value (no effect) that the score test
     /// finds with the probability DiagnosisOptions::wanted_power [unit of `value`].
@@ -89,25 +99,30 @@ struct Finding {
 
 /// Options of a diagnosis.
 struct DiagnosisOptions {
-    double significance = 0.05;  ///< probability that a complete model is called incomplete [1]
+    /// Probability that a model which lacks nothing is called incomplete [1].
+    double significance = 0.05;
     /// Smallest power [1] of the score test of a candidate effect (not in the model) at which the
     /// effect counts as excluded if the test does not find it.
     double wanted_power = 0.8;
     /// Number of random draws of the readings' errors, from which all p values follow. With 6000
     /// draws, a p value of 0.025 has a standard error of 0.002.
     Eigen::Index draws = 6000;
-    std::uint64_t seed = 1;  ///< seed of the random draws
+    /// Seed of the random draws of errors.
+    std::uint64_t seed = 1;
     /// Largest number of pairs of candidate effects (not in the model) to refit, where no single
     /// candidate or suspect measurement explains the readings.
     std::size_t most_pairs = 12;
-    std::size_t most_suspects = 12;  ///< largest number of suspect measurements to refit
+    /// Largest number of suspect measurements (parts of the measurement that may be wrong) for
+    /// which the model is refitted.
+    std::size_t most_suspects = 12;
     /// Starting values for the fit of the model without further effects, in the order of its
     /// parameters; empty: Parameter::start.
     std::optional<Eigen::VectorXd> start = {};
     /// Function that is called with the progress: `done` of `of` steps of the work that `what`
     /// names are finished; may be empty.
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
-    std::size_t threads = 1;  ///< largest number of threads for refits; no result depends on it
+    /// Largest number of threads for refits of models; no result depends on it.
+    std::size_t threads = 1;
 };
 
 }  // namespace pendular

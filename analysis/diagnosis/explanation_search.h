@@ -12,17 +12,21 @@ namespace pendular {
 /// not in the model) and every suspect measurement (part of the measurement that may be wrong). The
 /// lists are in the order of the candidates or of the suspect measurements.
 struct Scanned {
-    const Explanation& base;                   ///< the study's model without further effects
-    const WeightedResiduals& residuals;        ///< whitened residuals of `base`
-    const std::vector<Addition>& additions;    ///< predictions of `base` with each candidate added
-    const std::vector<Signature>& signatures;  ///< change of the readings by each candidate
-    const std::vector<Finding>& findings;      ///< result of each candidate's score test
+    /// Fit of the study's model without further effects.
+    const Explanation& base;
+    /// Whitened residuals (in units of their errors) of the model `base`.
+    const WeightedResiduals& residuals;
+    const std::vector<Addition>& additions;  ///< predictions of `base` with each candidate added
+    /// Change of the readings per unit of amplitude that each candidate effect makes.
+    const std::vector<Signature>& signatures;
+    const std::vector<Finding>& findings;         ///< result of each candidate's score test
     const std::vector<ScoreTest>& suspect_tests;  ///< score test of each suspect measurement
 };
 
 /// Refitted models that were tried to explain the residuals of a study's model.
 struct Found {
-    std::vector<Explanation> tried;  ///< all models that were refitted
+    /// All models that were refitted to explain the residuals, whether they fit or not.
+    std::vector<Explanation> tried;
     /// Models with further effects that fit the readings: one effect each or, where no single
     /// effect or suspect measurement suffices, pairs of effects.
     std::vector<Explanation> fitting;

@@ -12,8 +12,8 @@ inline constexpr FitEffort refit_effort{
     .most_steps = 12, .tolerance = 1e-6, .settled = 1e-4, .elsewhere = false};
 
 /// Returns the whitened residuals (in units of their errors) of the readings from a fitted model.
-/// Derivatives by parameters at a bound are set to zero, since a parameter at its bound cannot move
-/// to imitate a change.
+/// Derivatives with respect to parameters at a bound are set to zero, since a parameter at its
+/// bound cannot move to imitate a change.
 /// @param fit fit of the model; amplitudes of a suspect measurement may follow its parameters
 WeightedResiduals residuals_of(const Model& model, const Measured& measured, const Fit& fit);
 
@@ -42,8 +42,8 @@ class Explanations {
     void judge(Explanation& explanation) const;
 
     /// Returns the whitened residuals (in units of their errors) of the readings from a refitted
-    /// model. Derivatives by parameters at a bound are set to zero, since a parameter at its bound
-    /// cannot move to imitate a change.
+    /// model. Derivatives with respect to parameters at a bound are set to zero, since a parameter
+    /// at its bound cannot move to imitate a change.
     WeightedResiduals residuals_of(const Explanation& explanation) const;
     /// p value of the test for lack of fit [1]: probability that errors of readings and predictions
     /// make the mean residuals of the conditions at least as large as observed.
@@ -62,13 +62,14 @@ class Explanations {
 
     /// Random draws of the errors of readings and predictions that all tests use.
     const NullDraws& draws() const { return draws_; }
-    /// p value [1] below which a test rejects a model: half of DiagnosisOptions::significance,
-    /// since each model has two tests, for lack of fit and for further effects.
+    /// p value [1] below which one test of a model rejects the model: half of
+    /// DiagnosisOptions::significance, since each model has two tests, for lack of fit and for
+    /// further effects.
     double half_significance() const { return options_.significance / 2; }
 
-    /// For each candidate effect (not in the model), covariances of the change of the readings at
-    /// the smallest size that matters (amplitude 1) from errors of the emulator. The caller sets
-    /// them once, before the tests of refitted models.
+    /// For each candidate effect (not in the model), covariances of the change of the readings that
+    /// the effect makes at its smallest size of interest (amplitude 1) from errors of the emulator.
+    /// The caller sets them once, before the tests of refitted models.
     std::vector<ModelSpace::ChangeErrors> errors;
 
   private:

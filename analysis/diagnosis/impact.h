@@ -11,48 +11,66 @@ namespace pendular {
 /// Shift of the calibrated parameters [their units] when the model takes into account an effect, or
 /// an error of measurement, of one size.
 struct Shift {
-    /// Value of the effect's parameter [its unit], or amplitude of the error of measurement [1].
+    /// Size of the effect or error: value of the effect's parameter [its unit], or amplitude of the
+    /// error of measurement [1].
     double size = 0;
-    /// Shift in the linear approximation:
+    /// Shift of the calibrated parameters in the linear approximation:
     ///     -(J'J)^-1 J' g A,
-    /// with the derivatives J of the predictions by the parameters and the change g of the readings
-    /// per unit of the amplitude, both whitened (in units of the readings' errors), and the
-    /// amplitude A at `size`.
+    /// with the derivatives J of the predictions with respect to the parameters and the change g of
+    /// the readings per unit of the amplitude, both whitened (in units of the readings' errors),
+    /// and the amplitude A at `size`.
     Eigen::VectorXd linear;
-    /// Shift after a refit with the effect fixed at `size`; empty: not refitted.
+    /// Shift of the calibrated parameters after a refit with the effect fixed at `size`; empty: the
+    /// model was not refitted.
     Eigen::VectorXd refitted;
 
-    /// Returns the shift after a refit where there is one, else the linear shift.
+    /// Returns the shift of the calibrated parameters after a refit where there was one, else the
+    /// shift in the linear approximation.
     const Eigen::VectorXd& best() const { return refitted.size() > 0 ? refitted : linear; }
 };
 
 /// Impact of one effect, or of one error of measurement, on the calibrated parameters: shifts of
 /// the parameters for several sizes of the effect or error.
 struct Impact {
-    std::string name;          ///< effect or suspect measurement, as in "the readings of dry_1.csv"
-    std::string quantity;      ///< parameter of the effect, or measured quantity that is in error
-    std::string unit;          ///< unit of all sizes; "1": relative, or without a dimension
-    std::string group;         ///< group of the table, as in "instrument" or "files"
-    bool measurement = false;  ///< true: an error of measurement; false: an effect
-    std::size_t index = 0;     ///< index of the candidate or of the suspect measurement
-    Eigen::Index column = 0;   ///< kind of error: column of SuspectMeasurement::columns
-    double neutral = 0;        ///< size at which the readings are not changed [unit]
-    double error = 0;          ///< standard error of the estimated size [unit]; 0: not known
+    /// Name of the effect or of the suspect measurement, as in "the readings of dry_1.csv".
+    std::string name;
+    /// Name of the effect's parameter, or of the measured quantity that is in error.
+    std::string quantity;
+    /// Unit of all sizes of the effect or error; "1" for relative sizes and sizes without a
+    /// dimension.
+    std::string unit;
+    /// Group of effects or errors in the table of impacts, as in "instrument" or "files".
+    std::string group;
+    /// True for an error of measurement, false for a physical effect.
+    bool measurement = false;
+    /// Index of the effect into ModelSpace::candidates(), or of the error of measurement into
+    /// Evidence::suspects.
+    std::size_t index = 0;
+    /// For an error of measurement, its kind, as the index of a column of
+    /// SuspectMeasurement::columns.
+    Eigen::Index column = 0;
+    /// Size at which the effect or error does not change the readings [unit].
+    double neutral = 0;
+    /// Standard error of the estimated size of the effect or error [unit]; 0 where it is not known.
+    double error = 0;
 
-    Shift at_interest;  ///< shift of the calibrated parameters at the smallest size that matters
-    Shift at_estimate;  ///< shift of the calibrated parameters at the estimated size
-    /// Shifts at the estimated size plus and minus its standard error, within the bounds of the
-    /// parameter.
+    /// Shift of the calibrated parameters at the smallest size of interest of the effect or error.
+    Shift at_interest;
+    /// Shift of the calibrated parameters at the estimated size of the effect or error.
+    Shift at_estimate;
+    /// Shifts of the calibrated parameters at the estimated size of the effect or error plus and
+    /// minus one standard error, within the bounds of the effect's parameter.
     Shift above, below;
 
-    /// Significance of the estimated size [1]: its distance from `neutral` over its standard error;
-    /// not a number where the standard error is not known.
+    /// Significance of the effect or error [1]: distance of its estimated size from `neutral` over
+    /// its standard error; not a number where the standard error is not known.
     double pull() const;
-    /// Changes of the calibrated parameters when the size increases or decreases from its estimate
-    /// by one standard error.
+    /// Changes of the calibrated parameters [their units] when the size of the effect or error is
+    /// one standard error above (`up`) or below (`down`) its estimate.
     Eigen::VectorXd up() const { return difference(above); }
     Eigen::VectorXd down() const { return difference(below); }
-    /// For each calibrated parameter, the larger of the absolute values of `up` and `down`.
+    /// For each calibrated parameter [its unit], the larger of the absolute values of `up` and
+    /// `down`: the shift by one standard error of the size of the effect or error.
     Eigen::VectorXd by_error() const { return up().cwiseAbs().cwiseMax(down().cwiseAbs()); }
 
   private:
@@ -65,9 +83,11 @@ struct Impact {
 
 /// Impacts of all effects or errors of one group together: for each calibrated parameter [its
 /// unit], the root of the sum of squares of its shifts in the linear approximation, at the smallest
-/// sizes that matter (`at_interest`), at the estimated sizes and by the errors of the estimates.
+/// sizes of interest (`at_interest`), at the estimated sizes and by the errors of the estimates.
 struct GroupImpact {
     std::string group;
+    /// Shifts of the calibrated parameters [their units] that the group causes: at the smallest
+    /// sizes of interest, at the estimated sizes, and by the errors of the estimates.
     Eigen::VectorXd at_interest, at_estimate, by_error;
 };
 
@@ -75,20 +95,24 @@ struct GroupImpact {
 /// calibrated parameters.
 struct ImpactTable {
     std::vector<Parameter> parameters;  ///< calibrated parameters, friction first
-    Eigen::VectorXd fitted, errors;     ///< fitted values and standard errors of the parameters
-    /// Impacts of the effects or suspect measurements that the verdict names, then of the others;
-    /// each in decreasing shift of the first parameter at the smallest size that matters.
+    /// Fitted values of the calibrated parameters (`fitted`) and their standard errors (`errors`),
+    /// in the order and units of `parameters`.
+    Eigen::VectorXd fitted, errors;
+    /// All impacts. Those of the effects or suspect measurements that the verdict names come first,
+    /// then the others; both parts are sorted by the shift of the first parameter at the smallest
+    /// size of interest, the largest first.
     std::vector<Impact> impacts;
+    /// Impacts of each group of effects or errors together.
     std::vector<GroupImpact> groups;
 };
 
 /// Computes the impacts of effects and errors of measurement on the fit of a diagnosis in the
 /// linear approximation. For the leading effects, they are also computed by refits, at the
-/// estimated and at the smallest sizes that matter. The leading effects are up to `most_refitted`
-/// effects that the verdict names, which are also refitted at one standard error above and below
-/// their estimates, and the `most_refitted` others with the largest impacts. Sizes are estimated by
-/// refits of the diagnosis where there are any, else by score tests. Effects with several free
-/// parameters, and effects with which the readings are impossible, are left out.
+/// estimated sizes and at the smallest sizes of interest. The leading effects are up to
+/// `most_refitted` effects that the verdict names, which are also refitted at one standard error
+/// above and below their estimates, and the `most_refitted` others with the largest impacts. Sizes
+/// are estimated by refits of the diagnosis where there are any, else by score tests. Effects with
+/// several free parameters, and effects with which the readings are impossible, are left out.
 /// @param threads largest number of threads; no result depends on it
 ImpactTable impacts(const ModelSpace& space, const Evidence& evidence, const Diagnosis& diagnosis,
                     std::size_t most_refitted = 3, std::size_t threads = 1);

@@ -10,7 +10,9 @@ namespace pendular {
 /// Leading effects: candidate effects (not in the model) that explain most of a misfit, where no
 /// refitted model fits within the errors.
 struct Leaders {
-    Explanation model;  ///< refitted model with the leading effects alone
+    /// Study's model with the leading effects added and no other further effects, refitted to the
+    /// readings.
+    Explanation model;
     /// Share of the excess chi2 - dof (chi2 minus degrees of freedom) of the study's model that
     /// `model` removes [1].
     double explained = 0;

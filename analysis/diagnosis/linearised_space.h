@@ -16,9 +16,8 @@ namespace pendular {
 /// parameters theta_0: f_0 is the prediction of the bare model there, J its derivatives, and c_k
 /// the change of the predictions by candidate k at amplitude 1. The candidates are those of the
 /// original space with its bounds; their values are amplitudes, 0 where there is no effect and 1 at
-/// the smallest size that matters. A prediction takes microseconds. At the estimates of the
-/// refitted model, and of the refits with one effect, the predictions equal those of the refitted
-/// models.
+/// the smallest size of interest. A prediction takes microseconds. At the estimates of the refitted
+/// model, and of the refits with one effect, the predictions equal those of the refitted models.
 class LinearisedSpace : public ModelSpace {
   public:
     /// Linearises the models of `space` about the refitted model `about`, an explanation of
@@ -35,7 +34,7 @@ class LinearisedSpace : public ModelSpace {
 
     /// Adds the candidate with index `k` of `space`, and returns its amplitude in `refit`.
     /// @param refit refitted model with the candidate, at whose estimate the change of the readings
-    ///        is computed; null: at the smallest size that matters
+    ///        is computed; null: at the smallest size of interest
     double add(const ModelSpace& space, std::size_t k, const Explanation* refit);
     /// Returns a prediction with the covariances of the model with an effect set if `diagnosis` has
     /// refitted this model, else with those of the bare model.
@@ -45,9 +44,11 @@ class LinearisedSpace : public ModelSpace {
     ParameterBounds bounds_;
     /// Parameters theta_0 and predictions f_0 of the bare model at the point of linearisation.
     Eigen::VectorXd at_, value_;
-    Eigen::MatrixXd slopes_;  ///< derivatives J of the bare model's predictions by its parameters
+    /// Derivatives J of the bare model's predictions with respect to its parameters: a row for each
+    /// predicted value, a column for each parameter.
+    Eigen::MatrixXd slopes_;
     std::vector<Candidate> candidates_;
-    /// Change c_k of the predictions at the smallest size that matters (amplitude 1), for each
+    /// Change c_k of the predictions at the smallest size of interest (amplitude 1), for each
     /// candidate k: a column for each of its parameters.
     std::vector<Eigen::MatrixXd> changes_;
     std::vector<ChangeErrors> change_errors_;

@@ -12,19 +12,25 @@ namespace pendular {
 
 /// Number of simulated repetitions of an experiment for which the diagnosis gives the same verdict.
 struct Repeated {
-    std::size_t same = 0;  ///< number of repetitions with the same verdict
-    std::size_t of = 0;    ///< number of repetitions
+    /// Number of simulated repetitions for which the diagnosis gives the same verdict as for the
+    /// readings.
+    std::size_t same = 0;
+    /// Number of all simulated repetitions of the experiment.
+    std::size_t of = 0;
 };
 
 /// Options of `repeat`, which repeats an experiment by simulation.
 struct RepetitionOptions {
-    std::size_t count = 20;  ///< number of repetitions
-    /// Number of random draws for the p values of each repetition. With 2000 draws, a p value of
-    /// 0.025 has a standard error of 0.0035; with fewer, the share of equal verdicts depends on the
-    /// seed.
+    /// Number of repetitions of the experiment to simulate.
+    std::size_t count = 20;
+    /// Number of random draws of errors from which the p values of each repetition follow. With
+    /// 2000 draws, a p value of 0.025 has a standard error of 0.0035; with fewer, the share of
+    /// equal verdicts depends on the seed.
     Eigen::Index draws = 2000;
-    std::uint64_t seed = 1;   ///< seed of the random errors
-    std::size_t threads = 1;  ///< largest number of threads; no result depends on it
+    /// Seed of the random errors of the simulated readings and of the random draws.
+    std::uint64_t seed = 1;
+    /// Largest number of threads for the diagnoses of repetitions; no result depends on it.
+    std::size_t threads = 1;
     /// Function that is called with the progress: `done` of `of` steps of the work that `what`
     /// names are finished; may be empty, and may throw to end the work.
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};

@@ -28,8 +28,8 @@ struct ScoreTest {
     /// Estimated amplitude of the effect, for each column of the change g [1].
     Eigen::VectorXd estimate;
     double standard_error = 0;  ///< standard error of the first entry of `estimate` [1]
-    /// Test statistic [1]. If nothing is missing, it has a chi2 distribution with `basis.cols()`
-    /// degrees of freedom.
+    /// Statistic of the score test [1]. If the model lacks nothing, it has a chi2 distribution with
+    /// `basis.cols()` degrees of freedom.
     double statistic = 0;
     /// Predicted reduction of chi2 [1] when the model is refitted with the effect.
     double predicted_reduction = 0;
@@ -44,7 +44,8 @@ struct ScoreTest {
     /// Share of the squared length of the change of the readings, in units of their errors
     /// (whitened), that the calibrated parameters imitate [1].
     double share_imitated = 0;
-    bool one_sided = false;  ///< whether the amplitude cannot be negative
+    /// Whether the amplitude of the effect cannot be negative.
+    bool one_sided = false;
 
     /// Whether the readings carry information on the amplitude of the effect: the calibrated
     /// parameters do not imitate its change completely, and the change exceeds its error.
@@ -52,7 +53,8 @@ struct ScoreTest {
     /// p value of this test alone [1]: probability of a statistic at least as large if nothing is
     /// missing and the errors are exactly known; 1 where seen() is false.
     double p() const;
-    /// Value of `statistic` at which the p value of this test alone equals `p` [1].
+    /// Returns the value of the test statistic [1] at which the p value of this test alone equals
+    /// `p` [1].
     double critical(double p) const;
     /// Returns the value of `statistic` in each random draw of errors, as if nothing were missing;
     /// one entry for each draw.
@@ -92,8 +94,10 @@ class FamilyOfTests {
     double limit(double probability) const;
 
   private:
-    std::vector<ScoreTest> tests_;  ///< tests whose readings carry information on the amplitude
-    /// Statistics of the tests in the random draws of errors, draws x tests.
+    /// Score tests of the family for which the readings carry information on the amplitude.
+    std::vector<ScoreTest> tests_;
+    /// Statistics of the tests in the random draws of errors: a row for each draw, a column for
+    /// each test.
     Eigen::MatrixXd drawn_;
 };
 

@@ -10,9 +10,9 @@ namespace pendular {
 
 /// Change of a model's predictions by one candidate (effect not in the model), per unit of the
 /// candidate's amplitude. The amplitude is 0 without the effect, and 1 where its parameter differs
-/// from the neutral value (no effect) by the smallest amount that matters or, for a switch, where
-/// it is on. The amplitude is proportional to the parameter's distance from neutral, or to a
-/// function of the parameter that the effect declares, such as the square of an angle.
+/// from the neutral value (no effect) by the smallest amount of interest or, for a switch, where it
+/// is on. The amplitude is proportional to the parameter's distance from neutral, or to a function
+/// of the parameter that the effect declares, such as the square of an angle.
 struct Signature {
     /// Change of the predicted readings divided by the amplitude, in the units of the readings: a
     /// row for each measured value, a column for each parameter of the candidate.
@@ -23,7 +23,8 @@ struct Signature {
     /// Whether the amplitude cannot be negative: the neutral value is a bound of the parameter, or
     /// values above and below it change the readings in the same way.
     bool one_sided = false;
-    double taken_at = 1;  ///< amplitude at which the change was computed [1]
+    /// Amplitude of the candidate at which the change of the readings was computed [1].
+    double taken_at = 1;
 };
 
 /// Predictions of a model to which one effect is added, as a function of the amplitude of this
@@ -37,8 +38,8 @@ class Addition {
              Eigen::VectorXd parameters, Eigen::VectorXd values);
 
     /// Returns the change of the predicted readings, per unit of amplitude, when the parameter of
-    /// the added effect moves from its neutral value (no effect) by the smallest amount that
-    /// matters.
+    /// the added effect moves from its neutral value (no effect) by the smallest amount of
+    /// interest.
     /// @param with_errors whether to compute the covariances of the change
     Signature signature(bool with_errors) const;
     /// Computes the change of the readings in `signature` again at another amplitude of the
@@ -67,7 +68,7 @@ class Addition {
     /// value and then changes the predictions by about the negative of `change`.
     bool mirrored(const Eigen::VectorXd& change) const;
     /// Returns the direction, 1 or -1, in which parameter `p` can move from its neutral value by
-    /// the smallest amount that matters without leaving its bounds.
+    /// the smallest amount of interest without leaving its bounds.
     double direction(const EffectParameter& p) const;
 
     const ModelSpace& space_;

@@ -13,15 +13,18 @@ namespace pendular {
 /// Group of readings that deviate together from the model: those of one condition or one file, or
 /// the direct measurements of one parameter.
 struct Offending {
-    std::string readings;  ///< name of the group, as in "the readings of dry_1.csv"
-    /// p value of the deviation [1], corrected for the number of groups that were tested.
+    /// Name of the group of readings, as in "the readings of dry_1.csv".
+    std::string readings;
+    /// p value of the deviation of these readings from the model [1], corrected for the number of
+    /// groups that were tested.
     double p = 1;
 };
 
 /// Deviations of a study's readings from a model that neither a change of the calibrated parameters
 /// nor errors of readings and simulation explain.
 struct WhereItFails {
-    Checks checks;  ///< tests of the residuals, each with its p value
+    /// Statistical tests of the residuals of the model, each with its p value.
+    Checks checks;
     /// Groups of readings that deviate with p < 0.05, the smallest p first.
     std::vector<Offending> offending;
 };

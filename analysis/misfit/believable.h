@@ -22,7 +22,7 @@ struct Belief {
     /// the readings.
     std::optional<std::size_t> misfit_reason = {};
 
-    /// Whether the fit can be believed: there is no reason against it.
+    /// Whether the fit can be believed: `reasons` contains no reason against it.
     bool believable() const { return reasons.empty(); }
 };
 

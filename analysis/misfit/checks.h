@@ -30,11 +30,14 @@ struct Check {
         runs,       ///< few changes of sign between successive residuals of an observable
         neighbours  ///< correlation between the residuals of neighbouring conditions
     };
+    /// Kind of the statistical test.
     Kind kind = Kind::lack_of_fit;
     /// Name of the covariate along which the check was made; empty: none. A check of neighbours
     /// uses all covariates and has the name "all, length 0.3", with the length of its kernel.
     std::string covariate = {};
-    std::string of = {};  ///< name of the parameter or observable that is checked; empty: all
+    /// Name of the calibrated parameter or of the observable whose residuals are checked; empty:
+    /// all.
+    std::string of = {};
     /// Test statistic [1], which `check_fit` defines for each kind of check. Only the statistic of
     /// a trend has a sign: positive where measured values increase more than predicted ones.
     double statistic = 0;
@@ -45,7 +48,7 @@ std::string_view to_string(Check::Kind kind);
 
 /// All checks of the residuals of one fit, with a p value for all checks together.
 struct Checks {
-    /// The checks, one for each kind, covariate and parameter or observable.
+    /// All checks of the fit: one for each kind of check, covariate, and parameter or observable.
     std::vector<Check> all;
     /// p value of all checks together [1]: probability that the smallest p value of any check is at
     /// least as small as observed if the model is right.
@@ -58,13 +61,16 @@ struct EntryKinds {
     /// Observable of each entry, as index into `observables`; for a direct measurement, an index
     /// beyond the end of `observables`.
     std::vector<std::size_t> observable;
-    std::vector<std::string> observables;  ///< names of the observables of readings
+    /// Names of the observables of the readings, such as "shear stress".
+    std::vector<std::string> observables;
     /// Groups of entries, as indices: values of one observable measured at one condition.
     std::vector<std::vector<Eigen::Index>> conditions;
     /// Names of the calibrated parameters, in the order of the columns of
     /// WeightedResiduals::slopes().
     std::vector<std::string> parameters;
-    bool replicated = false;  ///< whether any reading has replicates; if so, runs are not checked
+    /// Whether any reading has replicates (repeated measurements); if so, `check_fit` does not
+    /// check the runs of equal sign.
+    bool replicated = false;
 };
 
 /// Checks where, and along which quantities, a model deviates from the readings beyond what a
@@ -76,9 +82,9 @@ struct EntryKinds {
 /// - Lack of fit: squared length of the residuals in the space of the conditions' means.
 /// - Score: the sum S(x) = sum_{x_i <= x} (L^-1 J)_i (L^-1 (y - f))_i over the entries i whose
 ///   covariate x_i is at most x, for one parameter (y: measured values, f: predictions, J:
-///   derivative of f by the parameter, L: Cholesky factor of the covariance). S returns to zero at
-///   the optimum and fluctuates like a Brownian bridge. The statistic is its largest distance from
-///   zero over its standard deviation (after Hjort and Koning 2002).
+///   derivative of f with respect to the parameter, L: Cholesky factor of the covariance). S
+///   returns to zero at the optimum and fluctuates like a Brownian bridge. The statistic is its
+///   largest distance from zero over its standard deviation (after Hjort and Koning 2002).
 /// - Trend: component of the residuals of one observable along the measured value times the rank of
 ///   the covariate.
 /// - Runs: negative number of changes of sign between successive readings of one observable, only

@@ -15,9 +15,12 @@ namespace pendular {
 /// Reading with the model's prediction. All pairs are in the order (shear stress, solid fraction).
 struct ReadingMisfit {
     Reading reading;
-    Eigen::Vector2d predicted;             ///< predicted shear stress [Pa], solid fraction [1]
-    Eigen::Matrix2d predicted_covariance;  ///< covariance of the errors of `predicted`
-    /// Part of the chi2 of all readings from each observable, never negative.
+    /// Shear stress [Pa] and solid fraction [1] that the model predicts for the reading.
+    Eigen::Vector2d predicted;
+    /// Covariance of the errors of the predicted shear stress [Pa] and solid fraction [1].
+    Eigen::Matrix2d predicted_covariance;
+    /// Part of the chi2 of all readings that each observable of this reading contributes [1], never
+    /// negative.
     Eigen::Vector2d chi2;
     /// Normalised residual of each observable [1]: (measured - predicted) over the standard error
     /// of this difference, from errors of measurement and prediction.
@@ -27,8 +30,9 @@ struct ReadingMisfit {
 /// Misfit of the readings of one condition (replicates) together.
 struct ConditionMisfit {
     Condition condition;
-    std::vector<std::size_t> readings;  ///< indices into Comparison::readings
-    double chi2 = 0;                    ///< sum of the readings' contributions to chi2
+    /// Readings of the condition, as indices into Comparison::readings.
+    std::vector<std::size_t> readings;
+    double chi2 = 0;  ///< sum of the readings' contributions to chi2
     /// Normalised mean residual of (shear stress, solid fraction) [1]: mean of (measured -
     /// predicted) over the condition's readings, divided by the standard error of that mean.
     Eigen::Vector2d normalised = Eigen::Vector2d::Zero();
@@ -37,8 +41,9 @@ struct ConditionMisfit {
 /// Misfit of all readings of one file together.
 struct FileMisfit {
     std::string file;
-    std::size_t readings = 0;  ///< number of readings of the file
-    double chi2 = 0;           ///< sum of the readings' contributions to chi2
+    /// Number of readings in the file.
+    std::size_t readings = 0;
+    double chi2 = 0;  ///< sum of the readings' contributions to chi2
 };
 
 /// Direct measurement of an effect's parameter, beside the value of the parameter in the fitted
@@ -66,10 +71,11 @@ double freedom_behind(std::span<const Reading> readings);
 
 /// Misfit of a set of readings: chi2 with its degrees of freedom.
 struct Misfit {
-    /// chi2 with the errors that are estimated from the scatter of replicates, not widened where
-    /// there are few replicates.
+    /// chi2 of the readings. Their errors are estimated from the scatter of replicates and not
+    /// widened where there are few replicates.
     double chi2 = 0;
-    int dof = 0;  ///< degrees of freedom of `chi2`
+    /// Degrees of freedom of the misfit `chi2`.
+    int dof = 0;
     /// Effective degrees of freedom with which the errors of the readings were estimated
     /// (`freedom_behind`); infinite: the errors are known.
     double freedom = INFINITY;
@@ -83,7 +89,9 @@ struct Misfit {
 /// Comparison of a study's readings and direct measurements with the predictions of its model.
 struct Comparison {
     std::vector<ReadingMisfit> readings;  ///< all readings with their predictions
-    std::vector<DirectMisfit> direct;     ///< direct measurements beside the model's values
+    /// Direct measurements of effects' parameters, each beside the value of the parameter in the
+    /// fitted model.
+    std::vector<DirectMisfit> direct;
     /// Misfit of the readings of each condition; their chi2 add up to that of all readings.
     std::vector<ConditionMisfit> by_condition;
     /// Misfit of the readings of each file; their chi2 add up to that of all readings.

@@ -14,17 +14,20 @@ namespace pendular {
 /// from mean squares between and within sources:
 ///     variance = max(0, between - within)/steps.
 struct SharedErrors {
-    /// Errors of the entries by sources of variance 1, entries x sources; an entry is one
-    /// observable of one reading.
+    /// Errors that each source makes in the entries if its variance is 1: a row for each entry, a
+    /// column for each source. An entry is one observable of one reading.
     Eigen::MatrixXd loadings;
     /// Variance of each source [1], as contained in the covariance of the readings.
     double variance = 0;
-    /// Mean squares between sources and, within a source, between its steps of constant set points.
+    /// Mean squares of the analysis of variance: between sources of error and, within a source,
+    /// between its steps of constant set points.
     double between = 0, within = 0;
-    /// Degrees of freedom of `between`; infinite: `variance` is known exactly.
+    /// Degrees of freedom of the mean square `between`; infinite: `variance` is known exactly.
     double freedom_between = INFINITY;
-    double freedom_within = INFINITY;  ///< degrees of freedom of `within`
-    double steps = 1;                  ///< effective number of steps of each source
+    /// Degrees of freedom of the mean square `within`.
+    double freedom_within = INFINITY;
+    /// Effective number of steps of constant set points of each source of error.
+    double steps = 1;
 };
 
 /// Uncertainty of the sizes of the readings' errors, which few replicates determine. An entry is
@@ -36,7 +39,9 @@ struct ErrorKnowledge {
     /// Degrees of freedom of the estimated size of each kind of error; infinite: the size is known.
     std::vector<double> freedom;
     std::vector<SharedErrors> shared;  ///< errors that several readings share
-    Eigen::Index readings = 0;  ///< number of readings; reading k has the entries 2 k and 2 k + 1
+    /// Number of readings; the entries 2 k and 2 k + 1 are the shear stress and the solid fraction
+    /// of reading k.
+    Eigen::Index readings = 0;
     /// Degrees of freedom of the estimated correlation between the errors of the two observables of
     /// a reading; infinite: the correlation is known.
     double correlation_freedom = INFINITY;
@@ -71,7 +76,7 @@ class NullDraws {
     NullDraws(const Measured& measured, const ErrorKnowledge& knowledge, std::uint64_t seed,
               Eigen::Index count);
 
-    /// Number of draws (sets of errors).
+    /// Number of draws: sets of random errors of all measured values.
     Eigen::Index count() const { return errors_.cols(); }
     /// Components of the drawn errors along the columns of `basis` [1]: a row for each column of
     /// `basis`, a column for each draw. The errors of measurement and prediction are first whitened
@@ -83,8 +88,8 @@ class NullDraws {
     /// each column of `basis`, a column for each draw.
     Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis,
                           Eigen::Index draws) const;
-    /// Drawn errors of measurement and prediction [1], entries x draws, whitened as `residuals` are
-    /// (divided by the Cholesky factor of their covariance).
+    /// Random errors of measurement and prediction [1], whitened as `residuals` are (divided by the
+    /// Cholesky factor of their covariance): a row for each measured value, a column for each draw.
     Eigen::MatrixXd whitened(const WeightedResiduals& residuals) const;
 
     /// p value [1] of a statistic with the value `observed`: (1 + number of entries of `drawn` that
@@ -93,9 +98,11 @@ class NullDraws {
     static double p(double observed, const Eigen::VectorXd& drawn);
 
   private:
-    /// Drawn errors of the measured values in their units, entries x draws.
+    /// Random errors sampled for the null distribution: a row for each measured value [its unit], a
+    /// column for each draw.
     Eigen::MatrixXd errors_;
-    /// Standard normal numbers, entries x draws, for errors of the predictions.
+    /// Standard normal numbers from which the errors of the predictions follow: a row for each
+    /// measured value, a column for each draw.
     Eigen::MatrixXd predictions_;
 };
 

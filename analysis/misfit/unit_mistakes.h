@@ -15,10 +15,12 @@ namespace pendular {
 /// that removes the misfit.
 struct UnitMistake {
     std::string column;  ///< name of the column, as in "angular velocity"
-    /// Files concerned, as a text: "of all recordings", "of wet_1.csv" or "of the files dry_*.csv".
+    /// Files in which the column was read in a wrong unit, as a text: "of all recordings", "of
+    /// wet_1.csv" or "of the files dry_*.csv".
     std::string files;
-    double factor = 1;  ///< factor by which the numbers of the column must be multiplied [1]
-    std::string unit;   ///< text on the meaning of the factor: "numbers in rpm were read as rad/s"
+    /// Factor by which the numbers of the column must be multiplied to remove the misfit [1].
+    double factor = 1;
+    std::string unit;  ///< text on the meaning of the factor: "numbers in rpm were read as rad/s"
     /// chi2 of all readings without and with the factor on the column, each with the friction
     /// fitted. Errors of the model of 0.5 % of shear stress and 0.1 % of solid fraction are
     /// assumed.

@@ -20,7 +20,8 @@ namespace pendular {
 class WeightedResiduals {
   public:
     /// @param prediction prediction of the measured values at the fitted parameters, with its
-    ///        derivatives by these parameters and its covariance from errors of the simulation
+    ///        derivatives with respect to these parameters and its covariance from errors of the
+    ///        simulation
     /// @throws std::logic_error where the covariance of measurement and prediction together is not
     ///         positive definite, or that of the prediction has negative eigenvalues
     WeightedResiduals(const Measured& measured, const Prediction& prediction);
@@ -82,14 +83,15 @@ class WeightedResiduals {
     /// Number of linearly independent combinations of the calibrated parameters that the readings
     /// determine.
     Eigen::Index determined() const { return basis_.cols(); }
-    /// Whitened derivatives of the predictions f by the calibrated parameters theta, L^-1
-    /// df/dtheta, with the Cholesky factor L of the covariance of measurement and simulation;
+    /// Whitened derivatives of the predictions f with respect to the calibrated parameters theta,
+    /// L^-1 df/dtheta, with the Cholesky factor L of the covariance of measurement and simulation;
     /// entries x parameters.
     const Eigen::MatrixXd& slopes() const { return slopes_; }
 
   private:
     Eigen::VectorXd measured_;
-    Eigen::MatrixXd lower_;  ///< Cholesky factor L of Sigma_measurement + Sigma_simulation
+    /// Lower triangular Cholesky factor L of the covariance Sigma_measurement + Sigma_simulation.
+    Eigen::MatrixXd lower_;
     Eigen::MatrixXd prediction_root_;
     /// Inverse of Sigma_measurement + Sigma_simulation, computed when it is first needed; the same
     /// for all copies.
@@ -100,10 +102,12 @@ class WeightedResiduals {
     std::shared_ptr<Inverse> inverse_ = std::make_shared<Inverse>();
     Eigen::VectorXd residuals_;
     Eigen::MatrixXd slopes_;
-    Eigen::VectorXd lengths_;  ///< norms of the columns of J
+    /// Lengths (norms) of the columns of J, the whitened derivatives of the predictions.
+    Eigen::VectorXd lengths_;
     /// Decomposition of J with its columns divided by `lengths_`.
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed_;
-    Eigen::MatrixXd basis_;  ///< orthonormal basis of the columns of J
+    /// Orthonormal basis of the columns of J, the whitened derivatives of the predictions.
+    Eigen::MatrixXd basis_;
 };
 
 }  // namespace pendular

@@ -45,19 +45,23 @@ struct Profile {
     Dependence dependence = Dependence::none;
     std::string variable;  ///< name of the coordinate in formulas; empty for `none`
     std::string unit;      ///< SI unit of the coordinate
-    double constant = 0;   ///< constant c of `Dependence` [unit of the coordinate; 1 for a power]
-    double phase = 0;      ///< phase of an oscillation [rad]
+    /// Constant c of the formula of `dependence` (see `Dependence`) [unit of the coordinate; 1 for
+    /// a power].
+    double constant = 0;
+    /// Phase of the oscillation, where the dependence is an oscillation [rad].
+    double phase = 0;
     /// Value of the coordinate at which the size is 1 [its unit]; 0 where the formula needs no such
     /// value.
     double full_at = 0;
-    Eigen::VectorXd along;  ///< value of the coordinate at each reading [unit]
-    Eigen::VectorXd at;     ///< size of the change at each reading [1]
-    /// Penalty for the choice of one among n profiles of this kind, to be added to chi2 [1]: 2 ln
-    /// n.
+    /// Value of the coordinate at each reading [unit of the coordinate].
+    Eigen::VectorXd along;
+    Eigen::VectorXd at;  ///< size of the change at each reading [1]
+    /// Penalty to be added to chi2 because this profile was chosen among n profiles of its kind
+    /// [1]: 2 ln n.
     double price = 0;
 
-    /// Returns the size as a formula of the coordinate, as study.toml can contain it, such as
-    /// "exp(-time/600)".
+    /// Returns the size of the change as a formula of the coordinate, as study.toml can contain it,
+    /// such as "exp(-time/600)".
     std::string formula() const;
 };
 

@@ -13,25 +13,29 @@ namespace pendular {
 /// which quantity changes, and how the change varies between readings.
 struct FittedShape {
     ShapeOfChange shape;
-    WrittenEffect effect;  ///< the change, as an effect for study.toml
-    double change = 0;     ///< fitted change at readings where the profile has size 1 [its unit]
+    /// The change, written as an effect that can be copied to study.toml.
+    WrittenEffect effect;
+    /// Fitted change of the quantity at readings where the profile has size 1 [unit of the change].
+    double change = 0;
     double standard_error = 0;  ///< standard error of `change` [its unit]
 };
 
 /// Proposal for a misfit that no known effect explains: one or two changes of unknown cause that
-/// explain the misfit or most of it when they are added to the model. + std::vector<FittedShape>
-/// shapes; The proposed changes, one or two.
+/// explain the misfit or most of it when they are added to the model.
 struct Proposal {
+    /// The one or two changes of unknown cause that are proposed, fitted to the readings.
     std::vector<FittedShape> shapes;
     /// Other changes, estimated in the linear approximation, that would change the readings in
     /// nearly the same way as the single proposed change; empty if two changes are proposed.
     std::vector<FittedShape> alike;
-    /// Model refitted with the proposed changes; `chosen` has no meaning here.
+    /// Model refitted to the readings with the proposed changes, with its chi2 and tests. Its
+    /// `chosen` has no meaning here.
     Explanation explanation;
     /// p value [1]: probability that the best of all shapes that were tried reduces chi2 as much by
     /// chance, if nothing is missing.
     double p = 1;
-    /// Share of the excess chi2 - dof (chi2 minus degrees of freedom) that the changes remove [1].
+    /// Share [1] of the excess chi2 - dof (chi2 minus degrees of freedom) of the study's model that
+    /// the proposed changes remove.
     double explained = 0;
     /// Penalty for the choice of the shapes among all that were tried, to be added to chi2 [1].
     double price = 0;

@@ -17,10 +17,14 @@ class ScoredShapes {
   public:
     /// Score of one shape, or of two together.
     struct Score {
-        std::vector<std::size_t> shapes;  ///< indices of one or two shapes
-        double reduction = 0;             ///< predicted reduction of chi2 [1]
-        double price = 0;  ///< penalty for the choice of the shapes, to be added to chi2 [1]
-        std::vector<double> changes;  ///< estimated changes of the shapes, in their units
+        /// Indices of the one or two shapes (changes of unknown cause) that are scored.
+        std::vector<std::size_t> shapes;
+        /// Predicted reduction of chi2 when these shapes are added to the model [1].
+        double reduction = 0;
+        /// Penalty to be added to chi2 because these shapes were chosen among many [1].
+        double price = 0;
+        /// Estimated change of the quantity of each shape, in the unit of the change.
+        std::vector<double> changes;
         /// Single shapes of other quantities that change the readings in nearly the same way, at a
         /// similar score; set by `unlike`.
         std::vector<std::size_t> alike;
@@ -55,7 +59,8 @@ class ScoredShapes {
     /// Quantity that may change, with the change of the readings per unit of the quantity's change.
     struct Changeable {
         ChangedQuantity quantity;
-        Eigen::VectorXd response;  ///< change of all entries per unit of the quantity's change
+        /// Change of each entry of the readings per unit of the quantity's change.
+        Eigen::VectorXd response;
         std::vector<ReadingCoordinate> coordinates;
     };
 
@@ -81,11 +86,17 @@ class ScoredShapes {
     WeightedResiduals residuals_;
     std::vector<Changeable> changeables_;
     std::vector<ShapeOfChange> shapes_;
-    std::vector<std::size_t> changed_by_;  ///< index into `changeables_` for each shape
-    Eigen::MatrixXd directions_;           ///< whitened changes of length 1, P g/|P g|, as columns
-    Eigen::VectorXd lengths_;              ///< length |P g| for each shape [1/unit of its change]
-    Eigen::VectorXd along_;                ///< component of the residuals along each direction
-    Eigen::VectorXd drawn_;                ///< largest reduction by any shape in each random draw
+    /// For each shape, the quantity that it changes, as index into `changeables_`.
+    std::vector<std::size_t> changed_by_;
+    /// Direction of the change of the readings by each shape, a column of length 1: P g/|P g| with
+    /// the whitened change g and the projection P of `WeightedResiduals`.
+    Eigen::MatrixXd directions_;
+    /// Length |P g| of the whitened change of the readings by each shape [1/unit of its change].
+    Eigen::VectorXd lengths_;
+    /// Component of the whitened residuals along the direction of each shape [1].
+    Eigen::VectorXd along_;
+    /// Largest reduction of chi2 by any shape, in each random draw of errors [1].
+    Eigen::VectorXd drawn_;
 };
 
 }  // namespace pendular

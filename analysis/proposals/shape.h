@@ -13,14 +13,19 @@ namespace pendular {
 /// an [[effect]] in study.toml can set it.
 struct ChangedQuantity {
     std::string target;  ///< name of the quantity in formulas, such as "torque"
-    /// True: the quantity is multiplied by 1 + change; false: the change is added.
+    /// How the change acts. True: the quantity is multiplied by 1 + change; false: the change is
+    /// added to the quantity.
     bool relative = true;
-    std::string unit;        ///< SI unit of the change; "1" where `relative`
-    double smallest = 0.01;  ///< smallest change that matters [unit]
-    double lower = -0.9;     ///< smallest change considered [unit]
-    double upper = 9;        ///< largest change considered [unit]
+    std::string unit;  ///< SI unit of the change; "1" where `relative`
+    /// Smallest change of interest of the quantity [unit].
+    double smallest = 0.01;
+    /// Lower limit of the change of the quantity [unit].
+    double lower = -0.9;
+    /// Upper limit of the change of the quantity [unit].
+    double upper = 9;
 
-    /// Kind of the quantity: it belongs to the instrument, the flow, or the grains and liquid.
+    /// Returns the kind of effect that changes the quantity: one on the instrument, on the flow, or
+    /// on grains and liquid.
     WrittenEffect::Kind kind() const;
 };
 

@@ -45,12 +45,13 @@ class PaperState {
 
     const dem::RunResult& run() const { return run_; }
     /// Returns a text that names the state: "friction 0.09, V0/a^3 0.002, P* 3" (V0/a^3: bridge
-    /// volume over cubed grain diameter, P*: reduced pressure). + double friction() const Friction
-    /// coefficient between the grains [1]. + double bridge_volume() const Bridge volume over the
-    /// cubed grain diameter [1]. + double reduced_pressure() const Reduced pressure P* [1].
+    /// volume over cubed grain diameter, P*: reduced pressure).
     std::string name() const;
+    /// Friction coefficient between the grains in the run [1].
     double friction() const { return run_.parameters.friction; }
+    /// Volume of a liquid bridge over the cubed grain diameter in the run [1].
     double bridge_volume() const { return run_.parameters.wetting->bridge_volume; }
+    /// Reduced pressure P* of the run [1].
     double reduced_pressure() const { return run_.parameters.wetting->reduced_pressure; }
     /// Stress ratio of dry grains at the friction and inertial number of the state [1].
     const Mean& dry_stress_ratio() const { return dry_stress_ratio_; }
@@ -84,11 +85,16 @@ class PaperState {
 /// errors. The slope c* is the reduced cohesion.
 /// Source: Badetti et al. (2018), eq:mohrcoulomb2.
 struct StrengthLine {
-    /// Friction, bridge volume over cubed grain diameter [1].
+    /// Friction coefficient [1], and bridge volume over cubed grain diameter [1], of the states on
+    /// the line.
     double friction = 0, bridge_volume = 0;
-    Mean intercept, cohesion;  ///< intercept, and reduced cohesion c* = a^2 c/F0 [1]
-    double covariance = 0;     ///< covariance of intercept and c* [1]
-    int points = 0;            ///< number of states that the line is fitted to
+    /// Fitted intercept of the line [1], and its slope, the reduced cohesion c* = a^2 c/F0 [1] (a:
+    /// grain diameter, c: cohesion, F0: pull-off force of a bridge).
+    Mean intercept, cohesion;
+    /// Covariance of the errors of the intercept and of the reduced cohesion c* [1].
+    double covariance = 0;
+    /// Number of simulated states to which the line is fitted.
+    int points = 0;
 
     /// Returns the stress ratio of the line at a reduced pressure [1], with its standard error.
     Mean at(double reduced_pressure) const;
@@ -102,13 +108,13 @@ inline constexpr double lowest_line_pressure = 2.3;
 /// Stiffness number of the simulations of Badetti et al. (2018) [1].
 inline constexpr double paper_stiffness = 8400;
 
-/// Whether two frictions, bridge volumes or reduced pressures [1] are equal up to rounding (a
-/// millionth).
+/// Whether two frictions, two bridge volumes or two reduced pressures [1] are equal up to rounding.
 bool same_setting(double a, double b);
 
 /// A state of the parameter study that has not been simulated.
 struct MissingState {
-    /// Friction, bridge volume over cubed grain diameter and reduced pressure [1].
+    /// Friction coefficient, bridge volume over cubed grain diameter, and reduced pressure of the
+    /// missing state [1].
     double friction, bridge_volume, reduced_pressure;
 };
 
@@ -126,7 +132,8 @@ class PaperStudy {
     /// @param emulator emulator trained on `runs`; must outlive this object
     PaperStudy(const std::vector<dem::RunResult>& runs, const Emulator& emulator);
 
-    /// The states, in the order of friction, bridge volume and reduced pressure.
+    /// Simulated states of the parameter study, sorted by friction, bridge volume and reduced
+    /// pressure.
     const std::vector<PaperState>& states() const { return states_; }
     /// Number of the states that were simulated within a factor 2 of the stiffness number of
     /// Badetti et al. (2018).
@@ -140,10 +147,10 @@ class PaperStudy {
     /// Dry runs without effects, sorted by friction, then by inertial number.
     const std::vector<dem::RunResult>& dry_runs() const { return dry_runs_; }
     /// Straight lines of stress ratio against 1/P* (P*: reduced pressure), one for each friction
-    /// and bridge volume with three or more states at P* >= `lowest_line_pressure`. + const
-    /// StrengthLine* line( Returns the line of a friction and bridge volume [1]; null where there
-    /// is none.
+    /// and bridge volume with three or more states at P* >= `lowest_line_pressure`.
     const std::vector<StrengthLine>& lines() const { return lines_; }
+    /// Returns the straight line of the states of one friction [1] and one bridge volume over cubed
+    /// grain diameter [1]; null where there is none.
     const StrengthLine* line(double friction, double bridge_volume) const;
     /// Returns the mean of a closure (analytical formula) over the states of a line [1]. Its
     /// standard error is the mean of the states' standard errors, which are taken as fully

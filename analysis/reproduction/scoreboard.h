@@ -12,22 +12,32 @@ namespace pendular {
 /// Comparison of a number or range that Badetti et al. (2018) state with the values that
 /// simulations give.
 struct ScoreboardRow {
-    std::string section;    ///< heading under which the row stands
-    std::string what;       ///< quantity and condition, with its unit
-    std::string published;  ///< published value or range, as text
-    /// Simulated value with its standard error, or range of the simulated values, as text.
+    /// Heading of the section of the table to which the row belongs.
+    std::string section;
+    /// Name of the compared quantity and its condition, with the unit.
+    std::string what;
+    /// Published value or range of the quantity, as text.
+    std::string published;
+    /// Simulated value of the quantity with its standard error, or range of the simulated values,
+    /// as text.
     std::string ours;
-    /// Published range; for a single value, the value minus and plus its error.
+    /// Lower and upper end of the published range; for a single published value, the value minus
+    /// and plus its error.
     double lower = 0, upper = 0;
-    double least = 0, greatest = 0;  ///< smallest and largest simulated value
+    /// Smallest and largest of the simulated values of the quantity.
+    double least = 0, greatest = 0;
     /// Distance of the farthest simulated value from the published value or range, in standard
     /// errors [1]: combined ones for a published value, those of the simulation for a range; 0
     /// inside the range.
     double distance = 0;
-    int values = 0;   ///< number of simulated values
-    int outside = 0;  ///< number of simulated values that are further away than `allowed_distance`
-    std::string where;   ///< text that names the farthest value outside and its state; empty: none
-    bool agrees = true;  ///< whether `distance` is at most `allowed_distance`
+    /// Number of simulated values of the quantity.
+    int values = 0;
+    /// Number of simulated values of the quantity that are further from the publication than
+    /// `allowed_distance`.
+    int outside = 0;
+    std::string where;  ///< text that names the farthest value outside and its state; empty: none
+    /// Whether simulation and publication agree: `distance` is at most `allowed_distance`.
+    bool agrees = true;
 };
 
 /// Largest distance of a simulated value that agrees from the published value or range, in standard

@@ -9,8 +9,10 @@ namespace pendular::app {
 
 /// Date and version that the first line of a manual page states.
 struct ManHeading {
-    std::string date;     ///< date, as year-month-day
-    std::string version;  ///< version of the program
+    /// Date of the manual page, as year-month-day.
+    std::string date;
+    /// Version of the program that the manual page describes.
+    std::string version;
 };
 
 /// Returns the manual page of the program, pendular(1), in roff: its commands by group and its exit

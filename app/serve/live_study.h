@@ -109,16 +109,20 @@ class LiveStudy {
     std::string made_, trouble_, sentence_;
     std::optional<double> share_;
     bool working_ = false, changing_ = false, ended_ = false;
-    bool stale_ = true;  ///< whether files differ from those of the last page
-    /// State of the files when the newest page was begun.
+    /// Whether files of the study differ from those from which the last page was made.
+    bool stale_ = true;
+    /// Sizes and times of the study's files when the making of the newest page began.
     StudyStamps made_from_;
-    /// State of the files of the last page whose outcome was printed.
+    /// Sizes and times of the study's files for the last page whose outcome was printed on the
+    /// console.
     StudyStamps told_;
-    std::stop_source page_stop_;  ///< stops the making of the page in progress
+    /// Request that stops the making of the page in progress.
+    std::stop_source page_stop_;
     /// Requests that all work ends.
     std::stop_token end_;
     std::deque<Job> jobs_;
-    std::deque<Happening> events_;  ///< recent events, the oldest first
+    /// Recent events that open pages show, the oldest first.
+    std::deque<Happening> events_;
     std::size_t events_so_far_ = 0;
 };
 

@@ -16,8 +16,10 @@ namespace pendular::app {
 
 /// Functions that answer the requests of browsers on a study. Several threads call them at once.
 struct ServedStudy {
-    std::function<std::shared_ptr<const std::string>()> page;  ///< page of the study, HTML
-    std::function<std::string()> state;                        ///< state of the study, JSON
+    /// Returns the page of the study, as HTML.
+    std::function<std::shared_ptr<const std::string>()> page;
+    /// Returns the state of the study (version of the page, progress and events), as JSON.
+    std::function<std::string()> state;
     /// Stores a recording in the study, given the name and the content of its file, and returns the
     /// HTTP status and text for the browser.
     std::function<Answer(std::string name, std::string bytes)> receive;

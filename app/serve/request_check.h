@@ -9,11 +9,15 @@ namespace pendular::app {
 /// Parts of an HTTP request by which a server decides whether to answer it. A header that the
 /// request lacks is empty.
 struct RequestHead {
-    std::string method;  ///< GET or POST, for example
-    std::string target;  ///< path and query as they were sent: "/TOKEN/state"
-    std::string host;    ///< header Host
-    std::string origin;  ///< header Origin
-    std::string token;   ///< header X-Pendular-Token
+    /// Method of the HTTP request, such as GET or POST.
+    std::string method;
+    /// Path and query of the HTTP request as they were sent, such as "/TOKEN/state".
+    std::string target;
+    /// Header Host of the HTTP request.
+    std::string host;
+    /// Header Origin of the HTTP request.
+    std::string origin;
+    std::string token;  ///< header X-Pendular-Token
 };
 
 /// Address of a server on this computer: http://127.0.0.1:PORT/TOKEN/.

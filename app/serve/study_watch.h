@@ -26,8 +26,10 @@ struct FileStamp {
 /// State of the files from which the page of a study is made: size, time of change and inode number
 /// of each file, by its path.
 struct StudyStamps {
-    std::map<std::string, FileStamp> inputs;   ///< study.toml and the measurements
-    std::map<std::string, FileStamp> results;  ///< fit.json and ladder.json
+    /// State of study.toml and of each file of measurements, by path.
+    std::map<std::string, FileStamp> inputs;
+    /// State of fit.json and ladder.json in the results folder, by path.
+    std::map<std::string, FileStamp> results;
     bool operator==(const StudyStamps&) const = default;
 };
 
@@ -52,7 +54,8 @@ class StudyWatch {
   private:
     void read_patterns_anew();
 
-    std::filesystem::path file_;  ///< study.toml
+    /// Path of the watched study.toml.
+    std::filesystem::path file_;
     std::filesystem::path results_;
     std::mutex mutex_;
     /// State of study.toml when `patterns_` were read from it.

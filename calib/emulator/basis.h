@@ -10,10 +10,11 @@ namespace pendular {
 /// State of steady shear at which the emulator predicts, given by the dimensionless numbers that
 /// determine it.
 struct FlowState {
-    double friction = 0;          ///< friction coefficient of the contacts [1]
-    double inertial_number = 0;   ///< inertial number I [1]; 0: the quasi-static limit
-    double inverse_pressure = 0;  ///< inverse reduced pressure 1/P* [1]; 0: dry
-    /// Volume of a liquid bridge over (grain diameter)^3 [1]; ignored where dry.
+    double friction = 0;         ///< friction coefficient of the contacts [1]
+    double inertial_number = 0;  ///< inertial number I [1]; 0: the quasi-static limit
+    /// Inverse reduced pressure 1/P* of the state [1]; 0 for dry grains.
+    double inverse_pressure = 0;
+    /// Volume of a liquid bridge over (grain diameter)^3 [1]; without meaning for dry grains.
     double bridge_volume = 0;
     /// Effects on grains that act in this state. Their values are in the units of a simulation run,
     /// in which grain diameter, grain mass and normal stress are 1.
@@ -28,29 +29,34 @@ struct FlowState {
 /// Dimensionless coordinates of a state of steady shear. Observables of the flow, such as the
 /// stress ratio, are nearly linear functions of these coordinates.
 struct Coordinates {
-    /// Friction: ln[(friction + s)/(centre + s)] with a chosen friction coefficient `centre`; s =
-    /// 0.05, or 0.02 in `emulated::place_of`.
+    /// Coordinate of the friction coefficient: ln[(friction + s)/(centre + s)] with a chosen
+    /// friction coefficient `centre`; s = 0.05, or 0.02 in `emulated::place_of`.
     double x = 0;
-    double q = 0;  ///< inertial number: I^exponent
-    double u = 0;  ///< inverse reduced pressure: 1/P*
-    double v = 0;  ///< bridge volume V0: ln(V0/a^3/0.002), a: grain diameter; 0 where dry
+    /// Coordinate of the inertial number I: I^exponent.
+    double q = 0;
+    /// Coordinate of the reduced pressure P*: its inverse 1/P*.
+    double u = 0;
+    /// Coordinate of the bridge volume V0: ln(V0/a^3/0.002) with the grain diameter a; 0 for dry
+    /// grains.
+    double v = 0;
 
     bool operator==(const Coordinates&) const = default;
 };
 
 /// Returns the coordinates of a state of steady shear: x = ln[(friction + 0.05)/(centre + 0.05)], q
 /// = I^`exponent` with the inertial number I, u = 1/P* with the reduced pressure P*, and v as in
-/// `Coordinates`. For frictions from 0 to 0.4 the slopes of stress ratio and solid fraction in x
-/// change by about a factor 2; the slope of the stress ratio in friction itself changes by a factor
-/// 9.
+/// `Coordinates`. For frictions from 0 to 0.4 the derivatives of stress ratio and solid fraction
+/// with respect to x change by about a factor 2; the derivative of the stress ratio with respect to
+/// the friction itself changes by a factor 9.
 Coordinates coordinates(const FlowState& state, double centre, double exponent);
 
 /// Coordinate x = ln[(friction + 0.05)/(centre + 0.05)] of a friction coefficient [1], 0 at
 /// `centre`.
 double friction_coordinate(double friction, double centre);
-/// Friction coefficient [1] at a coordinate x: the inverse of `friction_coordinate`.
+/// Returns the friction coefficient [1] whose coordinate (`friction_coordinate`) is `coordinate`.
 double friction_at(double coordinate, double centre);
-/// Derivative of `friction_coordinate` by the friction coefficient [1]: 1/(friction + 0.05).
+/// Derivative of `friction_coordinate` with respect to the friction coefficient [1]: 1/(friction +
+/// 0.05).
 double friction_slope(double friction);
 
 /// Terms of a polynomial in the coordinates of a state of steady shear: products of powers of x, q,
@@ -64,11 +70,11 @@ class Basis {
     void add(const Powers& term) { terms_.push_back(term); }
     Eigen::Index size() const { return static_cast<Eigen::Index>(terms_.size()); }
 
-    /// Value of each term (product of powers) at the coordinates `at`, in the order in which terms
-    /// were added.
+    /// Value of each term of the polynomial (product of powers of x, q, u and v) at the coordinates
+    /// `at`, in the order in which terms were added.
     Eigen::RowVectorXd values(const Coordinates& at) const;
-    /// Derivative of each term (product of powers) at the coordinates `at`, in the order in which
-    /// terms were added.
+    /// Derivative of each term of the polynomial (product of powers of x, q, u and v) at the
+    /// coordinates `at`, in the order in which terms were added.
     /// @param coordinate coordinate of the derivative: 0 for x, 1 for q, 2 for u, 3 for v; -1 gives
     ///        the values
     Eigen::RowVectorXd slopes(const Coordinates& at, int coordinate) const;

@@ -57,7 +57,9 @@ class EffectResponse {
 
     std::vector<ResponsePlace> places_;
     Eigen::VectorXd amplitudes_;
-    double plane_ = 1, curved_ = 1;  ///< prior variances of the plane and of the other process
+    /// Prior variances of the two parts of y: of the plane and of the process of squared
+    /// exponential covariance.
+    double plane_ = 1, curved_ = 1;
     Eigen::LLT<Eigen::MatrixXd> factor_;
     /// Sums that predictions need, with the weights s = b (K + Sigma)^-1 changes of the training
     /// changes, their amplitudes b and coordinates z, the prior covariance K and the covariance

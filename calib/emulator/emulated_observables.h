@@ -58,7 +58,8 @@ std::vector<Query> pairs_at(const std::vector<FlowState>& states);
 /// grain diameter at which the bridge breaks. It is 1 for other observables.
 struct Unit {
     double offset = 0, size = 1;
-    /// Derivatives of `size` by 1/P* and by V0/a^3 (V0: bridge volume, a: grain diameter).
+    /// Derivatives of `size` with respect to 1/P* and to V0/a^3 (V0: bridge volume, a: grain
+    /// diameter).
     double by_inverse_pressure = 0, by_bridge_volume = 0;
 };
 /// Returns the scaling between an observable and its Gaussian process at a state of steady shear.
@@ -68,8 +69,8 @@ Unit unit_at(dem::Observable which, const FlowState& state);
 /// reduced pressure P* becomes infinite.
 Domain domain_of(dem::Observable which);
 
-/// Whether two stiffness numbers [1] differ by at most a factor 2, so that runs with them may train
-/// one Gaussian process together.
+/// Whether the stiffness numbers [1] of two runs differ by at most a factor 2, so that runs with
+/// them may train one Gaussian process together.
 bool alike(double a_stiffness_number, double another);
 
 /// Whether a run has a value of an observable. Observables of liquid bridges need a wet run.

@@ -15,9 +15,9 @@ struct EmulatedObservable {
     dem::Observable which;
     /// Emulated value with its standard error, in the unit of the observable.
     Estimate value;
-    /// Derivatives of the value by friction, ln I, 1/P* and V0/a^3, in the order of `Input`, with
-    /// their standard errors (I: inertial number, P*: reduced pressure, V0: bridge volume, a: grain
-    /// diameter). Wet states have all four, dry states only the first two.
+    /// Derivatives of the value with respect to friction, ln I, 1/P* and V0/a^3, in the order of
+    /// `Input`, with their standard errors (I: inertial number, P*: reduced pressure, V0: bridge
+    /// volume, a: grain diameter). Wet states have all four, dry states only the first two.
     std::vector<Estimate> slopes;
 };
 

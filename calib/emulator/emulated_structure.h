@@ -7,15 +7,15 @@
 
 namespace pendular {
 
-/// Returns the emulated sum of several observables at a wet state, with its derivatives by the
-/// friction coefficient and by ln V0 (V0: bridge volume).
+/// Returns the emulated sum of several observables at a wet state, with its derivatives with
+/// respect to the friction coefficient and to ln V0 (V0: bridge volume).
 /// @param sum observables to add
 StructureResponse respond(const Emulator& emulator, const std::vector<dem::Observable>& sum,
                           const FlowState& state);
 
 /// Returns the emulated coordination number Z = Z_c + Z_d at a wet state [1], with its derivatives
-/// by the friction coefficient and by ln V0 (V0: bridge volume). Z_c and Z_d: contacts and bridges
-/// without contact per grain.
+/// with respect to the friction coefficient and to ln V0 (V0: bridge volume). Z_c and Z_d: contacts
+/// and bridges without contact per grain.
 StructureResponse coordination(const Emulator& emulator, const FlowState& state);
 
 /// Returns the bridge volume over a^3 [1] at which the wet grains have a given liquid content, at

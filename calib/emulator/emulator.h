@@ -20,10 +20,10 @@ namespace pendular {
 /// predicts grains without effects. For each effect on grains, an `EffectResponse`, trained on the
 /// runs that have this effect alone, adds the change; changes by several effects add up. A further
 /// `EffectResponse`, trained on runs of other stiffness numbers, adds the change from the stiffness
-/// number of the `PlainEmulator` to that of the requested state. Derivatives by friction,
-/// inertial number, reduced pressure and bridge volume include the change with stiffness but omit
-/// the changes by effects. Predictions never change after construction, so that several threads may
-/// query the emulator at once.
+/// number of the `PlainEmulator` to that of the requested state. Derivatives with respect to
+/// friction, inertial number, reduced pressure and bridge volume include the change with stiffness
+/// but omit the changes by effects. Predictions never change after construction, so that several
+/// threads may query the emulator at once.
 class Emulator {
   public:
     /// Takes training runs and hyperparameters. Each Gaussian process is trained when it is first
@@ -72,7 +72,7 @@ class Emulator {
     /// as outside, since the emulator extrapolates there and states the error.
     std::string beyond(const FlowState& state) const;
 
-    /// Training runs, with and without effects.
+    /// Simulation runs on which the emulator is trained, with and without effects on grains.
     const std::vector<dem::RunResult>& runs() const { return plain_.runs(); }
 
     /// Whether runs of other stiffness numbers have trained the change of predictions with
@@ -145,7 +145,8 @@ class Emulator {
             std::once_flag once;
             std::unique_ptr<const LearnedResponse> learned;
         };
-        std::mutex mutex;  ///< guards both maps, whose entries keep their addresses
+        /// Guards both maps of predictors, whose entries keep their addresses.
+        std::mutex mutex;
         std::map<std::pair<std::string, dem::Observable>, Response> all;
         std::map<std::pair<const LearnedResponse*, const LearnedResponse*>, Eigen::MatrixXd>
             training_covariances;

@@ -19,8 +19,8 @@ Hyperparameters fit_hyperparameters(Domain domain, const Observations& known, do
 /// constant; infinite where the covariance of the observations is not positive definite.
 /// @param unit typical size of the quantity, in its unit
 /// @param hyperparameters hyperparameters at which the cost is evaluated
-/// @param gradient receives the derivatives of the cost by the logarithms of the hyperparameters,
-///        in the order of `Hyperparameters::names`; may be null
+/// @param gradient receives the derivatives of the cost with respect to the logarithms of the
+///        hyperparameters, in the order of `Hyperparameters::names`; may be null
 double hyperparameter_cost(Domain domain, const Observations& known, double unit,
                            const Hyperparameters& hyperparameters, double* gradient);
 

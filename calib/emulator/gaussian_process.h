@@ -11,9 +11,13 @@ namespace pendular {
 /// Observed values, with noise, of m quantities at n places. The quantities are functions of the
 /// coordinates of a state of steady shear.
 struct Observations {
-    std::vector<Coordinates> at;         ///< places of the observations, n
-    Eigen::MatrixXd values;              ///< observed values, n x m: a row for each place
-    std::vector<Eigen::MatrixXd> noise;  ///< covariance of the noise at each place, m x m
+    /// Places of the n observations, as coordinates of states of steady shear.
+    std::vector<Coordinates> at;
+    /// Observed values of the m quantities: a row for each of the n places, a column for each
+    /// quantity.
+    Eigen::MatrixXd values;
+    /// Covariance (m x m) of the noise of the m observed values at each place.
+    std::vector<Eigen::MatrixXd> noise;
 
     /// Returns the observations of one quantity alone, given by its column in `values`.
     Observations only(Eigen::Index quantity) const;
@@ -46,8 +50,10 @@ class GaussianProcess {
     Eigen::VectorXd mean(const std::vector<Requested>& requested) const;
     /// Requested values and derivatives, with the terms that their covariances need.
     struct Solved {
+        /// Values and derivatives of the functions that are predicted.
         std::vector<Requested> requested;
-        std::vector<Kernel::Prepared> places;  ///< place of each request
+        /// Place of each requested value or derivative, with the terms that its covariances need.
+        std::vector<Kernel::Prepared> places;
         /// Matrix L^-1 k, with the Cholesky factor L of K + N (prior covariance of the observations
         /// plus their noise) and the prior covariance k of the observations (rows) with the
         /// requested values (columns).
@@ -55,15 +61,16 @@ class GaussianProcess {
     };
     /// Computes the terms that the covariances of requested values and derivatives need.
     Solved solve(std::vector<Requested> requested) const;
-    /// Posterior covariance of the requested values and derivatives, a row and a column for each. +
-    /// Eigen::MatrixXd covariance(const std::vector<Requested>& requested) const { Posterior
-    /// covariance of the requested values and derivatives, a row and a column for each.
+    /// Posterior covariance of the requested values and derivatives, a row and a column for each of
+    /// them, in the order of `requested`.
     Eigen::MatrixXd covariance_of(const Solved& requested) const;
+    /// Posterior covariance of the requested values and derivatives, a row and a column for each of
+    /// them, in the order of `requested`.
     Eigen::MatrixXd covariance(const std::vector<Requested>& requested) const {
         return covariance_of(solve(requested));
     }
-    /// Posterior covariance between requested values and derivatives `a` (rows) and others `b`
-    /// (columns).
+    /// Posterior covariance of the requested values and derivatives `a` (rows) with the requested
+    /// values and derivatives `b` (columns).
     Eigen::MatrixXd covariance_between(const Solved& a, const Solved& b) const;
 
   private:

@@ -16,11 +16,13 @@ constexpr int coordinate_count = 4;
 constexpr int pressure_coordinate = 2;
 
 /// Value of a function of the coordinates x, q, u and v (`Coordinates`) at a place, or its
-/// derivative there by one coordinate.
+/// derivative there with respect to one coordinate.
 struct Functional {
     static constexpr int value = -1;
     Coordinates at;
-    int derivative = value;  ///< coordinate: 0 for x, 1 for q, 2 for u, 3 for v; `value`: none
+    /// Coordinate by which the function is differentiated: 0 for x, 1 for q, 2 for u, 3 for v;
+    /// `value`: none.
+    int derivative = value;
 };
 
 /// Kind of an emulated quantity, which determines its behaviour in the dry limit 1/P* -> 0 (P*:
@@ -39,13 +41,15 @@ enum class Domain {
 struct Hyperparameters {
     /// Standard deviation of the dry part g_dry, in the unit of the quantity.
     double dry_amplitude = 1;
-    double dry_x = 1, dry_q = 0.2;  ///< correlation lengths of g_dry in x and q [1]
+    /// Correlation lengths of the dry part g_dry in the coordinates x and q [1].
+    double dry_x = 1, dry_q = 0.2;
     /// Standard deviation of the wet part g_wet, before its factor b(u), in the unit of the
     /// quantity.
     double wet_amplitude = 1;
     /// Correlation lengths of g_wet in x, q, ln(1 + u/0.1) and v, in this order [1].
     double wet_x = 1, wet_q = 0.2, wet_u = 1, wet_v = 1;
-    double noise = 1;  ///< factor on the variances of the noise that the runs state [1]
+    /// Factor on the variances of the noise that the training runs state [1].
+    double noise = 1;
     /// Between-run scatter: standard deviation between runs of equal parameters, in addition to the
     /// noise that the runs state, in the unit of the quantity.
     double between_run_scatter = 1e-3;
@@ -57,7 +61,7 @@ struct Hyperparameters {
     static constexpr std::array<std::string_view, count> names = {
         "dry_amplitude", "dry_friction", "dry_inertia", "wet_amplitude", "wet_friction",
         "wet_inertia",   "wet_pressure", "wet_volume",  "noise",         "between"};
-    /// All hyperparameters, in the order of their declaration.
+    /// Returns the values of all ten hyperparameters, in the order of their declaration.
     std::array<double, count> as_array() const;
     /// Returns hyperparameters with the given values, in the order of `as_array`.
     static Hyperparameters from_array(const std::array<double, count>& values);
@@ -86,8 +90,9 @@ class Kernel {
     struct Prepared {
         int derivative = Functional::value;
         double u = 0;
-        std::array<double, coordinate_count> place{};  ///< coordinates [x, q, ln(1 + u/0.1), v]
-        /// Derivatives of the entries of `place` by x, q, u and v.
+        /// Coordinates of the place, [x, q, ln(1 + u/0.1), v].
+        std::array<double, coordinate_count> place{};
+        /// Derivatives of the entries of `place` with respect to x, q, u and v.
         std::array<double, coordinate_count> stretch{};
         Eigen::RowVectorXd polynomial;  ///< terms of the polynomial h, or their derivatives
     };
@@ -112,17 +117,18 @@ class Kernel {
     /// Stores the places of `values`, with a weight for each, for the function `sums`.
     Known known(const std::vector<Prepared>& values, const Eigen::VectorXd& weights) const;
     /// Returns the sum, over the stored places `known`, of weight x prior covariance with the value
-    /// at `at` by the Gaussian processes; then the derivatives of this sum by the coordinates x, q,
-    /// u and v of `at`.
-    /// @param with_pressure whether the derivative by u is needed; if false, it may lack a part
+    /// at `at` by the Gaussian processes; then the derivatives of this sum with respect to the
+    /// coordinates x, q, u and v of `at`.
+    /// @param with_pressure whether the derivative with respect to u is needed; if false, it may
+    ///        lack a part
     std::array<double, 1 + coordinate_count> sums(const Known& known, const Prepared& at,
                                                   bool with_pressure) const;
 
     /// Prior covariance matrix of values or derivatives of f, a row and a column for each of `of`.
     Eigen::MatrixXd matrix(const std::vector<Prepared>& of) const;
-    /// Derivatives of tr(W K)/2 by the logarithms of the first eight hyperparameters, those of
-    /// g_dry and g_wet, in their order. K: prior covariance matrix of `values` by the Gaussian
-    /// processes; W: `weights`, a symmetric matrix.
+    /// Derivatives of tr(W K)/2 with respect to the logarithms of the first eight hyperparameters,
+    /// those of g_dry and g_wet, in their order. K: prior covariance matrix of `values` by the
+    /// Gaussian processes; W: `weights`, a symmetric matrix.
     std::array<double, Hyperparameters::of_processes> half_traces(
         const std::vector<Prepared>& values, const Eigen::MatrixXd& weights) const;
 
@@ -135,8 +141,8 @@ class Kernel {
     struct Part {
         /// Variance of the process before the factor b(u), in the square of the quantity's unit.
         double variance = 0;
-        /// Inverse squares of the correlation lengths; 0 where the process does not depend on the
-        /// coordinate.
+        /// Inverse squares of the correlation lengths of the process, one for each coordinate; 0
+        /// where the process does not depend on the coordinate.
         std::array<double, coordinate_count> inverse_squares{};
         Amplitude amplitude = Amplitude::one;
     };
@@ -150,7 +156,8 @@ class Kernel {
     std::vector<bool> is_dry_;  ///< for each of `parts_`, whether it is the dry process
     Basis basis_;
     Eigen::Index dry_terms_ = 0;  ///< number of terms of the dry polynomial, the first of `basis_`
-    bool steps_ = false;          ///< whether h_wet is absent at u = 0 (`contacts`)
+    /// Whether the polynomial h_wet is absent at u = 0, as for the domain `contacts`.
+    bool steps_ = false;
     double coefficient_variance_;
 };
 

@@ -58,8 +58,10 @@ class KnownRange {
     /// Points whose convex hull is the supported range of states of steady shear, in coordinates
     /// scaled to 0 to 1 over the range of the runs.
     struct Cloud {
-        Eigen::Matrix<double, 4, Eigen::Dynamic> corners;  ///< a column for each point
-        Eigen::Index runs = 0;  ///< number of runs, which are the first columns
+        /// Coordinates of the points, scaled to 0 to 1: a column for each point.
+        Eigen::Matrix<double, 4, Eigen::Dynamic> corners;
+        /// Number of points that are states of runs; they are the first columns of `corners`.
+        Eigen::Index runs = 0;
     };
     const Cloud& cloud_for(const FlowState& state) const { return state.dry() ? dry_ : wet_; }
     /// Coordinates of a state of steady shear, scaled to 0 to 1 over the range of the runs.
@@ -74,7 +76,9 @@ class KnownRange {
     std::string why_unsure(const FlowState& state) const;
 
     const Emulator& emulator_;
-    Point least_, range_;  ///< smallest coordinates of the runs, and the range that they cover
+    /// Smallest coordinates of the states of the runs, and the extent of these states along each
+    /// coordinate.
+    Point least_, range_;
     Cloud dry_, wet_;
 };
 

@@ -16,9 +16,11 @@ struct KnownRuns {
     /// Training runs. If there are none and `orders_more` is true, a calibration first simulates
     /// dry runs.
     std::vector<dem::RunResult> runs;
-    /// Hyperparameters by observable; missing ones are fitted.
+    /// Hyperparameters of the emulator's Gaussian processes, by observable; missing ones are fitted
+    /// to `runs`.
     EmulatorHyperparameters hyperparameters;
-    bool orders_more = true;  ///< whether the planner may request new simulations
+    /// Whether a calibration may simulate new runs in addition to the earlier ones.
+    bool orders_more = true;
 };
 
 /// Returns the runs that can train an emulator for a study. Such a run is usable

@@ -46,7 +46,8 @@ class PlainEmulator {
     /// Queries that one Gaussian process answers, with the terms that their covariances need. The
     /// answers are `map` times the values that the process predicts.
     struct PreparedShare {
-        std::vector<Eigen::Index> queries;  ///< indices of the queries
+        /// Indices of the queries that the process answers, in the list of all queries.
+        std::vector<Eigen::Index> queries;
         GaussianProcess::Solved values;
         Eigen::SparseMatrix<double> map;
     };
@@ -77,7 +78,7 @@ class PlainEmulator {
     /// Covariance of the noise of stress ratio and solid fraction of one run [1], in this order.
     Eigen::Matrix2d noise(const dem::RunResult& run) const;
 
-    /// Stiffness number, within a factor 2, of the runs that train the processes [1].
+    /// Stiffness number of the runs that train the Gaussian processes, within a factor 2 [1].
     double stiffness_number() const { return stiffness_number_; }
     /// Whether any of `runs` can train the process of an observable. Such a run has no effects on
     /// grains and a value of the observable; its stiffness number is within a factor 2 of
@@ -108,7 +109,8 @@ class PlainEmulator {
             std::unique_ptr<const GaussianProcess> trained;
         };
         std::array<Process, dem::observable_count> processes;
-        std::mutex mutex;  ///< guards `hyperparameters`
+        /// Guards the map `hyperparameters` when several threads use the emulator.
+        std::mutex mutex;
         EmulatorHyperparameters hyperparameters;
     };
     std::vector<dem::RunResult> runs_;

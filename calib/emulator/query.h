@@ -13,11 +13,13 @@ namespace pendular {
 enum class Input { friction, log_inertial_number, inverse_pressure, bridge_volume };
 
 /// Question to the emulator: the value of an observable at a state of steady shear, or its
-/// derivative by one variable.
+/// derivative with respect to one variable.
 struct Query {
     FlowState state;
     dem::Observable which = dem::Observable::stress_ratio;
-    std::optional<Input> by = {};  ///< variable of the derivative; empty: the value
+    /// Variable by which the observable is differentiated; empty: the query is for the value of the
+    /// observable.
+    std::optional<Input> by = {};
 };
 
 /// Hyperparameters of the emulator's Gaussian processes, by observable; observables may be missing.

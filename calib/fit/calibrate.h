@@ -15,9 +15,13 @@ struct CalibrationOptions {
     /// Largest part [1] by which the noise of the simulation runs may enlarge the standard error of
     /// a parameter or of a predicted reading (`enlargement_by_runs`).
     double largest_enlargement = pendular::largest_enlargement;
-    double settled = 0.5;   ///< largest change of a parameter in the last round [standard errors]
-    int fewest_rounds = 3;  ///< smallest number of rounds of simulations and fits
-    int most_rounds = 8;    ///< largest number of rounds
+    /// Largest change of a fitted parameter in the last round with which a calibration may end
+    /// [standard errors of the parameter].
+    double settled = 0.5;
+    /// Smallest number of rounds of simulations and fits in a calibration.
+    int fewest_rounds = 3;
+    /// Largest number of rounds of simulations and fits in a calibration.
+    int most_rounds = 8;
     /// Parameter values at the start of the first fit, in the order of the model's parameters;
     /// empty: Parameter::start.
     std::optional<Eigen::VectorXd> start = {};
@@ -40,8 +44,8 @@ class LearningModel {
     /// @param excess variance that the noise of the runs causes in the fit, over the largest
     ///        acceptable variance [1]; above 1, the number of runs should grow by about this factor
     virtual void improve(const Eigen::VectorXd& parameters, double excess) = 0;
-    /// Whether the last runs agree with the predictions that the model made before it was trained
-    /// on them.
+    /// Whether the simulation runs of the last call of `improve` agree with the predictions that
+    /// the model made before it was trained on them.
     virtual bool confirmed() const { return true; }
     /// Whether the time for simulations has ended, so that `improve` changes nothing more.
     virtual bool exhausted() const { return false; }

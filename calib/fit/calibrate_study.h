@@ -18,7 +18,8 @@ namespace pendular {
 /// Settings of a calibration (fit of a study's model, with simulations as needed).
 struct CalibrationRequest {
     Fidelity fidelity;  ///< settings of new simulations: size, stiffness, slowest shear and strain
-    std::uint64_t seed = 1;  ///< seed from which the seeds of simulations follow
+    /// Random seed from which the seeds of all simulations of the calibration follow.
+    std::uint64_t seed = 1;
     /// Whether to compute the 68 % interval of the friction (`profile_interval`).
     bool profile = false;
     /// Criteria that end the rounds of simulations and fits.

@@ -24,18 +24,22 @@ struct Calibration {
     std::vector<Reading> readings;
     /// Number of readings that the fit uses; they are the first of `readings`.
     std::size_t fitted = 0;
-    /// Direct measurements of effects' parameters, fitted too.
+    /// Direct measurements of effects' parameters, which the fit uses in addition to the readings.
     std::vector<DirectMeasurement> direct = {};
     GrainProperties grains;        ///< grains of the study when it was fitted
     std::optional<Liquid> liquid;  ///< liquid of the study at the time of the fit
     ModelSettings model;           ///< model settings of the study when it was fitted
     /// Effects that the study defined by formulas ([[effect]] in study.toml) when it was fitted.
     std::vector<WrittenEffect> written_effects;
-    Fidelity fidelity;                  ///< set of simulation settings
-    std::uint64_t seed = 1;             ///< seed from which the seeds of simulations follow
-    bool cold = false;                  ///< whether the calibration began without any training run
+    /// Settings of the simulations of the calibration, such as the number of grains.
+    Fidelity fidelity;
+    /// Random seed from which the seeds of all simulations of the calibration follow.
+    std::uint64_t seed = 1;
+    /// Whether the calibration began without any earlier run on which to train its emulator.
+    bool cold = false;
     std::vector<Parameter> parameters;  ///< parameters of the model; the first is the friction
-    Fit fit;                            ///< result of the last fit
+    /// Result of the last fit of the model's parameters.
+    Fit fit;
     /// Predicted shear stress [Pa] and solid fraction [1] of all `readings` at the fitted
     /// parameters. For readings that were not fitted, the covariance includes the error of the fit
     /// (`predict_unseen`).
@@ -49,14 +53,17 @@ struct Calibration {
     /// Sentences for the user on groups of wet readings without a line, and on readings that a line
     /// leaves out.
     std::vector<std::string> cohesion_notes;
-    int rounds = 0;                           ///< number of rounds of simulations and fits
-    std::vector<dem::RunResult> runs;         ///< training runs of the model
+    /// Number of rounds of simulations and fits in the calibration.
+    int rounds = 0;
+    /// Simulation runs on which the model's emulator is trained.
+    std::vector<dem::RunResult> runs;
     EmulatorHyperparameters hyperparameters;  ///< fitted hyperparameters of the emulator
     std::vector<Order> orders;  ///< numbers of runs simulated for this calibration, by reason
     /// Lower and upper end of the 68 % interval of the friction coefficient [1]
     /// (`profile_interval`), if requested.
     std::optional<std::pair<double, double>> profile;
-    std::vector<std::string> notes;  ///< sentences for the user (`notes_on`)
+    /// Sentences for the user that qualify the result of the calibration (`notes_on`).
+    std::vector<std::string> notes;
 };
 
 }  // namespace pendular

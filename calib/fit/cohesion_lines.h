@@ -15,7 +15,8 @@ namespace pendular {
 /// was not fitted.
 struct Overestimate {
     double reduced_pressure = 0;  ///< reduced pressure P* of the reading [1]
-    Estimate relative;  ///< (line - value)/value, with the stress ratio `value` of the reading [1]
+    /// Relative deviation [1]: (line - stress ratio of the reading)/(stress ratio of the reading).
+    Estimate relative;
 };
 
 /// Straight line (Mohr-Coulomb) fitted to the stress ratios of wet readings of one liquid content
@@ -28,18 +29,27 @@ struct Overestimate {
 /// freedom).
 /// Source: Badetti et al. (2018), eq:mohrcoulomb2.
 struct CohesionLine {
-    std::string source;  ///< values to which the line is fitted: "measured" or "simulated"
+    /// Stress ratios to which the line is fitted: "measured" or "simulated" ones.
+    std::string source;
     /// Liquid content (liquid volume over grain volume) [1], mean of the points.
     double liquid_content = 0;
     /// Inertial number I [1], mean of the points; 0: the quasi-static limit.
     double inertial_number = 0;
-    Estimate stress_ratio_intercept;     ///< intercept: stress ratio for 1/P* -> 0 [1]
-    Estimate reduced_cohesion;           ///< reduced cohesion c* = a^2 c/F0 [1]
-    double correlation = 0;              ///< correlation of the errors of intercept and c* [1]
-    Estimate cohesion;                   ///< cohesion c = c* F0/a^2 [Pa]
-    int points = 0;                      ///< number of points that the line is fitted to
-    double chi2 = 0;                     ///< chi2 of the fit
-    int dof = 0;                         ///< degrees of freedom of the fit
+    /// Intercept of the line: stress ratio in the limit 1/P* -> 0 [1].
+    Estimate stress_ratio_intercept;
+    /// Slope of the line: reduced cohesion c* = a^2 c/F0 [1], with the grain diameter a, the
+    /// cohesion c and the pull-off force F0 of a bridge.
+    Estimate reduced_cohesion;
+    /// Correlation between the errors of the intercept and of the reduced cohesion c* [1].
+    double correlation = 0;
+    /// Cohesion c = c* F0/a^2 of the wet grains that follows from the slope of the line [Pa].
+    Estimate cohesion;
+    /// Number of points (stress ratios of readings) to which the line is fitted.
+    int points = 0;
+    /// chi2 of the fit of the line to its points.
+    double chi2 = 0;
+    /// Degrees of freedom of the fit of the line.
+    int dof = 0;
     double lowest_reduced_pressure = 0;  ///< lowest reduced pressure P* of the fitted points [1]
     /// Deviations of the line from the readings at reduced pressures P* below
     /// `CohesionOptions::lowest_reduced_pressure`, in decreasing P*.

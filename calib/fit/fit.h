@@ -14,7 +14,8 @@ namespace pendular {
 /// turn, followed by the direct measurements (of effects' parameters), each in its unit.
 struct Measured {
     Eigen::VectorXd value;
-    /// Covariance of `value`, with the scatter of replicates as estimated.
+    /// Covariance of the errors of the measured values, with the scatter of replicates (repeated
+    /// measurements) as estimated.
     Eigen::MatrixXd covariance;
     /// Addition to `covariance` that widens standard errors because few replicates (repeated
     /// measurements) determine the scatter; empty: none.
@@ -29,22 +30,27 @@ Measured stack(const std::vector<Reading>& readings,
 struct Fit {
     Eigen::VectorXd parameters;  ///< fitted parameter values, in the order of Model::parameters()
     /// Covariance (J' J)^-1 of the fitted parameters, not scaled by chi2/dof (dof: degrees of
-    /// freedom). J: derivatives of the predictions by the parameters, whitened (divided by the
-    /// Cholesky factor of the covariance of measurement and simulation).
+    /// freedom). J: derivatives of the predictions with respect to the parameters, whitened
+    /// (divided by the Cholesky factor of the covariance of measurement and simulation).
     Eigen::MatrixXd covariance;
     /// Addition to `covariance` that widens the standard errors of the parameters because few
     /// replicates determine the scatter of the readings (Measured::widening); empty: none.
     Eigen::MatrixXd widening;
-    Eigen::MatrixXd measurement_part;  ///< part of `covariance` from errors of measurement
+    /// Part of the parameters' `covariance` that comes from errors of measurement.
+    Eigen::MatrixXd measurement_part;
     /// Part of `covariance` from the noise of the simulation runs. The rest of `covariance`,
     /// besides this part and `measurement_part`, comes from corrections of the simulation.
     Eigen::MatrixXd run_part;
-    double chi2 = 0;             ///< minimum of chi2, the sum of squared whitened residuals [1]
-    int dof = 0;                 ///< number of measured values minus number of parameters
-    bool converged = false;      ///< whether the search (or, in `calibrate`, the rounds) converged
+    double chi2 = 0;  ///< minimum of chi2, the sum of squared whitened residuals [1]
+    /// Degrees of freedom of the fit: number of measured values minus number of parameters.
+    int dof = 0;
+    /// Whether the search for the minimum of chi2 (or, in `calibrate`, the rounds of simulations
+    /// and fits) converged.
+    bool converged = false;
     std::vector<bool> at_bound;  ///< for each parameter, whether it ended at an end of its range
     Prediction prediction;       ///< prediction of the measured values at the fitted parameters
-    std::string message;         ///< how the fit ended, in the words of Ceres or of this program
+    /// How the fit ended, in the words of the solver Ceres or of this program.
+    std::string message;
 
     /// Standard error of the parameter with index `k`, in its unit, widened where few replicates
     /// determine the scatter of the readings.
@@ -64,8 +70,10 @@ struct Fit {
 /// Accuracy and limits of the search of a least-squares fit. The defaults reproduce certified
 /// regressions to ten digits; an accuracy well within the errors of the readings needs much less.
 struct FitEffort {
-    int most_steps = 1000;     ///< largest number of steps of a search
-    double tolerance = 1e-14;  ///< relative change of chi2 at which a search ends
+    /// Largest number of steps of one search for the minimum of chi2.
+    int most_steps = 1000;
+    /// Relative change of chi2 in one step at which a search ends [1].
+    double tolerance = 1e-14;
     /// The fit has converged when the last step of the parameters, in standard errors, is at most
     /// this number times sqrt(chi2) [1].
     double settled = 1e-10;

@@ -15,7 +15,7 @@ std::vector<Reading> dry_first(const Measurements& measurements);
 /// Number of dry readings (liquid content 0) among `readings`.
 std::size_t dry_count(const std::vector<Reading>& readings);
 
-/// Returns the elements of `readings` with indices `from` to `to` - 1.
+/// Returns the readings with indices `from` to `to` - 1 of the list `readings`.
 std::vector<Reading> part(const std::vector<Reading>& readings, std::size_t from, std::size_t to);
 
 }  // namespace pendular

@@ -15,8 +15,8 @@ constexpr double largest_enlargement = 0.2;
 /// Largest enlargement of a standard error by the noise of the simulation runs, over all fitted
 /// parameters and all predicted readings of a fit.
 struct Enlargement {
-    /// Ratio of the standard error with the noise of the runs to that without the noise, minus 1
-    /// [1].
+    /// Enlargement [1]: ratio of the standard error with the noise of the simulation runs to the
+    /// standard error without this noise, minus 1.
     double size = 0;
     /// Name of the parameter whose standard error is enlarged most; empty: it is the standard error
     /// of a predicted reading.

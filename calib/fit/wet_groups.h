@@ -10,12 +10,15 @@ namespace pendular {
 /// Group of wet readings with about equal liquid contents and inertial numbers. Its members are all
 /// readings of steady shear or all points of failure (peaks of the shear stress).
 struct WetGroup {
-    std::vector<std::size_t> members;  ///< indices of the readings in the list of all readings
+    /// Indices of the group's readings in the list of all readings.
+    std::vector<std::size_t> members;
     /// Liquid content (liquid volume over grain volume) [1], mean of the members.
     double liquid_content = 0;
     /// Inertial number I [1], mean of the members; 0: the quasi-static limit.
     double inertial_number = 0;
-    bool at_failure = false;  ///< whether the members are points of failure
+    /// Whether the members of the group are points of failure (peaks of the shear stress); false:
+    /// readings of steady shear.
+    bool at_failure = false;
 };
 
 /// Groups the wet readings among `readings` by liquid content and inertial number. Each member

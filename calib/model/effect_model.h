@@ -22,11 +22,11 @@ namespace pendular {
 /// values that the instrument shows. Where no effect acts on a reading, the prediction is that of
 /// the inner model.
 ///
-/// Derivatives by an effect's parameter are central differences with a step of a thousandth of the
-/// parameter's smallest effect of interest; predictions are smooth in the parameters, so that the
-/// differences contain no noise. The covariance of a prediction includes the discrepancy (expected
-/// error of the model) that the study states. Predictions throw std::domain_error where no true
-/// state of the cell gives a condition that the instrument shows.
+/// Derivatives with respect to an effect's parameter are central differences with a step of a
+/// thousandth of the parameter's smallest effect of interest; predictions are smooth in the
+/// parameters, so that the differences contain no noise. The covariance of a prediction includes
+/// the discrepancy (expected error of the model) that the study states. Predictions throw
+/// std::domain_error where no true state of the cell gives a condition that the instrument shows.
 class EffectModel : public Predictor {
   public:
     /// Adds the effects `effects`, which must outlive this model, to the inner model `inside`.
@@ -84,9 +84,9 @@ class EffectModel : public Predictor {
     /// for each true value.
     Eigen::SparseMatrix<double> shown_by_predicted(const Truths& truths,
                                                    const Eigen::VectorXd& predicted) const;
-    /// Sets the derivatives of the prediction `result` by the effects' parameters. Where an effect
-    /// acts on grains, also sets the derivatives by the inner model's parameters. All are
-    /// difference quotients.
+    /// Sets the derivatives of the prediction `result` with respect to the effects' parameters.
+    /// Where an effect acts on grains, also sets the derivatives with respect to the inner model's
+    /// parameters. All are difference quotients.
     /// @param predicted true values that the inner model predicts at `parameters`
     void add_slopes(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
                     const Truths& truths, const Eigen::VectorXd& predicted,

@@ -34,19 +34,22 @@ class EmulatedNeighbourhood : public FlowNeighbourhood {
     /// Expansion of the emulated quantities about one condition.
     struct Place {
         FlowState state;
-        double liquid_content = 0;  ///< volume of liquid over volume of grains [1]
+        /// Liquid content of the condition: volume of liquid over volume of grains [1].
+        double liquid_content = 0;
         Quantities value = Quantities::Zero();
-        /// Part of `value` that comes from effects on grains and stiffness.
+        /// Part of the emulated quantities `value` that comes from effects on grains and from
+        /// stiffness.
         Quantities by_effects = Quantities::Zero();
-        /// Derivatives of `value` by friction, ln I, 1/P* and ln V0. The first three omit the part
-        /// `by_effects`.
+        /// Derivatives of `value` with respect to friction, ln I, 1/P* and ln V0. The first three
+        /// omit the part `by_effects`.
         Eigen::Matrix<double, quantities, 4> slopes = Eigen::Matrix<double, quantities, 4>::Zero();
 
         double coordination() const { return value(3) + value(4); }
     };
 
     void expand();
-    /// Sets `by_effects` of each place, and adds its derivative by ln V0 to the slopes.
+    /// Sets `by_effects` of each place, and adds its derivative with respect to ln V0 to the
+    /// slopes.
     void expand_effects();
     /// Returns the parts of the five emulated quantities that come from effects on grains and
     /// stiffness, for each state.

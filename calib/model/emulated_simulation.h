@@ -54,27 +54,27 @@ class EmulatedSimulation : public FlowPredictor {
     /// of liquid over the volume of grains [1].
     FlowState filled(const FlowState& state, double liquid_content) const;
     /// Effective coordination number Z* = Z_c + Z_d F_d/F0 at a wet condition [1], with its
-    /// derivative by the friction coefficient at constant liquid content. Z_c and Z_d: contacts and
-    /// bridges without contact per grain; F_d: mean force of the latter; F0: pull-off force of a
-    /// bridge.
+    /// derivative with respect to the friction coefficient at constant liquid content. Z_c and Z_d:
+    /// contacts and bridges without contact per grain; F_d: mean force of the latter; F0: pull-off
+    /// force of a bridge.
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse effective_coordination(double friction,
                                              const EffectiveCondition& condition) const;
-    /// Approximate coordination number Z_c + 0.5 Z_d at a wet condition [1], with its derivative by
-    /// the friction coefficient at constant liquid content. Z_c and Z_d: contacts and bridges
-    /// without contact per grain.
+    /// Approximate coordination number Z_c + 0.5 Z_d at a wet condition [1], with its derivative
+    /// with respect to the friction coefficient at constant liquid content. Z_c and Z_d: contacts
+    /// and bridges without contact per grain.
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse approximate_coordination(double friction,
                                                const EffectiveCondition& condition) const;
     /// Normal stress of the capillary forces at a wet condition over F0/a^2 [1], negative, with its
-    /// derivative by the friction coefficient at constant liquid content. F0: pull-off force of a
-    /// bridge; a: grain diameter.
+    /// derivative with respect to the friction coefficient at constant liquid content. F0: pull-off
+    /// force of a bridge; a: grain diameter.
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse capillary_normal_stress(double friction,
                                               const EffectiveCondition& condition) const;
     /// Shear stress of the capillary forces at a wet condition over F0/a^2 [1], with its derivative
-    /// by the friction coefficient at constant liquid content. F0: pull-off force of a bridge; a:
-    /// grain diameter.
+    /// with respect to the friction coefficient at constant liquid content. F0: pull-off force of a
+    /// bridge; a: grain diameter.
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse capillary_shear_stress(double friction,
                                              const EffectiveCondition& condition) const;
@@ -86,8 +86,8 @@ class EmulatedSimulation : public FlowPredictor {
   private:
     /// Contributions to the errors of predicted shear stresses and solid fractions.
     struct Errors;
-    /// Predicts shear stress [Pa] and solid fraction [1] at each state in turn, with derivatives by
-    /// the friction coefficient.
+    /// Predicts shear stress [Pa] and solid fraction [1] at each state in turn, with derivatives
+    /// with respect to the friction coefficient.
     /// @param errors receives the contributions to the errors of the predictions; may be null
     Prediction predict_slopes(const std::vector<FlowState>& states,
                               const std::vector<EffectiveCondition>& conditions,
@@ -95,8 +95,8 @@ class EmulatedSimulation : public FlowPredictor {
     /// Predicts shear stress [Pa] and solid fraction [1] at each state in turn.
     Eigen::VectorXd predict_values(const std::vector<FlowState>& states,
                                    const std::vector<EffectiveCondition>& conditions) const;
-    /// Predicts shear stress [Pa] and solid fraction [1] at each state in turn, with derivatives by
-    /// the friction coefficient and the covariance of the errors.
+    /// Predicts shear stress [Pa] and solid fraction [1] at each state in turn, with derivatives
+    /// with respect to the friction coefficient and the covariance of the errors.
     Prediction predict_all(const std::vector<FlowState>& states,
                            const std::vector<EffectiveCondition>& conditions) const;
     /// Share [1] of the rigidity shift (difference of solid fraction between rigid grains and
@@ -104,13 +104,13 @@ class EmulatedSimulation : public FlowPredictor {
     /// grains at a condition, because they are stiffer. Negative for softer grains.
     double stiffness_left(const EffectiveCondition& condition) const;
     /// Emulated capillary stress at a wet condition, converted from units of the normal stress to
-    /// units of F0/a^2 [1], with its derivative by the friction coefficient at constant liquid
-    /// content. F0: pull-off force of a bridge; a: grain diameter.
+    /// units of F0/a^2 [1], with its derivative with respect to the friction coefficient at
+    /// constant liquid content. F0: pull-off force of a bridge; a: grain diameter.
     /// @param which observable: a capillary stress over the normal stress
     StructureResponse capillary_stress(dem::Observable which, double friction,
                                        const EffectiveCondition& condition) const;
-    /// Converts the derivative of a quantity by the friction coefficient at the wet state `state`
-    /// from constant bridge volume to constant liquid content.
+    /// Converts the derivative of a quantity with respect to the friction coefficient at the wet
+    /// state `state` from constant bridge volume to constant liquid content.
     StructureResponse at_constant_content(StructureResponse response, const FlowState& state) const;
 
     Study study_;

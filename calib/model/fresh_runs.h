@@ -25,7 +25,7 @@ class FreshSeeds {
 
   private:
     std::uint64_t seed_;
-    /// Number of the next run, from which its seed follows.
+    /// Number of the next run to simulate, from which the seed of this run follows.
     std::uint64_t next_ = std::uint64_t{1} << 32;
 };
 

@@ -14,17 +14,20 @@ namespace pendular {
 /// bridge volume and the sizes of the effects. Stiffness numbers are not compared.
 bool near(const FlowState& a, const FlowState& b);
 
-/// Task for `most_informative`: the predictions that matter, and the states at which runs may be
+/// Task for `most_informative`: the predictions to improve, and the states at which runs may be
 /// made to reduce their errors.
 struct RunChoice {
-    std::vector<FlowState> targets;  ///< states whose predictions matter
+    /// States of steady shear whose predicted stress ratios and solid fractions are to become more
+    /// precise.
+    std::vector<FlowState> targets;
     /// Weights of the variances of predictions [1]: for each target, of its stress ratio, then of
     /// its solid fraction.
     Eigen::VectorXd weights;
-    std::vector<FlowState> from;  ///< states at which runs may be made
+    /// States of steady shear at which new runs may be made.
+    std::vector<FlowState> from;
     /// Factor by which the root of the sum of squares of the weighted variances is to decrease [1].
     double factor = 1;
-    /// Smallest and largest number of runs that are chosen.
+    /// Smallest and largest number of new runs that `most_informative` chooses.
     std::size_t fewest = 4, most = 16;
 };
 

@@ -14,13 +14,16 @@ namespace pendular {
 struct Parameter {
     std::string name;
     std::string unit = "1";
-    double lower = 0;  ///< lower end of the range [unit]
-    double upper = 0;  ///< upper end of the range [unit]
-    double start = 0;  ///< value where a fit starts [unit]
+    /// Lower end of the range of the parameter [unit].
+    double lower = 0;
+    /// Upper end of the range of the parameter [unit].
+    double upper = 0;
+    /// Value of the parameter where a fit starts [unit].
+    double start = 0;
 };
 
-/// Requested part of a `Prediction`: values; values and derivatives by the parameters; or values,
-/// derivatives and covariances.
+/// Requested part of a `Prediction`: values; values and derivatives with respect to the parameters;
+/// or values, derivatives and covariances.
 enum class PredictionPart { values, slopes, covariance };
 
 /// Prediction of n readings and m direct measurements (of parameters, without shearing grains),
@@ -28,8 +31,10 @@ enum class PredictionPart { values, slopes, covariance };
 /// solid fraction [1] of reading k; the last m entries are the direct measurements, each in its
 /// unit. Parts that were not requested are empty.
 struct Prediction {
-    Eigen::VectorXd value;  ///< predicted values, 2 n + m entries
-    /// derivatives of `value`: a row for each value, a column for each parameter
+    /// Predicted values: 2 n entries for the readings, then m entries for the direct measurements.
+    Eigen::VectorXd value;
+    /// Derivatives of `value` with respect to the parameters: a row for each value, a column for
+    /// each parameter
     Eigen::MatrixXd jacobian;
     /// Covariance of the errors of `value` that come from the model, (2 n + m) x (2 n + m): noise
     /// of the simulation runs, and errors of corrections such as the correction to the stiffness of

@@ -53,7 +53,8 @@ class ModelSpace {
     /// values f when a candidate is added to a model; n x n each, in the squared units of the
     /// values; empty where the errors are negligible.
     struct ChangeErrors {
-        Eigen::MatrixXd change;  ///< Cov(g, g), covariance of the errors of the change
+        /// Cov(g, g): covariance of the errors of the change g of the predicted values.
+        Eigen::MatrixXd change;
         /// Cov(f(without), g), covariance of the errors of the predictions before the change with
         /// those of the change.
         Eigen::MatrixXd with_without;

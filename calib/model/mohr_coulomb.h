@@ -20,7 +20,8 @@ constexpr double lowest_cohesion_pressure = 2.3;
 struct CohesionGroup {
     /// Liquid content (liquid volume over grain volume) [1], mean of the strengths.
     double liquid_content = 0;
-    /// Strengths at reduced pressures P* >= `lowest_cohesion_pressure`.
+    /// Measured stress ratios of the group's readings at reduced pressures P* >=
+    /// `lowest_cohesion_pressure`.
     std::vector<MeasuredStrength> strengths;
 };
 
@@ -66,8 +67,12 @@ class MohrCoulombModel : public FlowPredictor {
     /// sum weight_i tau_i.
     struct Line {
         double liquid_content = 0, constant = 0, variance = 0;
-        std::vector<Condition> conditions;  ///< conditions of the strengths, without liquid
-        std::vector<Condition> fitted;      ///< conditions of the strengths
+        /// Conditions of the strengths (stress ratios of wet readings) to which c* is fitted, with
+        /// their liquid removed.
+        std::vector<Condition> conditions;
+        /// Conditions of the strengths (stress ratios of wet readings) to which c* is fitted, with
+        /// their liquid.
+        std::vector<Condition> fitted;
         Eigen::RowVectorXd weight;
     };
     std::size_t line_at(double liquid_content) const;

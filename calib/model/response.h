@@ -11,10 +11,14 @@ namespace pendular {
 struct Response {
     /// Parameter values theta of the expansion, in the units of the parameters.
     Eigen::VectorXd at;
-    Eigen::VectorXd value;  ///< predicted values at theta, N
-    Eigen::MatrixXd first;  ///< derivatives by the parameters, N x p
-    Eigen::MatrixXd
-        second;  ///< coefficients of d_i d_j, N x p (p + 1)/2, in the order of `products`
+    /// Values that the model predicts at the parameters theta, N entries.
+    Eigen::VectorXd value;
+    /// Derivatives of the predicted values with respect to the parameters at theta: a row for each
+    /// of the N values, a column for each of the p parameters.
+    Eigen::MatrixXd first;
+    /// Coefficients second_ij of the products d_i d_j: a row for each of the N values, and p (p +
+    /// 1)/2 columns in the order of `products`.
+    Eigen::MatrixXd second;
 
     /// Returns the expanded values at theta + `change`, N entries. `change` has the units of the
     /// parameters.

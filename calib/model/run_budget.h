@@ -12,14 +12,14 @@ namespace pendular {
 /// Time limit for simulation runs. The time begins when the budget is constructed.
 class RunBudget {
   public:
-    /// Budget without a limit.
+    /// Makes a time budget without a limit.
     RunBudget() = default;
-    /// Budget that ends `seconds` from now [s]. + bool limited() const Whether there is a time
-    /// limit.
+    /// Makes a time budget that ends `seconds` [s] after this call.
     explicit RunBudget(double seconds);
 
+    /// Whether the budget has a time limit.
     bool limited() const { return end_.has_value(); }
-    /// Time left [s]: at least 0; infinite without a limit.
+    /// Time that is left of the budget [s]: at least 0; infinite for a budget without a limit.
     double seconds_left() const;
     /// Returns how many of `runs`, taken from the first, are expected to end within the time left
     /// minus the time `reserved` for other work [s]; all of them without a limit.

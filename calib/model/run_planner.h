@@ -18,8 +18,10 @@ namespace pendular {
 
 /// Number of simulation runs that were carried out for one reason.
 struct Order {
-    std::size_t runs = 0;  ///< number of runs carried out
-    std::string why;       ///< reason, as in "to confirm the optimum"
+    /// Number of simulation runs that were carried out for the reason `why`.
+    std::size_t runs = 0;
+    /// Reason for the simulation runs, as in "to confirm the optimum".
+    std::string why;
 };
 
 /// Planner of the simulation runs of a calibration. It repeatedly chooses the runs that reduce the
@@ -145,7 +147,8 @@ class RunPlanner {
     RunBudget budget_;
     bool orders_more_;
     std::shared_ptr<const EmulatedSimulation> simulation_;
-    double slowest_;  ///< lowest inertial number of the readings [1]
+    /// Lowest inertial number of the study's readings [1].
+    double slowest_;
     /// Inertial numbers at which dry runs are requested [1].
     std::vector<double> inertial_numbers_;
     /// Whether a reading's inertial number is more than 5 % below that of all runs, in a
@@ -154,9 +157,11 @@ class RunPlanner {
     std::vector<WetSetting> wet_settings_;
     std::vector<std::string> notes_;
     std::vector<Order> orders_;
-    std::vector<dem::RunResult> made_;  ///< new runs carried out so far
+    /// New simulation runs that the planner has carried out so far.
+    std::vector<dem::RunResult> made_;
     bool exhausted_ = false;
-    int rounds_ = 0;  ///< number of calls of `improve`
+    /// Number of calls of the function `improve` so far.
+    int rounds_ = 0;
     bool began_wet_ = false;
     bool confirmed_ = false;
 };

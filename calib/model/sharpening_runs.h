@@ -15,7 +15,8 @@ namespace pendular {
 struct FittedModel {
     std::shared_ptr<const EffectModel> model;
     Eigen::VectorXd parameters;  ///< fitted parameters, in the order of EffectModel::parameters()
-    Eigen::MatrixXd covariance;  ///< covariance of the errors of `parameters`
+    /// Covariance of the errors of the model's fitted `parameters`.
+    Eigen::MatrixXd covariance;
 };
 
 /// Returns a task for `most_informative`: to choose the runs that reduce the contribution of

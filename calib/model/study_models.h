@@ -16,8 +16,8 @@ namespace pendular {
 /// (possible addition) for the model. `why` states the reason for the user.
 struct LeftAside {
     std::string effect, why;
-    /// Whether the reason is that no earlier run has this effect as its only effect, although the
-    /// effect applies to the study.
+    /// True if the effect was not tested because no earlier simulation contains it alone, although
+    /// it applies to the study.
     bool without_runs = false;
 };
 
@@ -93,7 +93,7 @@ class StudyModels : public ModelSpace {
 
     ResolvedStudy study_;
     std::vector<Condition> conditions_;
-    /// Effect of each candidate, in the order of candidates().
+    /// Physical effect behind each candidate, in the order of candidates().
     std::vector<const Effect*> offered_;
     std::vector<Candidate> candidates_;
     std::vector<LeftAside> left_aside_;

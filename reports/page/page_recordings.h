@@ -18,16 +18,20 @@ struct PageRecording {
     /// Shear stress [Pa] or normal stress [Pa] (torque [N m] or normal force [N] if the file has no
     /// stresses) against the number of the row, from 1.
     struct Course {
-        std::string label;  ///< quantity with its unit
+        /// Quantity whose course is shown, with its unit.
+        std::string label;
         std::vector<std::pair<std::size_t, double>> points;
-        /// Mean over each of `windows`; empty where no value in the window is known.
+        /// Mean of the course over each of `windows`, in the unit of the course; empty where no
+        /// value in the window is known.
         std::vector<std::optional<double>> means;
     };
-    std::string file;  ///< path of the file, as in the origins of its readings
+    /// Path of the recording's file, as in the origins of its readings.
+    std::string file;
     /// Course of the shear stress, then of the normal stress; a course without a known value is
     /// left out.
     std::vector<Course> courses;
-    std::vector<AveragedWindow> windows;  ///< ranges of rows that are averaged
+    /// Ranges of rows of the recording that are averaged.
+    std::vector<AveragedWindow> windows;
 };
 
 /// Returns a recording as the page of a study shows it.

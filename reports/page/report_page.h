@@ -18,21 +18,30 @@ namespace pendular {
 
 /// Results on a study that are shown on its HTML page.
 struct PageContent {
-    std::string study;              ///< name of the study
-    std::string study_argument;     ///< study as the user named it, for commands
+    std::string study;  ///< name of the study
+    /// The study as the user named it, for the commands that the page shows.
+    std::string study_argument;
     const ResolvedStudy& resolved;  ///< the study with its catalogue of effects
     /// Readings, with reasons to doubt some of them and notes.
     const Measurements& measurements;
     const StudyDiagnosis& diagnosis;  ///< verdict, tests and refitted models
     Checks checks;                    ///< tests of the residuals, which show where the model fails
-    std::optional<ImpactTable> impacts = {};  ///< shifts of the friction; empty: not computed
-    Ladder ladder = {};                       ///< sequence of the study's models; may be empty
-    std::vector<std::string> next = {};       ///< lines on the next measurement; empty: none
-    SwitchedModels switched;                  ///< all combinations of the leading effects
+    /// Shifts of the fitted friction by effects and errors of measurement; empty: not computed.
+    std::optional<ImpactTable> impacts = {};
+    /// Ladder: sequence of the study's models, with one effect more or fewer in each step; may be
+    /// empty.
+    Ladder ladder = {};
+    /// Lines of text on the next measurement to make; empty: none.
+    std::vector<std::string> next = {};
+    /// Fitted models with all combinations of the leading effects, which the page switches on and
+    /// off.
+    SwitchedModels switched;
     /// Panels of readings, with the curves of the models in `switched`.
     std::vector<PagePanel> panels;
-    std::string version;      ///< version of the program
-    SessionOptions options;   ///< fidelity and seed of the results
+    /// Version of the program that made the page.
+    std::string version;
+    /// Options with which the results were computed; the page shows their fidelity and seed.
+    SessionOptions options;
     std::size_t runs = 0;     ///< number of simulation runs that the emulator was trained on
     bool calibrated = false;  ///< whether the results folder has a fit of the study
     /// Number of the page among those that a server on this computer hands out; empty: a page
