@@ -195,7 +195,9 @@ int change_study(Action what, const std::string& effect, const AddOptions& own,
     if (last || !changed.written) console.json(json);  // before the figure, which needs gnuplot
     if (changed.written) {
         console.answer(answer_on(changed));
-        print_doubts(console, belief, 0, "Warning on the new fit: ");
+        print_doubts(console, belief, 0,
+                     changed.after_to_all ? "Warning on the fit to the dry readings: "
+                                          : "Warning on the new fit: ");
         const auto& readings = changed.before.calibration.readings;
         const bool earlier_dry = changed.before.calibration.fitted == readings.size() &&
                                  fitted_count(session->resolved(), readings) < readings.size();

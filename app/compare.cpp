@@ -24,12 +24,15 @@ namespace pendular::app {
 
 namespace {
 
-/// Beginning of the answer with the effects of the model: "With torque-offset, lid-slip, the RMS
+/// Beginning of the answer with the effects of the model: "With torque-offset and lid-slip, the RMS
 /// error of the model is".
 std::string with_effects(const ModelSettings& model) {
     std::string names;
-    for (const auto& effect : model.effects) {
-        names += (names.empty() ? "With " : ", ") + effect.name;
+    for (std::size_t k = 0; k < model.effects.size(); ++k) {
+        const char* const before = k == 0                          ? "With "
+                                   : k + 1 == model.effects.size() ? " and "
+                                                                   : ", ";
+        names += before + model.effects[k].name;
     }
     return names.empty() ? "The RMS error of the model is"
                          : names + ", the RMS error of the model is";

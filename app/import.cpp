@@ -126,8 +126,14 @@ int import(const std::vector<std::string>& arguments) {
         console.note(note);
     }
     if (measurements.weight_note) console.note(*measurements.weight_note);
-    if (!measurements.readings.empty())
+    if (measurements.readings.empty()) {
+        console.note(
+            fmt::format("No reading could be made. For the reason of each range of rows: pendular "
+                        "import {} --all",
+                        common->study_word()));
+    } else {
         console.next(fmt::format("pendular calibrate {}", common->study_word()));
+    }
     console.json(to_json(measurements));
     if (!file.figures.empty())
         draw_all(figures_of_recordings(input, console), file.figures, console);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -28,9 +29,11 @@ std::string estimate(const LadderParameter* parameter) {
                      : "-";
 }
 
-/// Change of a parameter over its standard error before the change [1].
+/// Size of the change of a parameter over the larger of its standard errors before and after the
+/// change [1].
 double drift(const LadderParameter& before, const LadderParameter& after) {
-    return (after.value - before.value) / before.standard_error;
+    return std::abs(after.value - before.value) /
+           std::max(before.standard_error, after.standard_error);
 }
 
 std::string parameter_line(const std::string& name, const LadderParameter* before,
@@ -193,17 +196,12 @@ std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& 
     std::string reason = reason_for(outcome, change.effect, without(change, before, after),
                                     with(change, before, after));
     if (!reason.empty()) lines.push_back(std::move(reason));
-    const bool adds = change.change == Action::add;
     for (const LadderParameter& p : before.parameters) {
         const LadderParameter* const later = after.find(p.name);
-        if (!later || std::abs(drift(p, *later)) <= 3) continue;
-        // Only a model that lacks a needed effect shifts its parameters to compensate for it.
-        const char* why = "";
-        if (outcome == Outcome::better)
-            why = adds ? ": it need no longer compensate for the effect" : " to compensate for it";
+        if (!later || drift(p, *later) <= 3) continue;
         lines.push_back(fmt::format(
-            "With{} {} in the model, the fitted {} changes by {:.1f} standard errors{}.",
-            adds ? "" : "out", change.effect, p.name, std::abs(drift(p, *later)), why));
+            "The fitted {} depends strongly on {}: it changes by {:.1f} standard errors.", p.name,
+            change.effect, drift(p, *later)));
     }
     return lines;
 }

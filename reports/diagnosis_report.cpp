@@ -175,8 +175,8 @@ std::string inconclusive_line(const Diagnosis& d) {
                "not tell whether an effect is missing.";
     }
     return fmt::format(
-        "Inconclusive: no known effect improves the model, but {} effect{} large enough to matter "
-        "might not show in these readings: {}.",
+        "Inconclusive: no known effect improves the model, but {} effect{} could be present at a "
+        "size that matters without showing in these readings: {}.",
         d.effects.size(), d.effects.size() == 1 ? "" : "s", some_of(d.effects));
 }
 
@@ -399,8 +399,8 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space, 
     if (d.verdict == Verdict::inconclusive) {
         lines.push_back(
             "To rule out one of these effects, measure it directly ('pendular effects NAME' says "
-            "how) or add readings where it is larger; 'pendular next' plans readings that make the "
-            "fit more precise.");
+            "how) or add readings where it is larger. 'pendular next' does not plan for that: it "
+            "plans readings that make the fitted parameters more precise.");
     }
     if (d.verdict == Verdict::unknown) {
         if (const Explanation* best = best_of(d.tried); best && !best->suspect) {

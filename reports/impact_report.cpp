@@ -138,7 +138,7 @@ std::vector<std::string> impact_table(const ImpactTable& table) {
     const std::size_t width = width_of(table);
     std::vector<std::string> lines = {fmt::format(
         "  {:<{}} {:>14} {:>10} {:>14} {:>10} {:>9} {:>7}", "shift of " + parameter + " by", width,
-        "if it matters", "shift", "as estimated", "shift", "per error", "pull")};
+        "smallest size", "shift", "estimate", "shift", "per error", "pull")};
     std::size_t negligible = 0;
     for (const Impact& impact : table.impacts) {
         const std::array shifts = {impact.at_interest.best()(0), impact.at_estimate.best()(0),
@@ -163,11 +163,12 @@ std::vector<std::string> impact_table(const ImpactTable& table) {
                                     text(sum.by_error)));
     }
     lines.push_back(fmt::format(
-        "  (shift of the fitted {} with the effect or the error of measurement in the model; if it "
-        "matters: at the smallest size that matters; as estimated: at the estimated size; *: "
-        "linear, "
-        "without a refit; per error: for one standard error of the estimate; pull: distance of the "
-        "estimate from no effect, in standard errors; sum: root of the sum of squares)",
+        "  (shift of the fitted {} with the effect or the error of measurement in the model; "
+        "smallest "
+        "size: the smallest size that matters; *: linear, without a refit; per error: for one "
+        "standard error of the estimate; pull: distance of the estimate from no effect, in "
+        "standard "
+        "errors; sum: root of the sum of squares)",
         parameter));
     return lines;
 }

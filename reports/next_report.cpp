@@ -144,6 +144,9 @@ std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
                                     std::sqrt(model.covariance(i, i)), best.standard_errors(i),
                                     parameters[k].unit == "1" ? "" : " " + parameters[k].unit));
     }
+    lines.emplace_back(
+        "  (in a fit to all readings, without the allowance for few repetitions that 'pendular "
+        "calibrate' makes)");
     return lines;
 }
 

@@ -86,9 +86,12 @@ std::optional<std::string> unsure_note(const Calibration& c) {
 std::optional<std::string> exhausted_note(const Calibration& c, const RunPlanner& planner) {
     const Enlargement enlarged =
         enlargement_by_runs(c.fit, stack(part(c.readings, 0, c.fitted), c.direct), c.parameters);
-    if (!planner.exhausted() || enlarged.excess() <= 1) {
-        return std::nullopt;
+    if (!planner.exhausted()) return std::nullopt;
+    if (planner.orders().empty()) {
+        return "The fit is not confirmed by simulations: none of them ended within the time given. "
+               "'pendular calibrate --confirm MINUTES' gives more time";
     }
+    if (enlarged.excess() <= 1) return std::nullopt;
     return fmt::format(
         "The time for simulations ended while the noise of the simulations still enlarged {}. "
         "'pendular calibrate --confirm' continues from the stored simulations",

@@ -257,14 +257,17 @@ void RunPlanner::confirm(double friction, const std::vector<EffectiveCondition>&
     if (extrapolates_ && !wet) {
         targets.push_back({friction, slowest_});
     }
-    const double p = order(most_informative(targets, from, excess),
-                           wet ? "to confirm the wet readings" : "to confirm the optimum");
-    if (p < disagreement) {
+    const std::optional<double> p =
+        order(most_informative(targets, from, excess),
+              wet ? "to confirm the wet readings" : "to confirm the optimum");
+    if (!p) {
+        confirmed_ = confirmed_ && exhausted_;
+    } else if (*p < disagreement) {
         confirmed_ = false;
         notes_.push_back(
             fmt::format("New simulations {} differed from the emulator's predictions (p = {:.2g}); "
                         "the emulator is now trained on them.",
-                        wet ? "at the wet readings" : "at the optimum", p));
+                        wet ? "at the wet readings" : "at the optimum", *p));
     }
 }
 
@@ -272,7 +275,7 @@ std::vector<dem::RunResult> RunPlanner::simulated(const std::vector<dem::RunPara
                                                   const std::string& why) {
     const std::vector<dem::RunResult> done = budget_.run(runs, workers_);
     made_.insert(made_.end(), done.begin(), done.end());
-    add_order(done.size(), why);
+    if (!done.empty()) add_order(done.size(), why);
     return usable_of(done, notes_);
 }
 
@@ -282,18 +285,17 @@ std::vector<dem::RunParameters> RunPlanner::runs_at(const std::vector<FlowState>
         simulation_ ? simulation_->emulator().runs() : std::vector<dem::RunResult>{});
 }
 
-double RunPlanner::order(const std::vector<FlowState>& states, const std::string& why) {
+std::optional<double> RunPlanner::order(const std::vector<FlowState>& states,
+                                        const std::string& why) {
     const Emulator& emulator = simulation_->emulator();
     std::vector<dem::RunParameters> runs = runs_at(states);
     runs.resize(budget_.batch(runs, made_.empty() ? emulator.runs() : made_, workers_.threads));
     exhausted_ = runs.empty();
-    if (exhausted_) {
-        return 1;
-    }
+    if (exhausted_) return std::nullopt;
+    const std::size_t before = made_.size();
     const std::vector<dem::RunResult> fresh = simulated(runs, why);
-    if (fresh.empty()) {
-        return 0;
-    }
+    exhausted_ = made_.size() == before;  // the time ended before any of them
+    if (fresh.empty()) return std::nullopt;
     const double p = agreement(emulator, fresh);
     use(emulator.with(fresh));
     return p;

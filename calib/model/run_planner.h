@@ -131,9 +131,9 @@ class RunPlanner {
     /// Carries out the first of the runs at `states`, as many as the time budget allows before the
     /// best states are chosen again (RunBudget::batch), counts them under the reason `why` and
     /// trains the emulator on them.
-    /// @return p value of the agreement of these runs with the earlier emulator (`agreement`); 0
-    ///         where no run succeeded, 1 where the budget allowed none
-    double order(const std::vector<FlowState>& states, const std::string& why);
+    /// @return p value of the agreement of these runs with the earlier emulator (`agreement`);
+    ///         empty where no run gave a usable result, or the budget allowed none
+    std::optional<double> order(const std::vector<FlowState>& states, const std::string& why);
     /// Adds `runs` to the number of runs of the entry of orders() with the reason `why`.
     void add_order(std::size_t runs, const std::string& why);
     /// Replaces the predictor simulation() by one that uses `emulator`.

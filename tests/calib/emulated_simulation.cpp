@@ -260,4 +260,26 @@ TEST(EmulatedCalibration, GoesOnWhereFreshRunsDisagree) {
     }
 }
 
+/// The earlier runs claim to have taken no time, so that runs seem affordable; the time then ends
+/// before the first of them does.
+TEST(EmulatedCalibration, SaysThatNoSimulationEndedInTime) {
+    const Study study = stiff_wet_study();
+    const EmulatedSimulation truth = emulated_from(study, tiny, tiny_runs());
+    const Measurements measured = measured_at({dry_at(1000, 0.06)}, truth, 0.25);
+    for (const double seconds : {0.0, 1e-3}) {
+        auto runs = tiny_runs();
+        for (auto& run : runs) {
+            run.wall_seconds = 1e-9;
+        }
+        CalibrationRequest request{.fidelity = tiny, .known = KnownRuns{runs, {}, true}};
+        request.options.fewest_rounds = 2;
+        request.budget = RunBudget(seconds);
+        const Calibration c = calibrate_study(study, measured, request, {.threads = 2});
+        EXPECT_TRUE(c.orders.empty());
+        EXPECT_THAT(c.notes, testing::Contains(testing::HasSubstr(
+                                 "none of them ended within the time given")));
+        EXPECT_THAT(c.notes, testing::Not(testing::Contains(testing::HasSubstr("differed"))));
+    }
+}
+
 }  // namespace pendular::calib_emulated_simulation_test
