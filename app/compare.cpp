@@ -89,13 +89,13 @@ int compare(const std::vector<std::string>& arguments) {
     auto json = to_json(comparison, c.cohesion_lines, where);
     add_belief(json, belief);
     write_json(out / "compare.json", json);
-    console.answer(
-        fmt::format("{} {:.2f} % in shear stress and {:.2f} % in solid fraction; {}{}. {}",
-                    with_effects(c.model), comparison.rms_percent[0], comparison.rms_percent[1],
-                    misfit_text(comparison.total),
-                    belief.believable() ? verdict_on_predicted(c, comparison) : "",
-                    belief.believable() ? error_basis(measurements)
-                                        : warning_on(belief, "the fitted friction")));
+    console.answer(fmt::format(
+        "{} {:.2f} % in shear stress and {:.2f} % in solid fraction; for all readings, {}{}. {}",
+        with_effects(c.model), comparison.rms_percent[0], comparison.rms_percent[1],
+        misfit_text(comparison.total),
+        belief.believable() ? verdict_on_predicted(c, comparison) : "",
+        belief.believable() ? error_basis(measurements)
+                            : warning_on(belief, "the fitted friction")));
     print_doubts(console, belief, 1);
     if (c.fitted < c.readings.size()) {
         console.line(fmt::format("Readings that were predicted, not fitted: {}.",

@@ -375,8 +375,8 @@ std::string invisible_line(const Diagnosis& d, const ModelSpace& space) {
         if (!finding.identifiable) names.push_back(space.candidates()[finding.candidate].name);
     }
     return names.empty() ? ""
-                         : fmt::format("  These readings cannot show {}, whatever {} size.",
-                                       joined(names, "or"), names.size() == 1 ? "its" : "their");
+                         : fmt::format("  {} would not show in these readings at any size.",
+                                       joined(names, "and"));
 }
 
 }  // namespace

@@ -34,6 +34,8 @@ std::string percent_text(double share) {
 
 /// Text of a size with its unit: "0.05", "0.41 mN m", "1 %".
 std::string size_text(const Impact& impact, double size) {
+    constexpr double rounding = 1e-15;  // of a fit that ends at a bound of 0
+    if (std::abs(size) < rounding) size = 0;
     // Two digits would hide the difference between a factor and 1.
     if (impact.neutral != 0 && impact.unit == "1") return fmt::format("{:.4g}", size);
     if (!impact.measurement) return with_unit(size, impact.unit);
@@ -76,7 +78,8 @@ std::string line_of(const ImpactTable& table, const Impact& impact, bool at_esti
 
 std::string shift_text(double by, double error) {
     const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 12);
-    return fmt::format("{:+.{}f}", by, digits);
+    const bool is_zero = std::abs(by) < 0.5 * std::pow(10.0, -digits);
+    return is_zero ? fmt::format(" {:.{}f}", 0.0, digits) : fmt::format("{:+.{}f}", by, digits);
 }
 
 std::string group_name(const GroupImpact& sum) {

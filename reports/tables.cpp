@@ -34,10 +34,11 @@ std::string misfit_text(const Misfit& misfit) {
     known_errors.freedom = INFINITY;
     // Else a reader would compute a far smaller p.
     const bool differs = known_errors.p() < misfit.p() / 10;
-    return fmt::format(
-        "chi2 = {:.1f} for {} degrees of freedom (p {}{})", misfit.chi2, misfit.dof,
-        p_text(misfit.p()),
-        differs && misfit.p() >= 1e-3 ? ", since the errors come from few repetitions" : "");
+    return fmt::format("chi2 = {:.1f} for {} degrees of freedom (p {}{})", misfit.chi2, misfit.dof,
+                       p_text(misfit.p()),
+                       differs && misfit.p() >= 1e-3
+                           ? ", which allows for errors estimated from few repetitions"
+                           : "");
 }
 
 std::vector<std::string> readings_table(const Measurements& measurements) {

@@ -180,7 +180,7 @@ std::string unsupported_text(const RequestedState& requested, const FlowState& s
     const std::string impossible = why_impossible(run);
     return fmt::format(
         "the simulations in atlas and store do not cover {}: {}.\n"
-        "  The nearest state that they cover has {}:\n"
+        "  The nearest state that these simulations cover has {}:\n"
         "    pendular predict {}\n"
         "  {}",
         requested.text(), with_liquid_content(requested, why), nearest_request.text(),

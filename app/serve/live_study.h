@@ -121,7 +121,7 @@ class LiveStudy {
     /// Requests that all work ends.
     std::stop_token end_;
     std::deque<Job> jobs_;
-    /// Recent events that open pages show, the oldest first.
+    /// Recent events, the oldest first, shown on every page of the study that is open in a browser.
     std::deque<Happening> events_;
     std::size_t events_so_far_ = 0;
 };

@@ -47,8 +47,9 @@ class Emulator {
     ///         observable of liquid bridges at a dry state, and for an effect that no run has as
     ///         its only effect
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
-    /// Part of the answers of `mean` that comes from effects on grains and from a stiffness number
-    /// other than that of the `PlainEmulator`: one entry for each query, in the unit of its answer.
+    /// Returns the changes of the predicted means (`mean`) by effects that act on the grains and by
+    /// a stiffness number that differs from the one for which the underlying emulator
+    /// (`PlainEmulator`) predicts: one entry for each query, in the unit of its prediction.
     /// @throws std::invalid_argument for an effect that no run has as its only effect
     Eigen::VectorXd changes_by_causes(const std::vector<Query>& queries) const;
     /// Whether effects on grains, or a stiffness number other than that of the `PlainEmulator`,

@@ -59,9 +59,9 @@ Calibration calibrate_study(const ResolvedStudy& study, const Measurements& meas
 void check_range(const std::vector<Reading>& readings, const Study& study,
                  const Fidelity& fidelity);
 
-/// Returns how many of `readings`, taken from the first, a calibration of the study fits: all where
-/// fit_to = "all" or a listed effect needs a joint fit of dry and wet readings (`needs_joint_fit`),
-/// else the dry readings.
+/// Returns the number of readings that a calibration of the study fits: all readings where fit_to =
+/// "all" or a listed effect needs a joint fit of dry and wet readings (`needs_joint_fit`), else the
+/// dry readings, which come first.
 /// @param readings readings of the study, dry readings first
 std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>& readings);
 

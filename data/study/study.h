@@ -57,8 +57,8 @@ struct ModelSettings {
     /// Rumpf's formula) or "mohr-coulomb" (law of dry grains with constant cohesions fitted to
     /// `strengths`).
     std::string base = "dem";
-    /// Stress ratios of the study's wet readings, needed for the base "mohr-coulomb". They are not
-    /// part of study.toml; `with_strengths` sets them.
+    /// Stress ratios of the study's wet readings, needed if the base model is "mohr-coulomb". They
+    /// are not part of study.toml; `with_strengths` sets them.
     std::vector<MeasuredStrength> strengths = {};
     /// Names of the model's parameters to fit, such as "friction".
     std::vector<std::string> calibrate = {"friction"};

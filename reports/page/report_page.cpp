@@ -247,6 +247,20 @@ std::vector<PageSection> sections_of(const PageContent& content) {
     return sections;
 }
 
+/// Sentences on the fits of the page.
+std::vector<std::string> evidence_of(const PageContent& content) {
+    std::vector<std::string> lines = {fit_line(content.diagnosis.diagnosis)};
+    const auto& current = content.switched.models[content.switched.current];
+    if (current && current->calibration.model.fit_to == "all" &&
+        content.resolved.study().model.fit_to == "dry") {
+        lines.push_back(
+            "All models on this page are fitted to all readings, so that their errors can be "
+            "compared. 'pendular calibrate' fits the dry readings alone where no effect of the "
+            "study needs the wet ones.");
+    }
+    return lines;
+}
+
 std::vector<std::string> warnings_of(const PageContent& content) {
     std::vector<std::string> warnings;
     for (const std::string& reason : content.diagnosis.belief.reasons) {
@@ -254,15 +268,6 @@ std::vector<std::string> warnings_of(const PageContent& content) {
     }
     for (const Doubt& doubt : content.measurements.doubts) {
         warnings.push_back("Warning: " + doubt.what);
-    }
-    const auto& models = content.switched.models;
-    const auto& current = models[content.switched.current];
-    if (current && current->calibration.model.fit_to == "all" &&
-        content.resolved.study().model.fit_to == "dry") {
-        warnings.push_back(
-            "All models on this page are fitted to all readings, so that their errors can be "
-            "compared. 'pendular calibrate' fits the dry readings alone where no effect of the "
-            "study needs the wet ones.");
     }
     if (content.resolved.study().model.fit_to == "dry" &&
         std::ranges::none_of(content.diagnosis.readings,
@@ -339,7 +344,7 @@ std::string report_page(const PageContent& content) {
     }
     values.set("verdict", page_text(verdict_line(d.diagnosis, *d.models, content.checks)));
     values.set("warnings", list_of(warnings_of(content)));
-    values.set("evidence", list_of({fit_line(d.diagnosis)}));
+    values.set("evidence", list_of(evidence_of(content)));
     values.set("sections", to_data(sections_of(content)));
     values.set("recordings", !content.recordings.empty());
     values.set("data", for_script(page_data(content.switched, content.panels, content.recordings)));

@@ -47,7 +47,8 @@ class OpenBlock {
     /// Shear strain of the sample when the block began [1].
     double begin() const { return begin_; }
     /// Advances the sample by one time step and adds its stress and solid fraction to the sums of
-    /// the block. At some steps, dissipation, velocities and the contact network are added too.
+    /// the current block of time steps that are averaged together. Dissipation,
+    /// velocities and the contact network are added after some of the steps only.
     void step(ShearCell& sample);
     /// Whether a run should check now for stop requests and due checkpoints: every 16 steps, right
     /// after the step in which the velocities of all grains were added.

@@ -9,8 +9,10 @@
 
 namespace pendular::dem {
 
-/// Part of a time step that a thread completes before the next part: ranges of near and distant
-/// pairs, in whole batches, and the range of grains that occur in no later pair. Pairs are sorted
+/// Work of one thread on a part of the grains in a time step, as ranges of indices: of near pairs
+/// (grains that may touch), of distant pairs (grains that a bridge may join), both in multiples of
+/// the number of pairs that vector instructions process together, and of the grains that occur in
+/// no later pair. Pairs are sorted
 /// by their first grain, which has the lower number. The grains of a section can therefore move as
 /// soon as its pairs are done, while they are still in the cache.
 struct Section {
