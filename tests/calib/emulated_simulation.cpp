@@ -266,7 +266,7 @@ TEST(EmulatedCalibration, SaysThatNoSimulationEndedInTime) {
     const Study study = stiff_wet_study();
     const EmulatedSimulation truth = emulated_from(study, tiny, tiny_runs());
     const Measurements measured = measured_at({dry_at(1000, 0.06)}, truth, 0.25);
-    for (const double seconds : {0.0, 1e-3}) {
+    for (const double seconds : {0.0, 0.02}) {
         auto runs = tiny_runs();
         for (auto& run : runs) {
             run.wall_seconds = 1e-9;
