@@ -15,10 +15,12 @@
 #include "reports/comparison_figures.h"
 #include "reports/draw_figure.h"
 #include "reports/failure_report.h"
+#include "reports/joined.h"
 #include "reports/tables.h"
 #include "workflow/fit_file.h"
 #include "workflow/json.h"
 #include "workflow/json_parts.h"
+#include "workflow/rival_effects.h"
 
 namespace pendular::app {
 
@@ -27,15 +29,9 @@ namespace {
 /// Beginning of the answer with the effects of the model: "With torque-offset and lid-slip, the RMS
 /// error of the model is".
 std::string with_effects(const ModelSettings& model) {
-    std::string names;
-    for (std::size_t k = 0; k < model.effects.size(); ++k) {
-        const char* const before = k == 0                          ? "With "
-                                   : k + 1 == model.effects.size() ? " and "
-                                                                   : ", ";
-        names += before + model.effects[k].name;
-    }
-    return names.empty() ? "The RMS error of the model is"
-                         : names + ", the RMS error of the model is";
+    return model.effects.empty() ? "The RMS error of the model is"
+                                 : fmt::format("With {}, the RMS error of the model is",
+                                               joined(names_of(model.effects), "and"));
 }
 
 /// Part of the answer on readings that were predicted, not fitted, and that the model does not

@@ -129,10 +129,8 @@ std::string example_of(const std::function<bool(const Effect&)>& wanted) {
         return "";
     }
     const EffectParameter& parameter = found->parameters.front();
-    const std::string value =
-        printed_value(parameter.neutral + parameter.smallest_of_interest, parameter);
-    const bool quoted = value.find(' ') != std::string::npos;
-    return fmt::format("--{} {}", key(*found, parameter), quoted ? '"' + value + '"' : value);
+    return fmt::format("--{} {}", key(*found, parameter),
+                       printed_word(parameter.neutral + parameter.smallest_of_interest, parameter));
 }
 
 }  // namespace pendular::app

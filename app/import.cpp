@@ -119,7 +119,7 @@ int import(const std::vector<std::string>& arguments) {
     }
     console.table(findings_lines(measurements.findings, console.all()), 6);
     console.table(file_findings_lines(measurements.file_findings, console.all()), 6);
-    console.table(readings_table(measurements), 7);
+    if (!measurements.readings.empty()) console.table(readings_table(measurements), 7);
     if (console.all()) console.table(excluded_table(measurements), 0);
     console.table(scatter_table(measurements), 5);
     for (const auto& note : measurements.notes) {

@@ -78,7 +78,7 @@ int next(const std::vector<std::string>& arguments) {
         console.line(lines[k]);
     }
     if (const std::string& assumed = next.rivals.front().name;
-        next.plans.empty() && assumed != "the model as it is") {
+        next.plans.empty() && assumed != present_model) {
         console.line(fmt::format(
             "The plan assumes that the study has {}, as the diagnosis says; study.toml does not "
             "list it yet.",

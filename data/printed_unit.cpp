@@ -45,6 +45,11 @@ std::string printed_value(double value, const EffectParameter& parameter) {
     return unit.name == "1" ? number : number + " " + unit.name;
 }
 
+std::string printed_word(double value, const EffectParameter& parameter) {
+    const std::string text = printed_value(value, parameter);
+    return text.find(' ') == std::string::npos ? text : '"' + text + '"';
+}
+
 std::string printed_bounds(const EffectParameter& parameter) {
     return fmt::format("{:.4g} to {}", parameter.lower / printed_unit(parameter).si,
                        printed_value(parameter.upper, parameter));

@@ -21,6 +21,9 @@ PrintedUnit printed_unit(const EffectParameter& parameter);
 /// unit (`printed_unit`): "0.1 mN m", "10 deg"; without a unit if the parameter is dimensionless.
 std::string printed_value(double value, const EffectParameter& parameter);
 
+/// Text of `printed_value` as one word of a command line: in quotes if it has a unit.
+std::string printed_word(double value, const EffectParameter& parameter);
+
 /// Text of the bounds of an effect's parameter in its printed unit: "-100 to 100 mN m".
 std::string printed_bounds(const EffectParameter& parameter);
 

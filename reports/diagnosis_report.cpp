@@ -6,19 +6,12 @@
 #include <cmath>
 
 #include "reports/failure_report.h"
+#include "reports/joined.h"
 #include "reports/with_error.h"
 #include "workflow/diagnosis_json.h"
 
 namespace pendular {
 namespace {
-
-std::string joined(const std::vector<std::string>& words, const std::string& last) {
-    std::string text;
-    for (std::size_t k = 0; k < words.size(); ++k) {
-        text += (k == 0 ? "" : k + 1 == words.size() ? " " + last + " " : ", ") + words[k];
-    }
-    return text;
-}
 
 /// Short list of names: "lid-slip, liquid-loss, torque-gain and 8 more".
 std::string some_of(std::vector<std::string> names) {

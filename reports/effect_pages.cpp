@@ -143,11 +143,9 @@ std::string options_of(const Effect& effect) {
     for (const EffectParameter& p : effect.parameters) {
         const double from =
             effect.given_by_liquid ? effect.unlisted_value(LabPlan().liquid) : p.neutral;
-        const std::string value =
-            p.is_switch() ? "1" : printed_value(from + p.smallest_of_interest, p);
-        const bool quoted = value.find(' ') != std::string::npos;
         options.push_back(
-            fmt::format("--{}.{} {}", effect.name, p.name, quoted ? '"' + value + '"' : value));
+            fmt::format("--{}.{} {}", effect.name, p.name,
+                        p.is_switch() ? "1" : printed_word(from + p.smallest_of_interest, p)));
     }
     return fmt::format("{}", fmt::join(options, " "));
 }

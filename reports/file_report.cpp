@@ -152,15 +152,16 @@ std::vector<std::string> columns_table(const FileView& view) {
 }
 
 std::vector<std::string> intervals_table(const FileView& view) {
-    const auto lacks_stress = [](const IntervalSeries& series) {
-        return (series.shear_stress.empty() && !series.torque.empty()) ||
-               (series.normal_stress.empty() && !series.normal_force.empty());
-    };
-    const bool forces = std::ranges::any_of(view.series, lacks_stress);
+    const bool forces = std::ranges::any_of(view.series, [](const IntervalSeries& series) {
+        return series.normal_stress.empty() && !series.normal_force.empty();
+    });
+    const bool torques = std::ranges::any_of(view.series, [](const IntervalSeries& series) {
+        return series.shear_stress.empty() && !series.torque.empty();
+    });
     std::vector<std::string> lines = {
         fmt::format("  {:>8} {:<10} {:>6} {:>13} {:>18} {:>22}  {}", "interval", "role", "rows",
                     "lines", forces ? "normal force [N]" : "normal stress [Pa]",
-                    forces ? "largest torque [N m]" : "largest shear str. [Pa]", "why")};
+                    torques ? "largest torque [N m]" : "largest stress [Pa]", "why")};
     const bool several = several_tests(view.file);
     for (std::size_t i = 0; i < view.series.size(); ++i) {
         const Block& block = view.file.blocks[i];

@@ -76,10 +76,14 @@ std::string line_of(const ImpactTable& table, const Impact& impact, bool at_esti
                        digits, table.fitted(0), digits);
 }
 
+/// Text of a shift of a parameter with this standard error, with its sign.
 std::string shift_text(double by, double error) {
-    const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 12);
-    const bool is_zero = std::abs(by) < 0.5 * std::pow(10.0, -digits);
-    return is_zero ? fmt::format(" {:.{}f}", 0.0, digits) : fmt::format("{:+.{}f}", by, digits);
+    return change_text(by, by, error, "1");
+}
+
+/// Text of the size of a shift, without sign.
+std::string size_of_shift(double by, double error) {
+    return fmt::format("{:.{}f}", std::abs(by), decimals_for(error));
 }
 
 std::string group_name(const GroupImpact& sum) {
@@ -108,7 +112,7 @@ std::string row_of(const ImpactTable& table, const Impact& impact, std::size_t w
     };
     return fmt::format("  {:<{}} {} {} {:>9} {:>7}", impact_name(impact), width,
                        both(impact.at_interest), both(impact.at_estimate),
-                       shift_text(impact.by_error()(0), error).substr(1),
+                       size_of_shift(impact.by_error()(0), error),
                        std::isfinite(impact.pull()) ? fmt::format("{:.1f}", impact.pull()) : "-");
 }
 
@@ -159,7 +163,7 @@ std::vector<std::string> impact_table(const ImpactTable& table) {
     }
     for (const GroupImpact& sum : table.groups) {
         const auto text = [&](const Eigen::VectorXd& by) {
-            return shift_text(by(0), table.errors(0)).substr(1);
+            return size_of_shift(by(0), table.errors(0));
         };
         lines.push_back(fmt::format("  {:<{}} {:>14} {:>9}  {:>14} {:>9}  {:>9}", group_name(sum),
                                     width, "", text(sum.at_interest), "", text(sum.at_estimate),

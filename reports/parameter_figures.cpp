@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/interpolators/makima.hpp>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "calib/fit/fit.h"
 #include "reports/figure_style.h"
@@ -23,6 +26,8 @@ constexpr double rise_68 = 1, rise_95 = 3.84, rise_68_of_two = 2.30, rise_95_of_
 /// refit, and number of points drawn between each two of them.
 constexpr double profile_reach = 3;
 constexpr int refits_of_profile = 9, drawn_between = 8;
+/// Least number of values that a profile is interpolated from [Boost.Math, makima].
+constexpr std::size_t fewest_to_interpolate = 4;
 
 /// Indices of the parameters whose standard error is smaller than their range.
 std::vector<Eigen::Index> determined(const Calibration& c) {
@@ -54,16 +59,23 @@ Panel profile_panel(const Model& model, const Measured& measured, const Fit& bes
         refits_of_profile, std::max(parameter.lower, fitted - profile_reach * error),
         std::min(parameter.upper, fitted + profile_reach * error));
     const auto parabola_at = [&](double value) { return std::pow((value - fitted) / error, 2); };
-    // The difference from the parabola is smooth and small: drawn as straight lines between refits.
-    const Eigen::VectorXd beyond =
-        profile_rise(model, measured, best, k, values) - values.unaryExpr(parabola_at);
-    for (Eigen::Index n = 0; n + 1 < values.size(); ++n) {
-        if (!std::isfinite(beyond(n)) || !std::isfinite(beyond(n + 1))) continue;
-        for (int m = 0; m <= drawn_between; ++m) {
-            const double part = static_cast<double>(m) / drawn_between;
-            const double value = std::lerp(values(n), values(n + 1), part);
+    const Eigen::VectorXd rises = profile_rise(model, measured, best, k, values);
+    // The difference from the parabola is interpolated, which is smoother than the rise itself.
+    std::vector<double> at, beyond;
+    for (Eigen::Index n = 0; n < values.size(); ++n) {
+        if (!std::isfinite(rises(n))) continue;  // impossible readings
+        at.push_back(values(n));
+        beyond.push_back(rises(n) - parabola_at(values(n)));
+    }
+    if (at.size() >= fewest_to_interpolate) {
+        const auto drawn = static_cast<Eigen::Index>(at.size() - 1) * drawn_between + 1;
+        const Eigen::VectorXd points = Eigen::VectorXd::LinSpaced(drawn, at.front(), at.back());
+        const boost::math::interpolators::makima<std::vector<double>> difference(
+            std::vector<double>(at), std::move(beyond));
+        for (const double value : points) {
+            const double inside = std::clamp(value, at.front(), at.back());
             profile.x.push_back(value);
-            profile.y.push_back(parabola_at(value) + std::lerp(beyond(n), beyond(n + 1), part));
+            profile.y.push_back(parabola_at(value) + difference(inside));
             parabola.x.push_back(value);
             parabola.y.push_back(parabola_at(value));
         }

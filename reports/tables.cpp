@@ -222,10 +222,6 @@ std::string deviations(const std::vector<Overestimate>& points) {
     return text;
 }
 
-}  // namespace
-
-namespace {
-
 /// Cohesion lines sorted by liquid content and inertial number, so that the measured and the
 /// simulated line of a condition follow each other.
 std::vector<CohesionLine> measured_beside_simulated(std::vector<CohesionLine> lines) {
@@ -236,6 +232,11 @@ std::vector<CohesionLine> measured_beside_simulated(std::vector<CohesionLine> li
                          std::stod(rounded(line.inertial_number)));
     });
     return lines;
+}
+
+/// Returns whether a cohesion line was fitted to the readings or to the model.
+const char* through(const CohesionLine& line) {
+    return line.source == "measured" ? "readings" : "model";
 }
 
 }  // namespace
@@ -253,21 +254,19 @@ std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines) 
                     "content", "number", "intercept", "cohesion c*", "correlation", "cohesion [Pa]",
                     "P*", "points")};
     for (const auto& line : measured_beside_simulated(lines)) {
-        table.push_back(
-            fmt::format("  {:<10} {:>8.3g} {:>9.3g} {:>18} {:>18} {:>11.2f} {:>16} {:>9.3g} {:>7}",
-                        line.source == "measured" ? "readings" : "model", line.liquid_content,
-                        line.inertial_number, estimate(line.stress_ratio_intercept),
-                        estimate(line.reduced_cohesion), line.correlation, estimate(line.cohesion),
-                        line.lowest_reduced_pressure, line.points));
+        table.push_back(fmt::format(
+            "  {:<10} {:>8.3g} {:>9.3g} {:>18} {:>18} {:>11.2f} {:>16} {:>9.3g} {:>7}",
+            through(line), line.liquid_content, line.inertial_number,
+            estimate(line.stress_ratio_intercept), estimate(line.reduced_cohesion),
+            line.correlation, estimate(line.cohesion), line.lowest_reduced_pressure, line.points));
     }
     for (const auto& line : lines) {
         if (!line.below.empty()) {
-            table.push_back(
-                fmt::format("  Below the lowest P* of its fit, the line through the {} (liquid "
-                            "content {:.3g}, I = "
-                            "{:.3g}) gives a stress ratio that is {}.",
-                            line.source == "measured" ? "readings" : "model", line.liquid_content,
-                            line.inertial_number, deviations(line.below)));
+            table.push_back(fmt::format(
+                "  Below the lowest P* of its fit, the line through the {} (liquid "
+                "content {:.3g}, I = "
+                "{:.3g}) gives a stress ratio that is {}.",
+                through(line), line.liquid_content, line.inertial_number, deviations(line.below)));
         }
     }
     return table;

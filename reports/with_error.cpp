@@ -37,12 +37,16 @@ std::string with_unit_name(const std::string& number, const std::string& unit) {
 
 }  // namespace
 
+int decimals_for(double standard_error) {
+    return std::max(0, 1 - static_cast<int>(std::floor(std::log10(standard_error))));
+}
+
 std::string with_error(double value, double error) {
     if (!(error > 0) || !std::isfinite(error)) {
         return fmt::format("{:.4g} +- {}", value, error);
     }
     const int power = static_cast<int>(std::floor(std::log10(error)));
-    const int digits = std::max(0, 1 - power);
+    const int digits = decimals_for(error);
     if (digits > 7) {  // such as forces between grains [N]
         const int exponent = std::max(
             power, static_cast<int>(std::floor(std::log10(std::max(std::abs(value), error)))));
@@ -61,11 +65,10 @@ std::string with_error(double value, double error, const std::string& unit) {
 
 std::string change_text(double change, double value, double error, const std::string& unit) {
     const Scale scale = scale_of(std::max(std::abs(value), std::abs(error)), unit);
-    const double rounded = error / scale.factor;
-    const int digits = rounded > 0 && std::isfinite(rounded)
-                           ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(rounded))))
-                           : 4;
-    const std::string number = fmt::format("{:+.{}f}", change / scale.factor, digits);
+    const double scaled = error / scale.factor;
+    const int digits = scaled > 0 && std::isfinite(scaled) ? decimals_for(scaled) : 4;
+    std::string number = fmt::format("{:+.{}f}", change / scale.factor, digits);
+    if (number.find_first_of("123456789") == std::string::npos) number.erase(0, 1);
     return with_unit_name(number, scale.unit);
 }
 

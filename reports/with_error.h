@@ -4,6 +4,10 @@
 
 namespace pendular {
 
+/// Number of decimals that show the second significant digit of a standard error: 3 for 0.012; at
+/// least 0.
+int decimals_for(double standard_error);
+
 /// Returns a value with its standard error as text, both rounded to the second significant digit of
 /// the error, or to whole numbers if that digit is coarser: "0.097 +- 0.011", "(1.032 +-
 /// 0.012)e-6".
@@ -15,9 +19,10 @@ std::string with_error(double value, double error);
 /// @param unit SI unit of value and error; the unit "1" is left out of the text
 std::string with_error(double value, double error, const std::string& unit);
 
-/// Text of a change of a value, with sign, SI prefix and unit, rounded to the second significant
-/// digit of the value's standard error: "-0.0145". `value`: the value itself, whose size chooses
-/// the prefix; `unit`: SI unit of all three.
+/// Returns a change of a value as text with its sign and unit, rounded to the second significant
+/// digit of the value's standard error: "-0.0145". The SI prefix is the one that `with_error` gives
+/// to the value and its error.
+/// @param unit SI unit of the change, the value and the error
 std::string change_text(double change, double value, double error, const std::string& unit);
 
 /// Text of a value with two (or `digits`) significant digits and its unit, with an SI prefix as in

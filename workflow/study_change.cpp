@@ -94,10 +94,10 @@ StudyChange plan_change(const ResolvedStudy& study, Action change, const std::st
             with_effect(text, file, effect)};
 }
 
-Fitted fitted(const ResolvedStudy& study, Calibration c) {
+Fitted fitted(const ResolvedStudy& study, Calibration c, bool cross_validated) {
     const StudyModel model(study, c);
     c.prediction = predict_readings(model.model(), c);
-    const auto left_out = left_out_errors(model.predictor(), c);
+    const auto left_out = cross_validated ? left_out_errors(model.predictor(), c) : std::nullopt;
     Comparison comparison = compare(c);
     LadderStep ladder_step = ladder_step_of(c, comparison, left_out);
     const LeftOut counted = left_out.value_or(LeftOut{});
@@ -158,21 +158,11 @@ std::optional<Calibration> earlier_fit(const std::filesystem::path& file,
     }
 }
 
-/// The study with all readings fitted together.
-ResolvedStudy fitting_all(const ResolvedStudy& study) {
-    Study changed = study;
-    changed.model.fit_to = "all";
-    return study.changed_to(std::move(changed));
-}
-
-bool fits_all(const Fitted& fit) {
-    return fit.calibration.fitted == fit.calibration.readings.size();
-}
-
 /// Compares a calibration with all readings, and computes its errors at conditions left out.
 /// @throws dem::Interrupted where the user stops the work
-Fitted fitted(const ResolvedStudy& study, Calibration c, const SessionOptions& session) {
-    Fitted result = fitted(study, std::move(c));
+Fitted fitted(const ResolvedStudy& study, Calibration c, const SessionOptions& session,
+              bool cross_validated = true) {
+    Fitted result = fitted(study, std::move(c), cross_validated);
     if (session.stop.stop_requested()) throw interrupted_with(session.store);
     return result;
 }
@@ -196,8 +186,9 @@ ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measur
     }
     FitOptions unconfirmed = fit;
     unconfirmed.confirm = false;
-    const auto fit_now = [&](const ResolvedStudy& one, const FitOptions& how) {
-        return fitted(one, fit_study(one, measurements, session, how), session);
+    const auto fit_now = [&](const ResolvedStudy& one, const FitOptions& how,
+                             bool cross_validated = true) {
+        return fitted(one, fit_study(one, measurements, session, how), session, cross_validated);
     };
     const ResolvedStudy changed = change.study;
     const std::vector<Reading> readings = dry_first(measurements);
@@ -216,15 +207,16 @@ ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measur
          {.kind = Event::Kind::stage,
           .text = fmt::format("fitting {} {}", what == Action::add ? "with" : "without", effect)});
     ChangedStudy result{.change = std::move(change), .before = std::move(before)};
-    Fitted& after = result.after = fit_now(changed, fit);
+    // Where a fit to all readings is compared in its place, nobody asks for its errors.
+    const bool compared = all_after || !all_before;
+    Fitted& after = result.after = fit_now(changed, fit, compared);
     after.belief = belief_in(changed, measurements, after.calibration, after.comparison);
     if (what == Action::add) {
         after.ladder_step.rivals = rivals_in(options.folder / "diagnosis.json", study, effect);
     }
     result.written = after.calibration.fit.converged;
     if (result.written) {
-        if (fits_all(result.before) && !fits_all(after))
-            result.after_to_all = fit_now(fitting_all(changed), unconfirmed);
+        if (!compared) result.after_to_all = fit_now(fitting_all(changed), unconfirmed);
         apply_change(result.change, result.before.ladder_step,
                      result.comparable_after().ladder_step, after, ladder, options.folder);
     }

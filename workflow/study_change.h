@@ -51,7 +51,9 @@ struct Fitted {
 };
 /// Compares a calibration with all readings of the study, and computes its cross-validation errors:
 /// the errors of each condition when it is predicted by a fit to the other conditions.
-Fitted fitted(const ResolvedStudy& study, Calibration calibration);
+/// @param cross_validated whether to compute the cross-validation errors, which takes a refit for
+///        each condition
+Fitted fitted(const ResolvedStudy& study, Calibration calibration, bool cross_validated = true);
 
 /// JSON of a change of the effects that a study lists, as `pendular add --json` and `pendular drop
 /// --json` write it: the effect, and the model's parameters and errors before and after.

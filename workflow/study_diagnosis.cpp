@@ -29,7 +29,7 @@ std::string name_of(const Explanation& explanation, const StudyModels& models) {
     for (const std::size_t k : explanation.chosen) {
         name += (name.empty() ? "" : " + ") + models.candidates()[k].name;
     }
-    return name.empty() ? "the model as it is" : name;
+    return name.empty() ? present_model : name;
 }
 
 /// Text that names the measurements which may cause an implausible value of a quantity.
@@ -243,7 +243,7 @@ std::vector<Rival> rivals_of(const StudyDiagnosis& study_diagnosis) {
                           model.fit.parameters, model.fit.covariance});
     }
     if (rivals.empty()) {
-        rivals.push_back({"the model as it is", models.predictor({}), diagnosis.fit.parameters,
+        rivals.push_back({present_model, models.predictor({}), diagnosis.fit.parameters,
                           diagnosis.fit.covariance});
     }
     if (rivals.size() == 1) {

@@ -165,10 +165,7 @@ ResolvedStudy with_common_readings(const ResolvedStudy& study, const Effects& sw
     const bool all = std::ranges::any_of(switches, [&](const std::string& name) {
         return fitted_count(study_with({name}, study), readings) == readings.size();
     });
-    if (!all) return study;
-    Study changed = study;
-    changed.model.fit_to = "all";
-    return study.changed_to(std::move(changed));
+    return all ? fitting_all(study) : study;
 }
 
 /// Fits the study with exactly these effects. `fewer`: fit with fewer effects; null: none.

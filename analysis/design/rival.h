@@ -10,6 +10,9 @@
 
 namespace pendular {
 
+/// Name of a rival that adds no effect to the study's model.
+inline constexpr const char* present_model = "the model as it is";
+
 /// Rival model: one of several models of a study among which measurements are to decide, with its
 /// fitted parameters.
 struct Rival {

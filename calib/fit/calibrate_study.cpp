@@ -209,6 +209,12 @@ std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>&
     return all ? readings.size() : dry_count(readings);
 }
 
+ResolvedStudy fitting_all(const ResolvedStudy& study) {
+    Study changed = study;
+    changed.model.fit_to = "all";
+    return study.changed_to(std::move(changed));
+}
+
 Prediction predict_unseen(const Predictor& model, const Calibration& c,
                           const std::vector<Condition>& conditions) {
     const auto seen = part(c.readings, 0, c.fitted);

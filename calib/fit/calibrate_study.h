@@ -65,6 +65,9 @@ void check_range(const std::vector<Reading>& readings, const Study& study,
 /// @param readings readings of the study, dry readings first
 std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>& readings);
 
+/// Returns the study with all readings fitted together, as fit_to = "all" in study.toml does.
+ResolvedStudy fitting_all(const ResolvedStudy& study);
+
 /// Predicts shear stress [Pa] and solid fraction [1] at conditions that a calibration did not fit,
 /// at its fitted parameters, for each condition in turn. The covariance includes the error of the
 /// fit: it is the model's covariance plus J C J', with the covariance C of the parameters and the

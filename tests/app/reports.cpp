@@ -25,6 +25,7 @@ namespace reports_test {
 
 using namespace pendular;
 using testing::HasSubstr;
+using testing::Not;
 
 Reading reading(double normal_stress, double inertial_number, double ratio, double fraction) {
     Reading r;
@@ -334,6 +335,16 @@ TEST(Tables, SayOnceHowFarReplicatesAreFromACohesionLine) {
     EXPECT_TRUE(table.back().ends_with(
         "7.0 +- 2.0 % too high at P* = 1.4, 30.0 +- 2.0 % too high at P* = 0.7."))
         << table.back();
+}
+
+TEST(Tables, SayWhyAPValueIsLargerThanThatOfChi2) {
+    const Misfit known{.chi2 = 56, .dof = 11}, estimated{.chi2 = 56, .dof = 11, .freedom = 2};
+    ASSERT_LT(known.p(), 1e-3);
+    ASSERT_GT(estimated.p(), 1e-3);
+    EXPECT_EQ(misfit_text(known), "chi2 = 56.0 for 11 degrees of freedom (p < 0.001)");
+    EXPECT_THAT(misfit_text(estimated), HasSubstr("errors estimated from few repetitions"));
+    const Misfit many{.chi2 = 12, .dof = 11, .freedom = 40};
+    EXPECT_THAT(misfit_text(many), Not(HasSubstr("few repetitions")));
 }
 
 TEST(Tables, NameEveryReadingAndUnit) {

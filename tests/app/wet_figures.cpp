@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 
 #include "analysis/misfit/compare.h"
+#include "calib/fit/fit.h"
 #include "calib/fit/structural_cohesion.h"
 #include "data/files/csv.h"
 #include "reports/comparison_figures.h"
@@ -72,6 +74,29 @@ TEST(WetFigures, ExistWhereThereAreWetReadings) {
     const Planted dry(planted::readings({}));
     EXPECT_THAT(dry.figures(), IsEmpty());
     EXPECT_EQ(comparison_figures(dry.model, dry.calibration, compare(dry.calibration)).size(), 7u);
+}
+
+/// Far from the minimum, where chi2 is no parabola, the curve has no kinks at its refits.
+TEST(ProfileFigure, IsDrawnThroughValuesBetweenItsRefits) {
+    const Planted study;
+    const auto figures =
+        comparison_figures(study.model, study.calibration, compare(study.calibration));
+    const auto figure = std::ranges::find(figures, "profile", &Figure::name);
+    ASSERT_NE(figure, figures.end());
+    const Curve& profile = figure->panels.front().curves.front();
+    const Calibration& c = study.calibration;
+    const std::vector<Reading> fitted(c.readings.begin(),
+                                      c.readings.begin() + static_cast<std::ptrdiff_t>(c.fitted));
+    const ModelOfReadings model = study.model.at(fitted);
+    Fit best = c.fit;
+    best.prediction = model.predict(best.parameters);
+    const Eigen::Map<const Eigen::VectorXd> drawn_at(profile.x.data(),
+                                                     static_cast<Eigen::Index>(profile.x.size()));
+    const Eigen::VectorXd exact = profile_rise(model, stack(fitted), best, 0, drawn_at);
+    for (std::size_t n = 0; n < profile.x.size(); ++n) {
+        const double rise = exact(static_cast<Eigen::Index>(n));
+        EXPECT_NEAR(profile.y[n], rise, 0.01 + 0.005 * std::abs(rise)) << profile.x[n];
+    }
 }
 
 TEST(ResidualMap, IsDrawnWhereReadingsDifferInInertialNumber) {

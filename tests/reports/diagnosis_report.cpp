@@ -1,0 +1,48 @@
+// Texts of a diagnosis, from results made up for the purpose.
+#include "reports/diagnosis_report.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/linear_space.h"
+
+namespace pendular::reports_diagnosis_test {
+
+/// A refit with the only candidate of a space: its amplitude is 0.5 with this standard error.
+Explanation refit(double standard_error, bool converged) {
+    Explanation result{.chosen = {0}, .suspect = {}, .fit = {}};
+    result.fit.parameters = Eigen::Vector2d(1, 0.5);
+    result.fit.covariance = Eigen::Vector2d(1, standard_error * standard_error).asDiagonal();
+    result.fit.converged = converged;
+    return result;
+}
+
+TEST(EstimateOfAnEffect, IsThatOfTheRefitWhereThisDeterminesIt) {
+    const LinearSpace space(Eigen::MatrixXd::Ones(4, 1),
+                            {{.name = "drag",
+                              .values = Eigen::VectorXd::LinSpaced(4, 0, 1),
+                              .parameter = {.name = "amplitude",
+                                            .unit = "N",
+                                            .lower = 0,
+                                            .upper = 10,
+                                            .smallest_of_interest = 1}}});
+    Diagnosis diagnosis;
+    diagnosis.fit.parameters = Eigen::VectorXd::Ones(1);
+    Finding finding;
+    finding.value = 0.4, finding.standard_error = 0.02;
+    const auto estimate = [&] { return estimate_of(diagnosis, finding, space); };
+    EXPECT_EQ(estimate(), "400 +- 20 mN");
+    diagnosis.tried = {refit(0.03, true)};
+    EXPECT_EQ(estimate(), "500 +- 30 mN");
+    diagnosis.tried = {refit(0.03, false)};
+    EXPECT_EQ(estimate(), "400 +- 20 mN");
+    diagnosis.tried = {refit(1e5, true)};  // a refit at which the effect vanishes
+    EXPECT_EQ(estimate(), "400 +- 20 mN");
+}
+
+TEST(ChangeOfChi2, HasItsSign) {
+    EXPECT_EQ(chi2_change(686.74), "-686.7");
+    EXPECT_EQ(chi2_change(-12.3), "+12.3");
+    EXPECT_EQ(chi2_change(0.02), "0.0");
+}
+
+}  // namespace pendular::reports_diagnosis_test
