@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "analysis/diagnosis/explanation_search.h"
+#include "analysis/diagnosis/side_by_side.h"
 #include "data/input_error.h"
 
 namespace pendular {
@@ -20,6 +21,14 @@ constexpr double worth_sharpening = 4;
 constexpr int most_sharpenings = 3;
 /// Smallest power at which a switch counts as identifiable [1].
 constexpr double hardly_seen = 0.1;
+
+/// Candidate effect with the score test (test without a refit) of the model with it alone added.
+struct TestedCandidate {
+    Addition addition;    ///< predictions as a function of the effect's amplitude
+    Signature signature;  ///< change of the readings per unit of amplitude
+    ScoreTest test;       ///< result of the score test
+};
+
 /// Carries out one diagnosis, from the fit to the verdict.
 class Diagnostician {
   public:
@@ -55,7 +64,8 @@ class Diagnostician {
 
     void fit_base();
     void scan();
-    void sharpen(std::size_t k, ScoreTest& test);
+    TestedCandidate test_alone(std::size_t k) const;
+    void sharpen(const Addition& addition, Signature& signature, ScoreTest& test) const;
     Finding finding_of(std::size_t k, const ScoreTest& test) const;
     void judge_power(const FamilyOfTests& family);
     bool base_stands() const;
@@ -102,15 +112,14 @@ void Diagnostician::fit_base() {
     base_.lack_of_fit_p = result_.lack_of_fit_p = explanations_.lack_of_fit_p(*residuals_);
 }
 
-void Diagnostician::sharpen(std::size_t k, ScoreTest& test) {
-    Signature& signature = signatures_[k];
+void Diagnostician::sharpen(const Addition& addition, Signature& signature, ScoreTest& test) const {
     for (int turn = 0; turn < most_sharpenings && test.seen(); ++turn) {
         const double ratio = test.estimate(0) / signature.taken_at;
         if (test.predicted_reduction < worth_sharpening || (ratio > 0.8 && ratio < 1.25)) {
             return;
         }
         const double taken_at = signature.taken_at;
-        addition(k).retake(signature, test.estimate(0));
+        addition.retake(signature, test.estimate(0));
         if (signature.taken_at == taken_at) {
             return;  // the amplitude is at its bound
         }
@@ -143,22 +152,31 @@ Finding Diagnostician::finding_of(std::size_t k, const ScoreTest& test) const {
     return finding;
 }
 
+TestedCandidate Diagnostician::test_alone(std::size_t k) const {
+    Addition addition = explanations_.addition(base_, k);
+    Signature signature = addition.signature(true);
+    ScoreTest test = score_test(*residuals_, signature, is_switch(k));
+    if (!is_switch(k) && test.seen() && test.estimate.size() == 1) {
+        sharpen(addition, signature, test);
+    }
+    return {std::move(addition), std::move(signature), std::move(test)};
+}
+
 void Diagnostician::scan() {
     const std::size_t count = space_.candidates().size();
+    std::vector<std::optional<TestedCandidate>> tested(count);
+    side_by_side(
+        count, options_.threads, [&](std::size_t k) { say("scan", k, count); },
+        [&](std::size_t k) { tested[k].emplace(test_alone(k)); });
+    say("scan", count, count);
     std::vector<ScoreTest> tests;
     for (std::size_t k = 0; k < count; ++k) {
-        say("scan", k, count);
-        additions_.push_back(explanations_.addition(base_, k));
-        signatures_.push_back(addition(k).signature(true));
+        additions_.push_back(std::move(tested[k]->addition));
+        signatures_.push_back(std::move(tested[k]->signature));
         explanations_.errors[k] = signatures_[k].errors;
-        ScoreTest test = score_test(*residuals_, signatures_[k], is_switch(k));
-        if (!is_switch(k) && test.seen() && test.estimate.size() == 1) {
-            sharpen(k, test);
-        }
-        result_.scan.push_back(finding_of(k, test));
-        tests.push_back(std::move(test));
+        result_.scan.push_back(finding_of(k, tested[k]->test));
+        tests.push_back(std::move(tested[k]->test));
     }
-    say("scan", count, count);
     suspect_tests_ = explanations_.suspect_tests(*residuals_);
     tests.insert(tests.end(), suspect_tests_.begin(), suspect_tests_.end());
     const FamilyOfTests family(tests, *residuals_, explanations_.draws());
