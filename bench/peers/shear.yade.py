@@ -2,8 +2,10 @@
 
     yade -j1 -n -x shear.yade.py prepare gas=FILE state=FILE wet=0 ...
     yade -j1 -n -x shear.yade.py measure state=FILE end_state=FILE steps=N ...
+    yade -j1 -n -x shear.yade.py sample state=FILE end_state=FILE strain=S ...
 
-prepare makes a state from a gas of gas.py; measure goes on with it and prints time and means.
+prepare makes a state from a gas of gas.py; measure goes on with it and prints time and means;
+sample prints means of intervals of the strain S, of contacts and bridges too.
 Lengths are in diameters, masses in bead masses, stresses in imposed normal stresses. Bridges need
 the tables of bridge_tables() in the working directory.
 """
@@ -15,6 +17,7 @@ RATIOS = ("1", "1.1", "1.25", "1.5", "1.75", "2", "3", "4", "5", "10")
 BEAD_VOLUME = math.pi / 6
 RADIUS = 0.5
 STEPS_BETWEEN_SERVOS = 10
+PER_ROW, LOOKS_PER_ROW = 0.25, 10
 
 
 def bridge_tables(volume, levels=20):
@@ -146,6 +149,49 @@ def measure(state, end_state, steps, skin):
     O.save(end_state)
 
 
+def pairs():
+    """Contacts and bridges without contact per grain (each counts for both grains), and of the
+    latter: mean force over the pull-off force, and mean of n1 n2."""
+    contacts = distant = force = fabric = 0
+    full = O.engines[3].surfaceTension * 2 * math.pi * RADIUS
+    for pair in O.interactions:
+        if not pair.isReal:
+            continue
+        if pair.geom.penetrationDepth > 0:
+            contacts += 1
+        elif pair.phys.meniscus:
+            distant += 1
+            force += pair.phys.fCap.norm() / full
+            fabric += pair.geom.normal[0] * pair.geom.normal[1]
+    count = len(O.bodies)
+    return 2 * contacts / count, 2 * distant / count, force / distant, fabric / distant
+
+
+def sample(state, end_state, strain, skin):
+    """Prints a row for each interval of PER_ROW of strain, in which pairs are counted LOOKS_PER_ROW
+    times: s22, s12, solid fraction, then pairs() and capillary_stress()."""
+    O.load(state)
+    O.engines[1].verletDist = skin
+    O.run(100, True)
+    steps = round(PER_ROW / FLOW.rate / O.dt / LOOKS_PER_ROW)
+    for _ in range(round(strain / PER_ROW)):
+        FLOW.restart()
+        looks = []
+        for _ in range(LOOKS_PER_ROW):
+            O.run(steps, True)
+            looks.append((*pairs(), *capillary_stress()))
+        means = (sum(column) / LOOKS_PER_ROW for column in zip(*looks))
+        print("row", *FLOW.means(), *means)
+    O.save(end_state)
+
+
+def capillary_stress():
+    """s22 and s12 of the bridges' forces, compression positive, sheared as in the paper: s12 of
+    the whole is negative."""
+    stress = getCapillaryStress(0, True)
+    return -stress[1, 1], -stress[0, 1]
+
+
 def value(text):
     for kind in (int, float):
         try:
@@ -161,4 +207,4 @@ if sys.argv[1] == "prepare":
     prepare(**options)
 else:
     FLOW = Flow(options.pop("rate"), options.pop("wet"))
-    measure(**options)
+    {"measure": measure, "sample": sample}[sys.argv[1]](**options)

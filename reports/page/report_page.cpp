@@ -31,6 +31,8 @@ struct PageTable {
     std::string caption;
     Cells head;
     std::vector<Cells> rows = {};
+    /// Whether the page shows the caption alone until the reader opens the table.
+    bool folded = false;
 };
 
 /// Section of a page: lines of text, commands to give, and tables.
@@ -48,14 +50,37 @@ data list_of(const std::vector<std::string>& texts) {
     return list;
 }
 
+/// Whether a column holds words: these are aligned on the left, numbers on the right.
+bool holds_words(const PageTable& table, std::size_t column) {
+    return std::ranges::all_of(table.rows, [&](const Cells& row) {
+        return row[column].find_first_of("<+-0123456789") != 0;
+    });
+}
+
+data cells_of(const Cells& cells, const std::vector<bool>& words) {
+    data list{data::type::list};
+    for (std::size_t column = 0; column < cells.size(); ++column) {
+        data cell;
+        cell.set("text", page_text(cells[column]));
+        cell.set("words", words[column]);
+        list << cell;
+    }
+    return list;
+}
+
 data to_data(const PageTable& table) {
+    std::vector<bool> words;
+    for (std::size_t column = 0; column < table.head.size(); ++column) {
+        words.push_back(holds_words(table, column));
+    }
     data rows{data::type::list};
     for (const Cells& cells : table.rows) {
-        rows << data{"cells", list_of(cells)};
+        rows << data{"cells", cells_of(cells, words)};
     }
     data result;
     result.set("caption", page_text(table.caption));
-    result.set("head", list_of(table.head));
+    result.set("folded", table.folded);
+    result.set("head", cells_of(table.head, words));
     result.set("rows", rows);
     return result;
 }
@@ -152,19 +177,23 @@ PageSection impact_section(const PageContent& content) {
     const ImpactTable& impacts = *content.impacts;
     PageSection section{.id = "impacts", .title = "How effects shift the fitted friction"};
     section.lines = impact_lines(impacts, content.diagnosis.diagnosis);
-    const double error = impacts.errors(0);
-    PageTable table{
-        .caption = fmt::format("Shift of the friction {} by each effect or error of measurement",
-                               with_error(impacts.fitted(0), error)),
-        .head = {"effect or error", "group", "at the smallest size that matters", "at the estimate",
-                 "per standard error of the estimate"}};
+    const Cells head = {"effect or error", "group", "at the smallest size that matters",
+                        "at the estimate", "per standard error of the estimate"};
+    const std::string friction = with_error(impacts.fitted(0), impacts.errors(0));
+    PageTable effects{.caption = fmt::format("Shift of the friction {} by each effect", friction),
+                      .head = head};
+    PageTable errors{
+        .caption = fmt::format("Shift of the friction {} by each error of measurement", friction),
+        .head = head,
+        .folded = true};
     for (const Impact& impact : impacts.impacts) {
-        table.rows.push_back({impact_name(impact), impact.group,
-                              fmt::format("{:+.4f}", impact.at_interest.best()(0)),
-                              fmt::format("{:+.4f}", impact.at_estimate.best()(0)),
-                              fmt::format("{:.4f}", impact.by_error()(0))});
+        (impact.measurement ? errors : effects)
+            .rows.push_back({impact_name(impact), impact.group,
+                             fmt::format("{:+.4f}", impact.at_interest.best()(0)),
+                             fmt::format("{:+.4f}", impact.at_estimate.best()(0)),
+                             fmt::format("{:.4f}", impact.by_error()(0))});
     }
-    section.tables = {table};
+    section.tables = {effects, errors};
     return section;
 }
 
