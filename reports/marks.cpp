@@ -175,6 +175,17 @@ void draw_sample(Ink& ink, const Entry& entry, PaperPoint middle) {
     }
 }
 
+/// Covers the room above the data, which is kept free for a key, so that no reference line or grid
+/// crosses the key's texts.
+void clear_headroom(Ink& ink, const PanelPlace& place, const Panel& panel, std::size_t entries) {
+    constexpr double frame = 0.02;
+    const double height = std::min(line_spacing * static_cast<double>(entries) + key_inset,
+                                   panel.headroom * (place.top - place.bottom));
+    const double left = place.left + frame, right = place.right - frame;
+    const double top = place.top - frame, bottom = place.top - height;
+    ink.area({{left, bottom}, {right, bottom}, {right, top}, {left, top}}, "#ffffff");
+}
+
 /// Draws the key of a panel. The samples are at the outer edge and the texts run inwards, so that
 /// the width of the texts need not be known.
 void draw_key(Ink& ink, const PanelPlace& place, const Panel& panel) {
@@ -187,6 +198,9 @@ void draw_key(Ink& ink, const PanelPlace& place, const Panel& panel) {
     const double inset = right ? 0 : key_inset;
     const double x = right ? edge - sample_width / 2 : edge + inset + sample_width / 2;
     const double away = sample_width / 2 + sample_gap;
+    if (panel.key == Key::top_left || panel.key == Key::top_right) {
+        clear_headroom(ink, place, panel, entries.size());
+    }
     double y = bottom ? place.bottom + line_spacing * static_cast<double>(entries.size()) -
                             line_spacing / 2 + key_inset / 2
                       : place.top - line_spacing / 2 - key_inset / 2;
