@@ -41,7 +41,7 @@ change.
 
 const char* const about_both =
     R"(
-Writes fit.json, ladder.json (all models of the study so far, with their errors) and the figure
+Writes fit.json, ladder.json (every model of the study so far, with its chi2 and RMS error) and the figure
 'ladder' to the results folder. study.toml is changed last: it stays as it is if the fit does not
 converge or is interrupted.
 

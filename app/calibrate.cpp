@@ -15,6 +15,7 @@
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/calibration.h"
 #include "data/input_error.h"
+#include "data/recordings/replicate_groups.h"
 #include "reports/tables.h"
 #include "sim/catalogue/effect_catalogue.h"
 #include "workflow/fit_file.h"
@@ -33,7 +34,8 @@ std::string basis_of(const Calibration& c) {
     }
     if (ordered == 0) {
         return fmt::format(
-            "The emulator was trained on the {} earlier simulations that serve this model; none "
+            "The emulator was trained on the {} existing simulations that apply to this model; "
+            "none "
             "was made for this study.",
             c.runs.size());
     }
@@ -188,7 +190,11 @@ int calibrate(const std::vector<std::string>& arguments) {
     add_belief(json, belief);
     console.json(json);
     constexpr double significant = 0.05;
-    if (!belief.believable() || comparison.total.p() < significant) {
+    if (replicate_groups(c.readings).size() < 2) {
+        console.note(
+            "All readings are at one condition: nothing tests the model. Measure at two or more "
+            "normal stresses.");
+    } else if (!belief.believable() || comparison.total.p() < significant) {
         console.next(fmt::format("pendular diagnose {}", common->study_word()));
     } else {
         console.next(fmt::format("pendular compare {}", common->study_word()));

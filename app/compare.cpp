@@ -12,6 +12,7 @@
 #include "app/options.h"
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/calibration.h"
+#include "data/recordings/replicate_groups.h"
 #include "reports/comparison_figures.h"
 #include "reports/draw_figure.h"
 #include "reports/failure_report.h"
@@ -122,9 +123,11 @@ int compare(const std::vector<std::string>& arguments) {
     console.figures(out / "figures", drawn_figures);
     constexpr double significant = 0.05;
     const bool fits = belief.believable() && comparison.total.p() >= significant;
-    console.next(fmt::format("pendular {} {}",
-                             fits && !c.model.effects.empty() ? "next" : "diagnose",
-                             common->study_word()));
+    if (replicate_groups(c.readings).size() > 1) {
+        console.next(fmt::format("pendular {} {}",
+                                 fits && !c.model.effects.empty() ? "next" : "diagnose",
+                                 common->study_word()));
+    }
     return done;
 }
 

@@ -64,8 +64,10 @@ struct CommandDeclaration {
     ValueKind other_words = {ValueKind::Kind::none};
 };
 
-/// Returns the declaration of a command.
-/// @param run function of the command, called with the words after the command's name
+/// Returns texts and options of a command, as `run` declares them when it is asked for its help;
+/// the command is not carried out.
+/// @param run function that carries out the command with the words after its name, and returns its
+///        exit code
 CommandDeclaration declaration_of(int (*run)(const std::vector<std::string>& arguments));
 
 }  // namespace pendular::app

@@ -72,7 +72,7 @@ int next(const std::vector<std::string>& arguments) {
     auto json = to_json(next);
     json["verdict"] = to_string(d.diagnosis.verdict);
     write_json(common->out_folder() / "next.json", json);
-    const std::vector<std::string> lines = next_lines(next);
+    const std::vector<std::string> lines = next_lines(next, d.diagnosis);
     console.answer(lines.front());
     for (std::size_t k = 1; k < lines.size(); ++k) {
         console.line(lines[k]);

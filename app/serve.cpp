@@ -95,10 +95,12 @@ void write_address(Console& console, const ServerAddress& address) {
 }  // namespace
 
 int serve(const std::vector<std::string>& arguments) {
-    Options options("serve STUDY [options]", about_serve,
-                    "  pendular serve my-study\n"
-                    "  pendular serve my-study --port 8080 --switches 3\n",
-                    true);
+    Options options(
+        "serve STUDY [options]", about_serve,
+        "  pendular serve my-study\n"
+        "  pendular serve my-study --port 8080 --switches 3   # a fixed port, switches for three "
+        "effects\n",
+        true);
     options.set_threads(0, "number of refits at a time");
     ServeOptions own;
     options.add("port", &own.port, "port of the address (default: any free one)");

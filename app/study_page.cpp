@@ -20,7 +20,7 @@ namespace {
 /// Lines on the next measurement; one line that says why there is none.
 std::vector<std::string> lines_on_next(const Session& session, const StudyDiagnosis& diagnosis) {
     try {
-        return next_lines(session.next(diagnosis));
+        return next_lines(session.next(diagnosis), diagnosis.diagnosis);
     } catch (const InputError& error) {
         return {error.what()};
     }
@@ -29,7 +29,8 @@ std::vector<std::string> lines_on_next(const Session& session, const StudyDiagno
 }  // namespace
 
 std::string study_name(const std::filesystem::path& file) {
-    return std::filesystem::absolute(file).parent_path().filename().string();
+    const std::filesystem::path whole = std::filesystem::canonical(file);
+    return (is_directory(whole) ? whole : whole.parent_path()).filename().string();
 }
 
 StudyPage study_page(const Session& session, const CommonOptions& common, std::size_t switches,

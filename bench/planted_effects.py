@@ -38,6 +38,7 @@ LABS = [
     ("rupture-distance", 49, ["--rupture-distance.factor", "0.6"]),
     ("reversible-bridges", 37, ["--reversible-bridges.on", "1"]),
     ("viscous-bridges", 38, ["--viscous-bridges.viscosity", "100 mPa s"]),
+    ("unequal-bridges", 52, ["--unequal-bridges.deviation", "1"]),
     ("capillary-coulomb", 40, ["--capillary-coulomb.on", "1"]),
     ("rolling-resistance", 36, ["--friction", "0.3", "--rolling-resistance.coefficient", "0.2"]),
     ("dry-adhesion", 46, ["--dry-adhesion.force", "6 uN"]),
@@ -47,6 +48,7 @@ LABS = [
 TWO_CONTENTS = {
     "liquid-loss", "wet-friction", "contact-angle", "capillary-bridges", "willett-bridges",
     "rupture-distance", "reversible-bridges", "viscous-bridges", "capillary-coulomb",
+    "unequal-bridges",
 }  # fmt: skip
 
 

@@ -157,7 +157,31 @@ std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) 
         reduction(d, *best_of(d.confidence_set)));
 }
 
-std::string inconclusive_line(const Diagnosis& d) {
+/// Names of the effects each of which would take at least half of a large misfit, though the errors
+/// of the readings are known too badly to test it.
+std::vector<std::string> untested_effects(const Diagnosis& d, const ModelSpace& space) {
+    constexpr double large = 2, most = 0.5;
+    std::vector<std::string> names;
+    if (chi2_per_dof(d.chi2, d.dof) < large) return names;
+    for (const Finding& finding : d.scan) {
+        const double reduction =
+            finding.refitted_reduction.value_or(finding.test.predicted_reduction);
+        if (reduction > most * (d.chi2 - d.dof)) {
+            names.push_back(space.candidates()[finding.candidate].name);
+        }
+    }
+    return names;
+}
+
+std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
+    if (const auto names = untested_effects(d, space); !names.empty()) {
+        return fmt::format(
+            "Inconclusive: chi2/dof is {:.2f} and {} could explain most of it, but too few "
+            "repeated "
+            "readings state the errors. Repeat more conditions with new fillings.",
+            chi2_per_dof(d.chi2, d.dof),
+            names.size() > 1 ? "any one of " + some_of(names) : names.front());
+    }
     if (d.effects.empty() && !d.errors_assumed) {
         return "Inconclusive: no known effect improves the model, but none would show in these "
                "readings.";
@@ -250,7 +274,7 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
                 "to matter would have shown in these readings (chi2/dof {:.2f}).",
                 chi2_per_dof(d.chi2, d.dof));
         case Verdict::inconclusive:
-            return inconclusive_line(d);
+            return inconclusive_line(d, space);
         case Verdict::missing:
             return missing_line(d, space);
         case Verdict::indistinguishable:

@@ -10,6 +10,7 @@
 #include "data/quantities/number.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
+#include "reports/joined.h"
 #include "reports/with_error.h"
 
 namespace pendular {
@@ -164,8 +165,16 @@ bool beside(const Condition& a, const Condition& b, const Study& study, bool sam
 
 }  // namespace
 
-std::vector<std::string> next_lines(const NextMeasurement& next) {
-    return next.plans.empty() ? sharpening_lines(next) : separating_lines(next);
+std::vector<std::string> next_lines(const NextMeasurement& next, const Diagnosis& diagnosis) {
+    std::vector<std::string> lines =
+        next.plans.empty() ? sharpening_lines(next) : separating_lines(next);
+    if (diagnosis.verdict == Verdict::suspect_measurement) {
+        lines.insert(lines.begin(),
+                     fmt::format("Repeat {} first, with a new filling: an error there explains the "
+                                 "residuals.",
+                                 joined(diagnosis.suspects, "or")));
+    }
+    return lines;
 }
 
 std::string next_paragraph(const std::vector<std::string>& lines) {

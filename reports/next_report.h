@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/diagnosis/diagnosis.h"
 #include "reports/figure.h"
 #include "workflow/next.h"
 
@@ -11,7 +12,8 @@ namespace pendular {
 /// Lines of text on the next measurement to make. Where several models fit the readings, the lines
 /// list the measurements that tell these models apart, with the prediction of each model. Where one
 /// model fits, they list the standard errors of its parameters before and after the measurement.
-std::vector<std::string> next_lines(const NextMeasurement& next);
+/// Where the diagnosis suspects readings, the first line asks to repeat these.
+std::vector<std::string> next_lines(const NextMeasurement& next, const Diagnosis& diagnosis);
 
 /// Joins lines on the next measurement to one paragraph, and leaves out indented lines, which
 /// contain predictions and standard errors.

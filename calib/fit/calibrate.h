@@ -12,8 +12,8 @@ namespace pendular {
 
 /// Criteria that end a calibration, which alternates simulations and fits in rounds.
 struct CalibrationOptions {
-    /// Largest part [1] by which the noise of the simulation runs may enlarge the standard error of
-    /// a parameter or of a predicted reading (`enlargement_by_runs`).
+    /// Largest relative increase [1] of the standard error of a parameter or of a predicted reading
+    /// that the noise of the simulations may cause (0.2: 20 %); see `enlargement_by_runs`.
     double largest_enlargement = pendular::largest_enlargement;
     /// Largest change of a fitted parameter in the last round with which a calibration may end
     /// [standard errors of the parameter].

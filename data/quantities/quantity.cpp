@@ -69,7 +69,7 @@ const std::vector<Quantity>& table() {
     {#name, symbol, unit, meaning, {__VA_ARGS__}},
 #include "data/quantities/observables.def"
         // Quantities recorded by a rheometer.
-        {"time", "t", "s", "time since the recording began", {"t", "elapsed time"}},
+        {"time", "t", "s", "time since the first recording of the study began", {"t", "elapsed time"}},
         {"torque", "T", "N m", "torque on the lid", {"T", "M", "moment"}},
         {"normal_force",
          "F_N",

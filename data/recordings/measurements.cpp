@@ -172,6 +172,19 @@ std::optional<std::string> note_on_failure(const std::vector<Reading>& readings)
         count, readings.size());
 }
 
+/// One note for each pattern of study.toml that matches no file.
+std::vector<std::string> notes_on_missing_files(const Study& study) {
+    std::vector<std::string> notes;
+    for (const Source& source : study.sources) {
+        if (!source.files.empty()) continue;
+        notes.push_back(
+            fmt::format("No file matches \"{}\" (line {} of study.toml): nothing is "
+                        "read for this entry.",
+                        source.pattern, source.position.line));
+    }
+    return notes;
+}
+
 }  // namespace
 
 Measurements read_measurements(const Study& study) {
@@ -184,6 +197,7 @@ Measurements read_measurements(const Study& study) {
     doubt_impossible_readings(all, study);
     doubt_saturated(all, study.import);
     append(all.findings, inside_findings(all.readings, study, before.inside));
+    append(all.notes, notes_on_missing_files(study));
     append(all.notes, notes_on_cut_files(study, all));
     pool_replicates(all, study.scatter);
     if (const auto note = merging_note(all.readings)) all.notes.push_back(*note);

@@ -119,8 +119,14 @@ std::optional<AnnularCell> read_cell(const StudyTable& root, const GrainProperti
     return cell;
 }
 
-/// Files of an entry, which are in the study's folder unless `allow_outside`.
-/// @throws InputError if no file matches, or one is elsewhere
+std::string no_file(const std::string& pattern, const Study& study) {
+    return fmt::format("no file matches \"{}\" in {}; put the file there, or correct the name",
+                       pattern, study.folder.string());
+}
+
+/// Files of an entry, which are in the study's folder unless `allow_outside`. A pattern with a
+/// wildcard may match no file yet.
+/// @throws InputError if a file that is named without a wildcard is missing, or a file is elsewhere
 std::vector<std::filesystem::path> files_of(const StudyTable& table, const std::string& pattern,
                                             const Study& study, bool allow_outside) {
     const auto refuse_outside = [&](const std::string& path) {
@@ -142,9 +148,8 @@ std::vector<std::filesystem::path> files_of(const StudyTable& table, const std::
     } catch (const std::invalid_argument& error) {
         table.refuse("file", error.what());
     }
-    if (files.empty())
-        table.refuse("file",
-                     fmt::format("no file matches \"{}\" in {}", pattern, study.folder.string()));
+    if (files.empty() && pattern.find_first_of("*?[") == std::string::npos)
+        table.refuse("file", no_file(pattern, study));
     for (const std::filesystem::path& file : files)
         if (!is_within(file, study.folder)) refuse_outside(file.string());
     return files;
@@ -217,6 +222,10 @@ std::vector<Source> read_sources(const StudyTable& root, const Study& study) {
     if (sources.empty())
         throw InputError(root.position(),
                          "nothing was measured; add a [[recording]] or [[readings]] with its file");
+    if (std::ranges::all_of(sources, [](const Source& s) { return s.files.empty(); })) {
+        throw InputError(sources.front().position,
+                         "'file': " + no_file(sources.front().pattern, study));
+    }
     std::stable_sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) {
         return a.position.line < b.position.line;  // order of measurement
     });

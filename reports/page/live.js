@@ -139,7 +139,9 @@ class Page {
     }
     this.order = this.order.filter(other => other !== k);
     if (on) this.order.push(k);
+    const out = this.out;
     this.choose(wanted);
+    if (out < this.model.fitted) this.out = out;
     this.update();
   }
   choose(index) {
@@ -248,6 +250,7 @@ class Page {
     });
     this.score();
     for (const plot of this.plots) plot.draw();
+    if (this.here >= 0) this.tell(this.here);
     this.fillReadings();
     this.fitTable();
   }
@@ -258,12 +261,17 @@ class Page {
     box.replaceChildren();
     html("p", {class: "big", "data-chi2": chi2}, box, `chi2 = ${chi2.toFixed(2)} for ${model.dof} degrees of freedom`);
     html("p", {"data-rms": rms.join(" ")}, box, `RMS error: ${rms[0].toFixed(2)} % in shear stress, ${rms[1].toFixed(2)} % in solid fraction`);
-    html("p", {}, box, moved ? "Parameters were moved away from the fit." : `p ${model.p < 1e-6 ? "< 1e-6" : "= " + model.p.toPrecision(2)}${model.converged ? "" : "; the fit did not converge"}`);
+    html("p", {}, box, moved ? "Parameters were moved away from the fit." :
+      `p ${model.p < 1e-6 ? "< 1e-6" : "= " + model.p.toPrecision(2)}: probability of a chi2 at least as large from errors alone${model.converged ? "" : ". The fit did not converge"}`);
     if (model.fitted < this.data.readings.length) html("p", {}, box, `${model.fitted} readings were fitted, ${this.data.readings.length - model.fitted} predicted.`);
     if (this.out >= 0) {
       const [fall, ...shifts] = model.withoutReading(this.out);
-      html("p", {"data-without": fall}, box, `Without reading ${this.out + 1}: chi2 falls by ${three(fall)}; ` +
-        model.parameters.map((p, k) => `${p.name} ${shifts[k] < 0 ? "falls" : "rises"} by ${three(Math.abs(shifts[k]))}${unitText(p.unit)} (${(Math.abs(shifts[k]) / p.error).toFixed(1)} errors)`).join(", ") + ".");
+      html("p", {"data-without": fall}, box, `Refit without reading ${this.out + 1}: chi2 falls by ${three(fall)}; ` +
+        model.parameters.map((p, k) => {
+          const errors = Math.abs(shifts[k]) / p.error;
+          return errors < .05 ? `${p.name} stays` :
+            `${p.name} ${shifts[k] < 0 ? "falls" : "rises"} by ${Number(Math.abs(shifts[k]).toPrecision(2))}${unitText(p.unit)} (${errors.toFixed(1)} errors)`;
+        }).join(", ") + ". Figures and numbers above are of the fit with it.");
     }
   }
 
@@ -326,7 +334,9 @@ class Page {
     if (id === this.here) return;
     this.here = id;
     this.markPlots();
-    if (id < 0) return;
+    if (id >= 0) this.tell(id);
+  }
+  tell(id) {
     const r = this.data.readings[id], predicted = [0, 1].map(which => this.model.predict(this.d, which)[id]), off = [0, 1].map(which => this.normalised(which)[id]);
     this.say(`Reading ${id + 1}, ${r.file} line ${r.line}${r.step ? `, step ${r.step}` : ""}: ${three(r.normal_stress)} Pa, I = ${three(r.inertial_number)}` +
       `${r.liquid_content ? `, liquid content ${three(r.liquid_content)}` : ", dry"}. Stress ratio ${withError(r.values[0], r.errors[0])}, model ${predicted[0].toFixed(4)} (${off[0].toFixed(1)} errors). ` +

@@ -173,6 +173,12 @@ PageSection effects_section(const PageContent& content) {
     return section;
 }
 
+/// Shift of a parameter with its sign; without a sign where it rounds to 0.
+std::string shift_text(double shift) {
+    const std::string text = fmt::format("{:+.4f}", shift);
+    return text.find_first_of("123456789") == std::string::npos ? text.substr(1) : text;
+}
+
 PageSection impact_section(const PageContent& content) {
     const ImpactTable& impacts = *content.impacts;
     PageSection section{.id = "impacts", .title = "How effects shift the fitted friction"};
@@ -187,11 +193,13 @@ PageSection impact_section(const PageContent& content) {
         .head = head,
         .folded = true};
     for (const Impact& impact : impacts.impacts) {
+        const bool is_switch =
+            !impact.measurement && content.diagnosis.models->candidates()[impact.index].is_switch();
         (impact.measurement ? errors : effects)
             .rows.push_back({impact_name(impact), impact.group,
-                             fmt::format("{:+.4f}", impact.at_interest.best()(0)),
-                             fmt::format("{:+.4f}", impact.at_estimate.best()(0)),
-                             fmt::format("{:.4f}", impact.by_error()(0))});
+                             shift_text(impact.at_interest.best()(0)),
+                             shift_text(impact.at_estimate.best()(0)),
+                             is_switch ? "" : fmt::format("{:.4f}", impact.by_error()(0))});
     }
     section.tables = {effects, errors};
     return section;

@@ -78,8 +78,8 @@ inline constexpr std::array<ClosureQuantity, 10> closure_quantities = {{
 ClosureValues closure_values(const State& state, const CapillaryStress& capillary,
                              double stress_ratio, double dry_stress_ratio, double liquid_content);
 
-/// Returns the values of all closures (analytical formulas) for the averages of a wet simulation
-/// run.
+/// Evaluates all closures (analytical formulas for strength, cohesion and coordination) with the
+/// structure and stresses that a simulation of wet grains found, averaged over its strain.
 /// @param dry_stress_ratio stress ratio of dry grains at the same friction and inertial number [1]
 ClosureValues closure_values(const dem::RunResult& run, double dry_stress_ratio);
 

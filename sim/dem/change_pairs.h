@@ -30,7 +30,9 @@ struct PairBatch {
         *pair_rotation_z;     ///< angular velocity at which the pair turns as a whole
     const double* elastic;    ///< elastic normal force of each pair's contact, in reduced units
     const double* stiffness;  ///< tangential stiffness of each pair's contact, in reduced units
-    const double* joined;     ///< 1 for each pair of grains that a liquid bridge joins, else 0
+    /// 1 for each pair of grains that a liquid bridge joins, else 0. The function `bridge` of an
+    /// effect may set it to 0, which breaks the bridge.
+    double* joined;
     /// Attraction of each pair by its liquid bridge, in reduced units; 0 without bridge. The effect
     /// may change it; initially it has the value without the effect.
     double* capillary;
@@ -65,6 +67,10 @@ struct ChangePairs {
     /// preserved when the neighbour lists are renewed. If the two grains of a pair swap, the values
     /// change sign, as the components of the force on the second grain do.
     std::size_t contact_history = 0;
+    /// True if the first value of the contact history is the volume of the pair's bridge over V0,
+    /// with any sign (V0: mean volume of a bridge as it forms). The liquid content of a sample is
+    /// then the sum of these volumes; without such an effect, each bridge has the volume V0.
+    bool volume_in_history = false;
     /// True if the effect lets bridges form without contact, at any gap below the rupture distance.
     bool bridges_without_contact = false;
     /// Returns the law of the liquid bridges as the effect changes it, given the law without the

@@ -48,7 +48,7 @@ class Checkpoint {
 
     /// Version of the format of checkpoint files, which increases whenever the layout of the saved
     /// state changes.
-    static constexpr int format = 3;
+    static constexpr int format = 4;
 
   private:
     void lock();

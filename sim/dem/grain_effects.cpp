@@ -10,6 +10,7 @@ GrainEffects::GrainEffects(const std::vector<GrainEffect>& on) {
         if (const auto* pairs = std::get_if<const ChangePairs*>(&effect.change)) {
             const ChangePairs& change = **pairs;
             pairs_.push_back({&change, effect.parameters, effect.values, contact_history_});
+            if (change.volume_in_history) volume_in_history_ = contact_history_;
             contact_history_ += change.contact_history;
             bridges_without_contact_ |= change.bridges_without_contact;
             changes_bridges_ |= change.bridge != nullptr;
@@ -73,10 +74,15 @@ void GrainEffects::stage(ChangePairs::Stage ChangePairs::*which, const PairBatch
 }
 
 double GrainEffects::attraction(double gap, double diameter, const Material& material,
-                                const BridgeLaw& bridges) const {
+                                const BridgeLaw& bridges, std::vector<double> history) const {
     double force = bridges.of(diameter).attraction(std::max(gap, 0.0));
     if (changes_bridges_) {
         const double nothing = 0, one = 1;
+        double joined = 1;
+        std::vector<double*> values;
+        for (double& value : history) {
+            values.push_back(&value);
+        }
         PairBatch single{.size = 1,
                          .nx = &one,
                          .ny = &nothing,
@@ -92,7 +98,7 @@ double GrainEffects::attraction(double gap, double diameter, const Material& mat
                          .pair_rotation_z = &nothing,
                          .elastic = &nothing,
                          .stiffness = &nothing,
-                         .joined = &one,
+                         .joined = &joined,
                          .capillary = &force,
                          .coulomb_limit = nullptr,
                          .fx = nullptr,
@@ -100,7 +106,8 @@ double GrainEffects::attraction(double gap, double diameter, const Material& mat
                          .fz = nullptr,
                          .tx = nullptr,
                          .ty = nullptr,
-                         .tz = nullptr};
+                         .tz = nullptr,
+                         .contact_history = values.empty() ? nullptr : values.data()};
         bridge(single, material, bridges);
     }
     return force;

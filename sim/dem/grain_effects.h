@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
@@ -52,13 +53,18 @@ class GrainEffects {
         stage(&ChangePairs::add, batch, material, bridges);
     }
     bool changes_bridges() const { return changes_bridges_; }
+    /// Index of the value of the contact history that is the volume of a pair's bridge over the
+    /// mean volume V0 of a bridge as it forms; empty if each bridge has the volume V0.
+    std::optional<std::size_t> volume_in_history() const { return volume_in_history_; }
     /// Attraction of two grains at rest by a liquid bridge, with the changes by these effects, in
     /// units of a^2 s22 (a: grain diameter, s22: imposed normal stress).
     /// @param gap gap between the surfaces; negative: overlap [grain diameters]
     /// @param diameter 2 d1 d2/(d1 + d2) of the diameters d1 and d2 of the grains, over the mean
     ///         grain diameter [1]
+    /// @param history values that the effects keep for the pair (`contact_history`); empty: the
+    ///         attraction by a bridge of the mean volume
     double attraction(double gap, double diameter, const Material& material,
-                      const BridgeLaw& bridges) const;
+                      const BridgeLaw& bridges, std::vector<double> history = {}) const;
 
   private:
     struct OnPairs {
@@ -78,6 +84,7 @@ class GrainEffects {
     std::vector<OnPairs> pairs_;
     std::vector<OnSample> samples_;
     std::size_t contact_history_ = 0;
+    std::optional<std::size_t> volume_in_history_;
     bool changes_forces_ = false, bridges_without_contact_ = false, changes_bridges_ = false;
 };
 

@@ -193,6 +193,14 @@ void Pairs::remember(std::size_t to, const Pairs& other, std::size_t from) {
     }
 }
 
+std::vector<double> Pairs::history_of(std::size_t k) const {
+    std::vector<double> values;
+    for (const std::vector<double>& all : contact_history) {
+        values.push_back(all[k]);
+    }
+    return values;
+}
+
 Neighbours find_pairs_by_brute_force(const Grains& grains, const Cell& cell, double gap) {
     Neighbours pairs;
     for (std::size_t i = 0; i < grains.size(); ++i) {

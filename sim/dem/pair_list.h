@@ -56,6 +56,8 @@ struct Pairs : Neighbours {
     /// @param to index of the pair in this list
     /// @param from index of the pair in the list `other`
     void remember(std::size_t to, const Pairs& other, std::size_t from);
+    /// Values that physical effects keep for the pair with index `k`.
+    std::vector<double> history_of(std::size_t k) const;
 
     template <typename Archive>
     void serialize(Archive& archive) {

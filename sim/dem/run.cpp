@@ -89,8 +89,8 @@ void average_observables(const Series& series, std::size_t from, RunResult& resu
     if (result.parameters.wetting) {
         const double volume = result.parameters.wetting->bridge_volume;
         set(Observable::liquid_content, series.values(from, [&](const Block& b) {
-            return liquid_content(
-                volume, b.structure.contact_coordination + b.structure.distant_coordination);
+            return liquid_content(volume * b.bridge_volume, b.structure.contact_coordination +
+                                                                b.structure.distant_coordination);
         }));
     }
     set(Observable::first_normal_stress_difference,

@@ -66,6 +66,7 @@ void OpenBlock::add_structure(const ShearCell& sample) {
     sums_.structure += structure_of(sample.grains(), sample.cell(), sample.pairs().narrow(),
                                     sample.pairs().distant(), sample.material(), sample.bridges(),
                                     sample.effects());
+    sums_.bridge_volume += mean_bridge_volume(sample.pairs(), sample.effects());
     motion_.add(sample.grains(), sample.cell().height);
     ++structures_;
 }
@@ -86,6 +87,7 @@ Block OpenBlock::close(const ShearCell& sample) {
     Block block = std::move(sums_);
     block.strain = sample.strain() - begin_;
     block.structure /= structures_;
+    block.bridge_volume /= structures_;
     for (double* sum : {&block.s11, &block.s22, &block.s33, &block.s12, &block.solid_fraction}) {
         *sum /= steps_;
     }

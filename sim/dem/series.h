@@ -22,6 +22,9 @@ constexpr double block_strain = 0.02;
 struct Block {
     double strain = 0;
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0, solid_fraction = 0, localization = 0;
+    /// Mean volume of a liquid bridge over the mean volume V0 of a bridge as it forms [1]; 1
+    /// without bridges.
+    double bridge_volume = 0;
     /// Power that each mechanism dissipates in the block per volume, divided by the shear rate and
     /// the imposed normal stress [1]. Its stored energies are 0.
     PairEnergy dissipation;
@@ -30,9 +33,9 @@ struct Block {
 
     template <typename Archive>
     void serialize(Archive& archive) {
-        archive(strain, s11, s22, s33, s12, solid_fraction, localization, dissipation.friction,
-                dissipation.viscosity, dissipation.bridges, dissipation.unloading, structure,
-                fields);
+        archive(strain, s11, s22, s33, s12, solid_fraction, localization, bridge_volume,
+                dissipation.friction, dissipation.viscosity, dissipation.bridges,
+                dissipation.unloading, structure, fields);
     }
 };
 

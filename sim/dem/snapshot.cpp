@@ -50,7 +50,7 @@ void add_pairs(const ShearCell& sample, const Pairs& list, Snapshot& snapshot) {
                  contact_of(sample.grains(), list, k, sample.material().modulus).elastic,
              .bridge_force = bridge ? sample.effects().attraction(
                                           touching ? std::min(gap, 0.0) : gap, sizes.diameter,
-                                          sample.material(), sample.bridges())
+                                          sample.material(), sample.bridges(), list.history_of(k))
                                     : 0,
              .touching = touching});
     };

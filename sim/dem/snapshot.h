@@ -53,8 +53,9 @@ std::string dump_frame(const Snapshot& snapshot);
 /// radius, velocity, angular velocity and number of contacts (coordination).
 std::string grains_vtp(const Snapshot& snapshot);
 /// Returns contacts and bridges of a snapshot as the text of a ParaView PolyData file (XML): lines
-/// between centres with normal_force, bridge_force and touching (1 or 0). A line that crosses a
-/// face of the cell ends at the periodic image outside.
+/// between centres of grains with normal_force and bridge_force [a^2 s22] (a: grain diameter, s22:
+/// imposed normal stress) and touching (1 or 0). A line that crosses a face of the cell ends at the
+/// periodic image outside.
 std::string pairs_vtp(const Snapshot& snapshot);
 
 /// Writes snapshots of a run into a folder, at shear strains 0, `every`, 2 `every` and so on. The

@@ -111,7 +111,8 @@ Structure structure_of(const Grains& grains, const Cell& cell, const Pairs& near
         }
         const PairSizes sizes = grains.sizes(static_cast<std::size_t>(pairs.first[k]),
                                              static_cast<std::size_t>(pairs.second[k]));
-        return effects.attraction(gap, sizes.diameter, material, bridges) / bridges.pull_off_force;
+        return effects.attraction(gap, sizes.diameter, material, bridges, pairs.history_of(k)) /
+               bridges.pull_off_force;
     };
     const auto note_distant = [&](const Pairs& pairs, std::size_t k, const Vector& separation) {
         const Eigen::Vector3d r(separation[0], separation[1], separation[2]);
@@ -156,6 +157,19 @@ Structure structure_of(const Grains& grains, const Cell& cell, const Pairs& near
     s.force_anisotropy_12_distant = distant.force_anisotropy_12();
     s.length_anisotropy_12_distant = distant.length_anisotropy_12();
     return s;
+}
+
+double mean_bridge_volume(const PairList& pairs, const GrainEffects& effects) {
+    if (!effects.volume_in_history()) return 1;
+    double count = 0, volume = 0;
+    for (const Pairs* list : {&pairs.narrow(), &pairs.distant()}) {
+        const std::vector<double>& volumes = list->contact_history[*effects.volume_in_history()];
+        for (std::size_t k = 0; k < list->size(); ++k) {
+            count += list->bridge[k];
+            volume += list->bridge[k] * std::abs(volumes[k]);
+        }
+    }
+    return count > 0 ? volume / count : 1;
 }
 
 std::span<double Structure::*const> Structure::members() {

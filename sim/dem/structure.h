@@ -54,4 +54,8 @@ Structure structure_of(const Grains& grains, const Cell& cell, const Pairs& near
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges,
                        const GrainEffects& effects = {});
 
+/// Mean volume of the liquid bridges of a sample over the mean volume V0 of a bridge as it forms
+/// [1]; 1 if no effect makes them unequal, or without bridges.
+double mean_bridge_volume(const PairList& pairs, const GrainEffects& effects);
+
 }  // namespace pendular::dem

@@ -264,7 +264,7 @@ TEST(Checkpoints, ThatAreNotWholeAreRefused) {
     flipped[whole.size() - 100] ^= 1;
     EXPECT_THAT(with(flipped), HasSubstr("truncated or corrupt"));
     std::string newer = whole;
-    newer.replace(newer.find("format 3"), 8, "format 7");
+    newer.replace(newer.find("format 4"), 8, "format 7");
     EXPECT_THAT(with(newer), HasSubstr("another version"));
     EXPECT_THAT(with("friction,stress\n"), HasSubstr("no checkpoint"));
     EXPECT_THAT(with(""), HasSubstr("no checkpoint"));

@@ -67,6 +67,17 @@ TEST_F(ReadMeasurements, GoesThroughTheSourcesInRunOrder) {
     EXPECT_NEAR(all.readings[0].value(1) / all.readings[1].value(1), 1.1, 1e-3);
 }
 
+TEST_F(ReadMeasurements, BeginWithTheFilesThatThereAre) {
+    // Dry beads are measured first, wet ones later: the pattern of the wet ones matches nothing
+    // yet.
+    std::filesystem::remove(folder_.path() / "wet_1.csv");
+    const Measurements all = read_measurements(read_study(folder_.path()));
+    EXPECT_EQ(all.readings.size(), 2u);
+    EXPECT_THAT(all.notes,
+                testing::Contains("No file matches \"wet_*.csv\" (line 11 of study.toml): "
+                                  "nothing is read for this entry."));
+}
+
 TEST_F(ReadMeasurements, LetsRecordingsFollowOneAnotherInTime) {
     // Each lasts 19.9 s from 0 on; the first two seconds or so may be left out as a transient.
     const Measurements all = read_measurements(read_study(folder_.path()));

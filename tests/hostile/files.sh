@@ -49,7 +49,7 @@ attack "sizes: a sparse table of runs of 2 GB" 2 "t.csv" <<'E'
 truncate -s 2G t.csv; run runs import t.csv
 E
 attack "sizes: a sparse checkpoint of 1 TB" 2 "truncated or corrupt" <<'E'
-printf 'pendular checkpoint, format 3\nchecksum 0000000000000000 of 1000000000000 bytes\n' >x.ckpt
+printf 'pendular checkpoint, format 4\nchecksum 0000000000000000 of 1000000000000 bytes\n' >x.ckpt
 truncate -s $((1000000000000 + $(stat -c %s x.ckpt))) x.ckpt; run simulate --beads 200 --strain 1 --checkpoint x.ckpt
 E
 attack "sizes: a fit.json whose matrix has no rows" 2 "calibrate" <<'E'

@@ -57,6 +57,9 @@ struct State {
             for (auto& word : pairs.contact_history) {
                 word[k] = velocity(of_memory);
             }
+            if (effects.volume_in_history()) {  // bridges get their volumes in the first step
+                pairs.contact_history[*effects.volume_in_history()][k] = 0;
+            }
         }
     }
     PairSums forces(EnergyAccounting accounting = EnergyAccounting::off) {

@@ -1,6 +1,7 @@
 // Texts of a diagnosis, from results made up for the purpose.
 #include "reports/diagnosis_report.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/linear_space.h"
@@ -37,6 +38,24 @@ TEST(EstimateOfAnEffect, IsThatOfTheRefitWhereThisDeterminesIt) {
     EXPECT_EQ(estimate(), "400 +- 20 mN");
     diagnosis.tried = {refit(1e5, true)};  // a refit at which the effect vanishes
     EXPECT_EQ(estimate(), "400 +- 20 mN");
+}
+
+TEST(VerdictLine, NamesWhatCouldExplainALargeMisfitOfUntestedErrors) {
+    const LinearSpace space(Eigen::MatrixXd::Ones(4, 1),
+                            {{.name = "drag", .values = Eigen::VectorXd::LinSpaced(4, 0, 1)}});
+    Diagnosis diagnosis;
+    diagnosis.verdict = Verdict::inconclusive;
+    diagnosis.effects = {"drag"};
+    diagnosis.scan.emplace_back();
+    diagnosis.scan.front().refitted_reduction = 480;
+    diagnosis.chi2 = 489, diagnosis.dof = 13;
+    const auto line = [&] { return verdict_line(diagnosis, space, {}); };
+    EXPECT_THAT(line(), testing::HasSubstr("chi2/dof is 37.62 and drag could explain most of it"));
+    diagnosis.scan.front().refitted_reduction = 100;
+    EXPECT_THAT(line(), testing::HasSubstr("no known effect improves the model"));
+    diagnosis.scan.front().refitted_reduction = 480;
+    diagnosis.chi2 = 20;
+    EXPECT_THAT(line(), testing::HasSubstr("no known effect improves the model"));
 }
 
 TEST(ChangeOfChi2, HasItsSign) {

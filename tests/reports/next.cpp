@@ -251,7 +251,7 @@ TEST(NextMeasurement, WeighsTheWait) {
 
 std::string text_of(const NextMeasurement& next) {
     std::string text;
-    for (const std::string& line : next_lines(next)) {
+    for (const std::string& line : next_lines(next, {})) {
         text += line + "\n";
     }
     return text;
@@ -389,6 +389,27 @@ TEST(Rig, IsReadWithItsUnits) {
     EXPECT_THAT(refusal("normal_stress = \"1 kPa\"\ninertial_number = 0.01\n"
                         "[[rig.direct]]\neffect = \"polydispersity\"\nerror = 0.1\ncost = 0\n"),
                 testing::HasSubstr("'cost': must be positive"));
+}
+
+TEST(NextLines, AskToRepeatSuspectReadingsFirst) {
+    Diagnosis diagnosis;
+    diagnosis.verdict = Verdict::suspect_measurement;
+    diagnosis.suspects = {"the readings of dry_1.csv"};
+    const Offset model(0);
+    const Study study{.grains = {.diameter = 5e-4, .density = 1000}};
+    NextMeasurement next{.study = study,
+                         .rivals = {rival("a", model, 0.3, 0.01)},
+                         .points = at({100}),
+                         .plans = {},
+                         .sharpenings = {},
+                         .most_repeats = 20,
+                         .most_readings = 12};
+    next.sharpenings = sharpening_plans(next.rivals.front(), next.points, noise, 1);
+    const std::string first = "Repeat the readings of dry_1.csv first, with a new filling";
+    EXPECT_THAT(next_lines(next, diagnosis).front(), testing::StartsWith(first));
+    diagnosis.verdict = Verdict::unknown;
+    EXPECT_THAT(next_lines(next, diagnosis),
+                testing::Not(testing::Contains(testing::StartsWith(first))));
 }
 
 }  // namespace pendular::analysis_next_test

@@ -1,0 +1,157 @@
+// Liquid bridges that differ in volume: the distribution of the volumes, force and rupture of a
+// bridge of its own volume, and the liquid of a sample.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "sim/catalogue/effect.h"
+#include "sim/dem/grain_effects.h"
+#include "sim/dem/pair_forces.h"
+#include "sim/dem/structure.h"
+#include "sim/runs/ensemble.h"
+#include "sim/runs/run_request.h"
+
+namespace unequal_bridges_test {
+
+using namespace pendular;
+using namespace pendular::dem;
+
+constexpr double bridge_volume = 4e-3;
+
+EffectValues unequal(double deviation) {
+    return {"unequal-bridges", {deviation}};
+}
+
+/// Volumes over V0 that bridges get between pairs of grains in contact, in random directions.
+std::vector<double> drawn_volumes(double deviation, std::size_t count) {
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal;
+    std::vector<double> nx(count), ny(count), nz(count), gap(count, 0.0), diameter(count, 1.0),
+        joined(count, 1.0), force(count, 0.5), volume(count, 0.0);
+    for (std::size_t k = 0; k < count; ++k) {
+        const double x = normal(random), y = normal(random), z = normal(random);
+        const double length = std::hypot(x, y, z);
+        nx[k] = x / length, ny[k] = y / length, nz[k] = z / length;
+    }
+    double* history[] = {volume.data()};
+    PairBatch batch{};
+    batch.size = count;
+    batch.nx = nx.data(), batch.ny = ny.data(), batch.nz = nz.data();
+    batch.gap = gap.data(), batch.diameter = diameter.data();
+    batch.joined = joined.data(), batch.capillary = force.data();
+    batch.contact_history = history;
+    const GrainEffects effects = grain_effects({unequal(deviation)}, true);
+    const BridgeLaw bridges =
+        effects.changed(BridgeLaw(Wetting{.reduced_pressure = 2, .bridge_volume = bridge_volume}));
+    effects.bridge(batch, {}, bridges);
+    const std::vector<double> first = volume;
+    effects.bridge(batch, {}, bridges);
+    EXPECT_EQ(volume, first);  // a bridge keeps its volume
+    return volume;
+}
+
+TEST(UnequalBridges, HaveLognormalVolumesOfMeanV0) {
+    for (const double deviation : {0.2, 0.5, 1.0}) {
+        const std::vector<double> volumes = drawn_volumes(deviation, 40'000);
+        const auto count = static_cast<double>(volumes.size());
+        double sum = 0, squares = 0, logs = 0, log_squares = 0;
+        for (const double v : volumes) {
+            sum += v, squares += v * v;
+            logs += std::log(v), log_squares += std::log(v) * std::log(v);
+        }
+        const double mean = sum / count, found = std::sqrt(squares / count - mean * mean);
+        EXPECT_NEAR(mean, 1, 4 * found / std::sqrt(count)) << deviation;
+        // Volumes beyond three standard deviations of the logarithm are cut off, which takes 2.7 %
+        // of the variance of the logarithm.
+        const double width = std::sqrt(std::log1p(deviation * deviation));
+        const double log_variance = log_squares / count - std::pow(logs / count, 2);
+        EXPECT_NEAR(std::sqrt(log_variance), width * std::sqrt(1 - 0.0266), 0.015 * width);
+        EXPECT_GT(found, 0.85 * deviation);
+        EXPECT_LT(found, 1.02 * deviation);
+    }
+}
+
+TEST(UnequalBridges, PullAndBreakAsTheirOwnVolumeSays) {
+    const GrainEffects effects = grain_effects({unequal(1)}, true);
+    const BridgeLaw base(Wetting{.reduced_pressure = 2, .bridge_volume = bridge_volume});
+    const BridgeLaw bridges = effects.changed(base);
+    Grains grains{2};
+    const dem::Cell cell{20, 20, 20, 0};
+    double smallest = 10, largest = 0;
+    for (int turn = 0; turn < 40; ++turn) {
+        const double angle = 0.1 + 0.035 * turn;
+        const auto part = [&](double gap) {
+            grains.position(1) = {5 + (1 + gap) * std::cos(angle), 5 + (1 + gap) * std::sin(angle),
+                                  5};
+        };
+        grains.position(0) = {5, 5, 5};
+        part(1e-9);
+        Pairs pairs(find_pairs_by_brute_force(grains, cell, 0.6), effects.contact_history());
+        pairs.fill_up(PairList::batch);
+        pairs.bridge[0] = 1;
+        const auto attraction = [&](double gap) {
+            part(gap);
+            grains.net_force.assign(2, {});
+            const PairLaws laws{cell,    {}, {.modulus = 3e4}, bridges, 1e-3, EnergyAccounting::off,
+                                &effects};
+            pair_forces(grains, pairs, {0, pairs.size()}, laws, grains.net_force);
+            return std::hypot(grains.force(1)[0], grains.force(1)[1]);
+        };
+        EXPECT_NEAR(attraction(1e-9), base.pull_off_force, 1e-6);
+        const double own = std::abs(pairs.contact_history[0][0]);
+        const double rupture = std::cbrt(own * bridge_volume);
+        BridgeLaw law = base;
+        law.curvature = 4 * own * bridge_volume / std::numbers::pi;
+        for (const double share : {0.1, 0.5, 0.999}) {
+            EXPECT_NEAR(attraction(share * rupture), law.attraction(share * rupture), 1e-9);
+        }
+        EXPECT_EQ(attraction(1.001 * rupture), 0);
+        EXPECT_EQ(attraction(0.5 * rupture), 0);  // it forms again on contact only
+        EXPECT_EQ(pairs.contact_history[0][0], 0);
+        smallest = std::min(smallest, own);
+        largest = std::max(largest, own);
+    }
+    EXPECT_LT(smallest, 0.5);
+    EXPECT_GT(largest, 2);
+}
+
+TEST(UnequalBridges, CountTheLiquidThatTheyHold) {
+    const RunParameters p{.friction = 0.1,
+                          .inertial_number = 0.05,
+                          .stiffness_number = 300,
+                          .wetting = Wetting{2, bridge_volume},
+                          .grains = 200,
+                          .strain = 2,
+                          .seed = 3,
+                          .effects = {unequal(1)}};
+    const RunResult run = simulate(p);
+    const double of_mean_bridges =
+        liquid_content(bridge_volume, run[Observable::contact_coordination].value +
+                                          run[Observable::distant_coordination].value);
+    const double ratio = run[Observable::liquid_content].value / of_mean_bridges;
+    EXPECT_NEAR(ratio, 1, 0.2);
+    // Small bridges break sooner, so that the ones that last hold more than V0.
+    EXPECT_GT(ratio, 1.01);
+
+    ShearCell cell(150, {.modulus = 5e3, .friction = 0.3}, 0.05, 9, BridgeLaw(*p.wetting), 1,
+                   grain_effects({unequal(1)}, true));
+    ASSERT_TRUE(cell.compress());
+    double count = 0, volume = 0;
+    for (int step = 0; step < 500; ++step) {
+        cell.step();
+    }
+    for (const Pairs* list : {&cell.pairs().narrow(), &cell.pairs().distant()}) {
+        for (std::size_t k = 0; k < list->size(); ++k) {
+            const double own = std::abs(list->history_of(k).front());
+            EXPECT_EQ(own > 0, list->bridge[k] == 1) << k;  // no liquid without a bridge
+            count += list->bridge[k];
+            volume += own;
+        }
+    }
+    EXPECT_GT(count, 300);
+    EXPECT_NEAR(mean_bridge_volume(cell.pairs(), cell.effects()), volume / count, 1e-12);
+}
+
+}  // namespace unequal_bridges_test
