@@ -47,7 +47,7 @@ LadderStep ladder_step_of(const Calibration& c, const Comparison& comparison,
     return ladder_step;
 }
 
-void climb(Ladder& ladder, LadderStep before, LadderStep after) {
+void add_step(Ladder& ladder, LadderStep before, LadderStep after) {
     const auto append = [&](LadderStep& ladder_step) {
         ladder_step.step = ladder.empty() ? 0 : ladder.back().step + 1;
         ladder.push_back(std::move(ladder_step));

@@ -67,7 +67,7 @@ LadderStep ladder_step_of(const Calibration& calibration, const Comparison& comp
 /// appended first, with `change` "start". The last step describes that model if effects and degrees
 /// of freedom are equal and chi2 differs by at most 5 % of chi2 + dof, as new runs may cause. The
 /// appended steps are numbered.
-void climb(Ladder& ladder, LadderStep before, LadderStep after);
+void add_step(Ladder& ladder, LadderStep before, LadderStep after);
 
 /// Whether chance can explain the reduction of chi2 from one ladder step to another, by a
 /// likelihood ratio test at 5 % significance. The number of additional parameters counts as at

@@ -28,9 +28,9 @@ namespace {
 std::string basis_of(const Calibration& c) {
     std::size_t ordered = 0;
     std::string why;
-    for (const Order& order : c.orders) {
-        ordered += order.runs;
-        why += fmt::format("{}{} {}", why.empty() ? ": " : ", ", order.runs, order.why);
+    for (const SimulatedRuns& each : c.simulated) {
+        ordered += each.runs;
+        why += fmt::format("{}{} {}", why.empty() ? ": " : ", ", each.runs, each.why);
     }
     if (ordered == 0) {
         return fmt::format(

@@ -72,14 +72,14 @@ MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibrat
     return means;
 }
 
-bool told_by_mean(const std::vector<std::size_t>& places, const Calibration& c) {
+bool mean_suffices(const std::vector<std::size_t>& places, const Calibration& c) {
     const Shown mean = means_of(places, c).model;
     return std::ranges::all_of(places, [&](std::size_t k) {
         const Shown reading = shown(c.readings[k]),
                     model = shown(c.prediction, static_cast<Eigen::Index>(k),
                                   c.readings[k].condition.normal_stress);
-        return std::abs(model.value[0] - mean.value[0]) <= told_apart * reading.error[0] &&
-               std::abs(model.value[1] - mean.value[1]) <= told_apart * reading.error[1];
+        return std::abs(model.value[0] - mean.value[0]) <= same_point * reading.error[0] &&
+               std::abs(model.value[1] - mean.value[1]) <= same_point * reading.error[1];
     });
 }
 

@@ -49,13 +49,13 @@ MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibrat
 
 /// Whether a figure may draw the mean prediction of some readings in place of each prediction: the
 /// predicted stress ratio and solid fraction of each reading differ from their means by at most
-/// `told_apart` standard errors of the measured reading.
+/// `same_point` standard errors of the measured reading.
 /// @param places indices of the readings in the calibration
-bool told_by_mean(const std::vector<std::size_t>& places, const Calibration& calibration);
+bool mean_suffices(const std::vector<std::size_t>& places, const Calibration& calibration);
 
 /// Difference between two predictions up to which figures draw them as one, in standard errors of
 /// the measured reading [1].
-constexpr double told_apart = 0.25;
+constexpr double same_point = 0.25;
 
 /// Adds a point with its error bar to a curve.
 /// @param x position along the x axis

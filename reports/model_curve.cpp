@@ -163,7 +163,7 @@ bool passes(const CurveGroup& series, const Predictor& model, const Calibration&
         off(0) *= unit(0) / conditions[m].normal_stress;
         off -= c.prediction.value.segment<2>(2 * static_cast<Eigen::Index>(k));
         const Eigen::Array2d error = reading.covariance.diagonal().array().sqrt();
-        if ((off.array().abs() > told_apart * error).any()) return false;
+        if ((off.array().abs() > same_point * error).any()) return false;
     }
     return true;
 }

@@ -196,7 +196,7 @@ void draw_dry(Panel& panel, const WetStudy& study, std::size_t o) {
         add_point(simulated, 0, means.model, o);
         add_point(measured, 0, means.measured, o);
     };
-    if (told_by_mean(dry, c)) {
+    if (mean_suffices(dry, c)) {
         add(dry);
     } else {
         for (const std::size_t k : dry)

@@ -106,8 +106,8 @@ Json matrix_json(const Eigen::MatrixXd& matrix) {
 
 Json emulator_json(const Calibration& c) {
     Json json = {{"runs_ordered", Json::array()}, {"scales", Json::object()}};
-    for (const Order& order : c.orders) {
-        json["runs_ordered"].push_back({{"runs", order.runs}, {"why", order.why}});
+    for (const SimulatedRuns& each : c.simulated) {
+        json["runs_ordered"].push_back({{"runs", each.runs}, {"why", each.why}});
     }
     for (const auto& [which, hyperparameters] : c.hyperparameters) {
         json["scales"][std::string(dem::observable_names[static_cast<std::size_t>(which)])] =
@@ -117,8 +117,8 @@ Json emulator_json(const Calibration& c) {
 }
 
 void read_emulator(const Json& json, Calibration& c) {
-    for (const auto& order : json.at("runs_ordered")) {
-        c.orders.push_back({order.at("runs"), order.at("why")});
+    for (const auto& each : json.at("runs_ordered")) {
+        c.simulated.push_back({each.at("runs"), each.at("why")});
     }
     for (const auto& [name, hyperparameters] : json.at("scales").items()) {
         c.hyperparameters[dem::observable_named(name)] = Hyperparameters::from_array(

@@ -48,7 +48,7 @@ ComparedStudy Session::compare(const std::optional<CohesionOptions>& cohesion) c
     c.prediction = predict_readings(model.model(), c);
     Comparison comparison = pendular::compare(c);
     if (cohesion) c.cohesion = *cohesion;
-    draw_cohesion_lines(c);
+    add_cohesion_lines(c);
     // The prediction is without errors of the fitted parameters, which the checks project out.
     WhereItFails where =
         where_it_fails(c.readings, measurements().scatter,

@@ -135,7 +135,7 @@ void apply_change(const StudyChange& change, const LadderStep& before, LadderSte
     }
     after.change = word_for(change.change);
     after.effect = change.effect;
-    climb(ladder, before, std::move(after));
+    add_step(ladder, before, std::move(after));
     write_calibration(out, fit.calibration, fit.comparison, fit.belief);
     write_ladder(out / "ladder.json", ladder);
     replace_study(file, change.new_text);

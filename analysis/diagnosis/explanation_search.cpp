@@ -104,7 +104,7 @@ Eigen::VectorXd Search::start_with(const EffectSet& chosen, const Eigen::MatrixX
         added.push_back(amplitudes(column));
     }
     const Eigen::VectorXd own =
-        scanned_.base.fit.parameters - scanned_.residuals.share_imitated_by(whitened * applied);
+        scanned_.base.fit.parameters - scanned_.residuals.parameter_shift_of(whitened * applied);
     Eigen::VectorXd start(own.size() + static_cast<Eigen::Index>(added.size()));
     start << own,
         Eigen::Map<Eigen::VectorXd>(added.data(), static_cast<Eigen::Index>(added.size()));

@@ -71,7 +71,7 @@ class Impacts {
     const Explanation* refit_of(std::size_t candidate) const;
     /// Shift of the parameters by an effect that changes the readings by `change`.
     Eigen::VectorXd shift_by(const Eigen::VectorXd& change) const {
-        return -residuals_.share_imitated_by(residuals_.whiten(change));
+        return -residuals_.parameter_shift_of(residuals_.whiten(change));
     }
     /// Shift of the parameters by a refit with the effect at `size`; the fit starts from `start`.
     Eigen::VectorXd refitted(const Impact& impact, double size, const Eigen::VectorXd& start) const;

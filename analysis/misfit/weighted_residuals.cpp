@@ -92,7 +92,7 @@ Eigen::MatrixXd WeightedResiduals::means_over(
                    Eigen::MatrixXd::Identity(members.rows(), members.cols()));
 }
 
-Eigen::VectorXd WeightedResiduals::share_imitated_by(const Eigen::VectorXd& change) const {
+Eigen::VectorXd WeightedResiduals::parameter_shift_of(const Eigen::VectorXd& change) const {
     return lengths_.cwiseInverse().cwiseProduct(decomposed_.solve(change));
 }
 

@@ -79,7 +79,7 @@ class WeightedResiduals {
     Eigen::MatrixXd means_over(const std::vector<std::vector<Eigen::Index>>& groups) const;
     /// Returns the change of the calibrated parameters [their units] that comes closest, by least
     /// squares, to a change of the predictions in units of the readings' errors (whitened).
-    Eigen::VectorXd share_imitated_by(const Eigen::VectorXd& change) const;
+    Eigen::VectorXd parameter_shift_of(const Eigen::VectorXd& change) const;
     /// Number of linearly independent combinations of the calibrated parameters that the readings
     /// determine.
     Eigen::Index determined() const { return basis_.cols(); }

@@ -181,7 +181,7 @@ std::vector<const PaperState*> PaperStudy::line_states(double friction,
     return where([&](const PaperState& s) {
         return same_setting(s.friction(), friction) &&
                same_setting(s.bridge_volume(), bridge_volume) &&
-               s.reduced_pressure() >= lowest_line_pressure;
+               s.reduced_pressure() >= lowest_cohesion_pressure;
     });
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calib/emulator/emulator.h"
+#include "calib/model/mohr_coulomb.h"
 #include "sim/closures/capillary_stress.h"
 #include "sim/closures/closure_values.h"
 #include "sim/dem/run.h"
@@ -100,11 +101,6 @@ struct StrengthLine {
     Mean at(double reduced_pressure) const;
 };
 
-/// Lowest reduced pressure P* of the states to which straight lines of stress ratio against 1/P*
-/// are fitted [1].
-/// Source: Badetti et al. (2018), Measurement of a macroscopic cohesion.
-inline constexpr double lowest_line_pressure = 2.3;
-
 /// Stiffness number of the simulations of Badetti et al. (2018) [1].
 inline constexpr double paper_stiffness = 8400;
 
@@ -147,7 +143,7 @@ class PaperStudy {
     /// Dry runs without effects, sorted by friction, then by inertial number.
     const std::vector<dem::RunResult>& dry_runs() const { return dry_runs_; }
     /// Straight lines of stress ratio against 1/P* (P*: reduced pressure), one for each friction
-    /// and bridge volume with three or more states at P* >= `lowest_line_pressure`.
+    /// and bridge volume with three or more states at P* >= `lowest_cohesion_pressure`.
     const std::vector<StrengthLine>& lines() const { return lines_; }
     /// Returns the straight line of the states of one friction [1] and one bridge volume over cubed
     /// grain diameter [1]; null where there is none.
@@ -172,7 +168,7 @@ class PaperStudy {
     /// Returns one state for each friction, bridge volume and reduced pressure of runs.
     std::vector<PaperState> states_of(std::vector<dem::RunResult> runs);
     /// Returns the states of a friction and bridge volume at reduced pressures >=
-    /// `lowest_line_pressure`.
+    /// `lowest_cohesion_pressure`.
     std::vector<const PaperState*> line_states(double friction, double bridge_volume) const;
     void fit_lines();
 

@@ -256,7 +256,7 @@ Prediction predict_readings(const Predictor& model, const Calibration& c) {
     return all;
 }
 
-void draw_cohesion_lines(Calibration& c) {
+void add_cohesion_lines(Calibration& c) {
     c.cohesion_lines.clear();
     c.cohesion_notes.clear();
     if (dry_count(c.readings) == c.readings.size()) {
@@ -319,10 +319,10 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
     const Emulator& emulator = planner.simulation()->emulator();
     c.runs = emulator.runs();
     c.hyperparameters = emulator.hyperparameters();
-    c.orders = planner.orders();
+    c.simulated = planner.simulated();
     c.notes = notes_on(c, resolved, planner, wet_known);
     c.cohesion = request.cohesion;
-    draw_cohesion_lines(c);
+    add_cohesion_lines(c);
     if (request.profile) {
         // The covariance of a fit lacks the widening for few replicates; with it, chi2 of a
         // parabola rises by this much over one standard error.

@@ -86,6 +86,6 @@ Prediction predict_readings(const Predictor& model, const Calibration& calibrati
 /// Fits the cohesion lines (straight lines of stress ratio against 1/P*, P*: reduced pressure) of a
 /// calibration again and replaces its lines and their notes. Lines are fitted to the measured and
 /// to the predicted wet readings; a study without wet readings has none.
-void draw_cohesion_lines(Calibration& calibration);
+void add_cohesion_lines(Calibration& calibration);
 
 }  // namespace pendular

@@ -58,7 +58,8 @@ struct Calibration {
     /// Simulation runs on which the model's emulator is trained.
     std::vector<dem::RunResult> runs;
     EmulatorHyperparameters hyperparameters;  ///< fitted hyperparameters of the emulator
-    std::vector<Order> orders;  ///< numbers of runs simulated for this calibration, by reason
+    std::vector<SimulatedRuns>
+        simulated;  ///< numbers of runs simulated for this calibration, by reason
     /// Lower and upper end of the 68 % interval of the friction coefficient [1]
     /// (`profile_interval`), if requested.
     std::optional<std::pair<double, double>> profile;

@@ -24,9 +24,9 @@ namespace {
 constexpr double uniform_reduced_pressure = 0.5;
 /// Advice on lowering the model's errors where the training runs are too few near the readings.
 std::string remedy(const Calibration& c) {
-    return c.orders.empty() ? "more simulations at these states, by 'calibrate' or "
-                              "'add --confirm', reduce the error"
-                            : "a higher fidelity reduces the error";
+    return c.simulated.empty() ? "more simulations at these states, by 'calibrate' or "
+                                 "'add --confirm', reduce the error"
+                               : "a higher fidelity reduces the error";
 }
 
 /// Note that names the readings whose predictions the earlier runs do not support; empty if there
@@ -87,7 +87,7 @@ std::optional<std::string> exhausted_note(const Calibration& c, const RunPlanner
     const Enlargement enlarged =
         enlargement_by_runs(c.fit, stack(part(c.readings, 0, c.fitted), c.direct), c.parameters);
     if (!planner.exhausted()) return std::nullopt;
-    if (planner.orders().empty()) {
+    if (planner.simulated().empty()) {
         return "The fit is not confirmed by simulations: none of them ended within the time given. "
                "'pendular calibrate --confirm MINUTES' gives more time";
     }

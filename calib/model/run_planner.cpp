@@ -234,7 +234,8 @@ void RunPlanner::order_beyond(double friction, const std::vector<EffectiveCondit
         return;  // the notes of a calibration name the readings that runs do not support
     }
     // Without runs nearby, the initial error is that of the prior.
-    order(most_informative(targets, from, unknown), "since " + why + " of the earlier simulations");
+    simulate_at(most_informative(targets, from, unknown),
+                "since " + why + " of the earlier simulations");
 }
 
 void RunPlanner::confirm(double friction, const std::vector<EffectiveCondition>& conditions,
@@ -258,8 +259,8 @@ void RunPlanner::confirm(double friction, const std::vector<EffectiveCondition>&
         targets.push_back({friction, slowest_});
     }
     const std::optional<double> p =
-        order(most_informative(targets, from, excess),
-              wet ? "to confirm the wet readings" : "to confirm the optimum");
+        simulate_at(most_informative(targets, from, excess),
+                    wet ? "to confirm the wet readings" : "to confirm the optimum");
     if (!p) {
         confirmed_ = confirmed_ && exhausted_;
     } else if (*p < disagreement) {
@@ -275,7 +276,7 @@ std::vector<dem::RunResult> RunPlanner::simulated(const std::vector<dem::RunPara
                                                   const std::string& why) {
     const std::vector<dem::RunResult> done = budget_.run(runs, workers_);
     made_.insert(made_.end(), done.begin(), done.end());
-    if (!done.empty()) add_order(done.size(), why);
+    if (!done.empty()) count_runs(done.size(), why);
     return usable_of(done, notes_);
 }
 
@@ -285,8 +286,8 @@ std::vector<dem::RunParameters> RunPlanner::runs_at(const std::vector<FlowState>
         simulation_ ? simulation_->emulator().runs() : std::vector<dem::RunResult>{});
 }
 
-std::optional<double> RunPlanner::order(const std::vector<FlowState>& states,
-                                        const std::string& why) {
+std::optional<double> RunPlanner::simulate_at(const std::vector<FlowState>& states,
+                                              const std::string& why) {
     const Emulator& emulator = simulation_->emulator();
     std::vector<dem::RunParameters> runs = runs_at(states);
     runs.resize(budget_.batch(runs, made_.empty() ? emulator.runs() : made_, workers_.threads));
@@ -301,10 +302,10 @@ std::optional<double> RunPlanner::order(const std::vector<FlowState>& states,
     return p;
 }
 
-void RunPlanner::add_order(std::size_t runs, const std::string& why) {
-    const auto same = std::ranges::find(orders_, why, &Order::why);
-    if (same == orders_.end()) {
-        orders_.push_back({runs, why});
+void RunPlanner::count_runs(std::size_t runs, const std::string& why) {
+    const auto same = std::ranges::find(simulated_, why, &SimulatedRuns::why);
+    if (same == simulated_.end()) {
+        simulated_.push_back({runs, why});
     } else {
         same->runs += runs;
     }

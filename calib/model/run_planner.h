@@ -17,7 +17,7 @@
 namespace pendular {
 
 /// Number of simulation runs that were carried out for one reason.
-struct Order {
+struct SimulatedRuns {
     /// Number of simulation runs that were carried out for the reason `why`.
     std::size_t runs = 0;
     /// Reason for the simulation runs, as in "to confirm the optimum".
@@ -79,7 +79,7 @@ class RunPlanner {
     /// ended within it, so that none was made.
     bool exhausted() const { return exhausted_; }
     /// Numbers of runs carried out so far, an entry for each reason.
-    const std::vector<Order>& orders() const { return orders_; }
+    const std::vector<SimulatedRuns>& simulated() const { return simulated_; }
     /// Sentences for the user on runs that do not train the emulator, such as failed runs, and on
     /// new runs that disagreed with the emulator's predictions.
     const std::vector<std::string>& notes() const { return notes_; }
@@ -133,9 +133,9 @@ class RunPlanner {
     /// trains the emulator on them.
     /// @return p value of the agreement of these runs with the earlier emulator (`agreement`);
     ///         empty where no run gave a usable result, or the budget allowed none
-    std::optional<double> order(const std::vector<FlowState>& states, const std::string& why);
-    /// Adds `runs` to the number of runs of the entry of orders() with the reason `why`.
-    void add_order(std::size_t runs, const std::string& why);
+    std::optional<double> simulate_at(const std::vector<FlowState>& states, const std::string& why);
+    /// Adds `runs` to the number of runs of the entry of simulated() with the reason `why`.
+    void count_runs(std::size_t runs, const std::string& why);
     /// Replaces the predictor simulation() by one that uses `emulator`.
     void use(Emulator emulator);
 
@@ -156,7 +156,7 @@ class RunPlanner {
     bool extrapolates_ = false;
     std::vector<WetSetting> wet_settings_;
     std::vector<std::string> notes_;
-    std::vector<Order> orders_;
+    std::vector<SimulatedRuns> simulated_;
     /// New simulation runs that the planner has carried out so far.
     std::vector<dem::RunResult> made_;
     bool exhausted_ = false;

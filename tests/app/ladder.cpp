@@ -150,8 +150,8 @@ TEST(Ladder, IsReadBackAsItWasWritten) {
     const auto file = folder.path() / "out" / "ladder.json";
     EXPECT_TRUE(read_ladder(file).empty());
     Ladder ladder;
-    climb(ladder, ladder_step("start", "", 400, 4.1, 0.3),
-          ladder_step("add", "torque-offset", 44, 1, 0.28));
+    add_step(ladder, ladder_step("start", "", 400, 4.1, 0.3),
+             ladder_step("add", "torque-offset", 44, 1, 0.28));
     ladder[0].left_out_percent.reset();
     ladder[0].parameters[0].standard_error = std::nan("");
     write_ladder(file, ladder);
@@ -175,9 +175,9 @@ TEST(Ladder, IsReadBackAsItWasWritten) {
 TEST(Ladder, BeginsAnewWhereTheStudyWasChangedOtherwise) {
     const auto after_with = [](const LadderStep& before) {
         Ladder ladder;
-        climb(ladder, ladder_step("start", "", 400, 4, 0.3),
-              ladder_step("add", "torque-offset", 44, 1, 0.3));
-        climb(ladder, before, ladder_step("drop", "torque-offset", 401, 4, 0.3));
+        add_step(ladder, ladder_step("start", "", 400, 4, 0.3),
+                 ladder_step("add", "torque-offset", 44, 1, 0.3));
+        add_step(ladder, before, ladder_step("drop", "torque-offset", 401, 4, 0.3));
         return ladder;
     };
     const LadderStep same =
@@ -199,8 +199,8 @@ TEST(Ladder, RefusesAFileThatIsCutOrSomethingElse) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "ladder.json";
     Ladder ladder;
-    climb(ladder, ladder_step("start", "", 400, 4, 0.3),
-          ladder_step("add", "torque-offset", 44, 1, 0.3));
+    add_step(ladder, ladder_step("start", "", 400, 4, 0.3),
+             ladder_step("add", "torque-offset", 44, 1, 0.3));
     write_ladder(file, ladder);
     const std::string whole = content_of(file);
     auto strange = nlohmann::json::parse(whole);

@@ -133,7 +133,7 @@ TEST(RunPlanner, OrdersNothingWhereItMayNot) {
         planner.improve(0.2, without_effects(conditions), 5);
     planner.improve_wet(0.2, without_effects(conditions), 2);
     EXPECT_EQ(planner.simulation()->emulator().runs().size(), before);
-    EXPECT_TRUE(planner.orders().empty());
+    EXPECT_TRUE(planner.simulated().empty());
 }
 
 TEST(EmulatedSimulation, SaysWhereItKnowsLessThanTheReadings) {
@@ -164,9 +164,9 @@ TEST(RunPlanner, OrdersWhatLiesBeyondItsRuns) {
     };
     const double before = variance();
     planner.improve(0.2, without_effects(conditions), 1);
-    ASSERT_EQ(planner.orders().size(), 1u);
-    EXPECT_THAT(planner.orders()[0].why, HasSubstr("inertial number 0.3 is above 0.1"));
-    EXPECT_GE(planner.orders()[0].runs, 4u);
+    ASSERT_EQ(planner.simulated().size(), 1u);
+    EXPECT_THAT(planner.simulated()[0].why, HasSubstr("inertial number 0.3 is above 0.1"));
+    EXPECT_GE(planner.simulated()[0].runs, 4u);
     EXPECT_LT(variance(), before / 4);
     EXPECT_EQ(planner.simulation()->emulator().beyond({0.2, 0.3}), "");
 }
@@ -188,7 +188,7 @@ TEST(RunPlanner, IsConfirmedByRunsThatAgreeAndNotByOthers) {
     wrong.improve(0.2, without_effects(conditions), 1),
         wrong.improve(0.2, without_effects(conditions), 1);
     EXPECT_FALSE(wrong.confirmed());
-    EXPECT_EQ(wrong.orders()[0].why, "to confirm the optimum");
+    EXPECT_EQ(wrong.simulated()[0].why, "to confirm the optimum");
     EXPECT_GT(wrong.simulation()->emulator().runs().size(), wrong_runs.size());
 }
 
@@ -247,7 +247,7 @@ TEST(EmulatedCalibration, GoesOnWhereFreshRunsDisagree) {
     };
     const Calibration right = calibrated(1, true, 1), blind = calibrated(1.17, false, 1);
     EXPECT_NEAR(right.fit.parameters(0), 0.25, 3 * right.fit.standard_error(0));
-    EXPECT_FALSE(right.orders.empty());
+    EXPECT_FALSE(right.simulated.empty());
     EXPECT_LT(blind.fit.parameters(0), 0.25 - 3 * blind.fit.standard_error(0));
     for (const std::uint64_t seed : {1, 2, 3}) {
         const Calibration wrong = calibrated(1.17, true, seed);
@@ -275,9 +275,9 @@ TEST(EmulatedCalibration, SaysThatNoSimulationEndedInTime) {
         request.options.fewest_rounds = 2;
         request.budget = RunBudget(seconds);
         const Calibration c = calibrate_study(study, measured, request, {.threads = 2});
-        EXPECT_TRUE(c.orders.empty());
-        EXPECT_THAT(c.notes, testing::Contains(testing::HasSubstr(
-                                 "none of them ended within the time given")));
+        EXPECT_TRUE(c.simulated.empty());
+        EXPECT_THAT(c.notes, testing::Contains(
+                                 testing::HasSubstr("none of them ended within the time given")));
         EXPECT_THAT(c.notes, testing::Not(testing::Contains(testing::HasSubstr("differed"))));
     }
 }

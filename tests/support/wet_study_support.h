@@ -176,7 +176,7 @@ inline Calibration calibration(const std::vector<Reading>& readings,
     c.fit.converged = true;
     c.prediction = predict_readings(StudyModel(study(), c).model(), c);
     c.cohesion = cohesion;
-    draw_cohesion_lines(c);
+    add_cohesion_lines(c);
     return c;
 }
 
