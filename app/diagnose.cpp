@@ -67,11 +67,12 @@ Decisions on an effect:
   cannot be excluded        an effect large enough to matter might not show in the readings
   refit not converged       the fit with the effect did not converge: it is not tested
   cannot be seen            the effect would not show even at the bounds of its parameter
-An emulator trained on the atlas and all stored simulations predicts the readings. New simulations are
-made only with --confirm: the command then simulates the states that reduce the errors of the best
-models most, and repeats the diagnosis with the results. It ends when the verdict stays the same, the
-simulations agree with the emulator and their noise enlarges no error by more than a fifth, or when
-the time is over. All results are kept; after Ctrl-C the same command continues with them.)";
+An emulator trained on Pendular's own simulations (the atlas) and all stored ones predicts
+the readings. New simulations are made only with --confirm: the command then simulates the states
+that reduce the errors of the best models most, and repeats the diagnosis with the results. It ends
+when the verdict stays the same, the simulations agree with the emulator and their noise enlarges no
+error by more than a fifth, or when the time is over. All results are kept; after Ctrl-C the same
+command continues with them.)";
 
 /// Time for --confirm without a number [min].
 constexpr double usual_minutes = 5;

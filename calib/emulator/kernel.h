@@ -98,7 +98,8 @@ class Kernel {
     };
     /// Computes the terms that the covariances of a value or derivative need.
     Prepared prepare(const Functional& functional) const;
-    /// Computes the terms that the covariances of values of f need, for each of several places.
+    /// Computes in advance, for each of several points of the input space, the part of a covariance
+    /// of the emulated quantity that depends on this point alone.
     std::vector<Prepared> prepare(const std::vector<Coordinates>& at) const;
 
     /// Prior covariance of two values or derivatives of f, in the square of the unit of f.

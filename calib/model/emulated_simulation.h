@@ -118,8 +118,9 @@ class EmulatedSimulation : public FlowPredictor {
     Emulator emulator_;
     std::vector<Parameter> parameters_{{.name = "friction", .lower = 0, .upper = 1, .start = 0.15}};
 
-    /// State of steady shear that `filled` found for a liquid content [1]. States are cached, since
-    /// derivatives and covariances need each state again.
+    /// State of steady shear of grains that hold a liquid content (liquid volume over grain
+    /// volume) [1], with the volume of their bridges. States are cached, since derivatives and
+    /// covariances need each state again.
     struct Filled {
         double liquid_content;
         FlowState state;

@@ -22,8 +22,8 @@ class InsideRecordings {
     /// @param file path of the recording
     void look_at(const std::string& file, std::vector<RecordedStep> steps, const AnnularCell& cell,
                  double least_strain);
-    /// Returns the findings that are significant among all tests (`significant_findings`), grouped
-    /// by kind.
+    /// Returns the findings that remain significant where the number of tests is allowed for
+    /// (`significant_findings`); findings of one kind follow one another.
     /// @param from_recordings readings of the study that were made from recordings
     /// @param cell cell of the study, with which shear stresses are converted to torques
     std::vector<RecordingFinding> findings(const std::vector<Reading>& from_recordings,
