@@ -189,6 +189,34 @@ struct Scaled {
     }
 };
 
+/// Whether a step leaves the range of a parameter that is at an end of its range already.
+bool leaves_at_bound(const ParameterBounds& range, Eigen::Index k, double at, double step) {
+    const double close = 1e-6 * (range.upper(k) - range.lower(k));
+    return (step < 0 && at - range.lower(k) < close) || (step > 0 && range.upper(k) - at < close);
+}
+
+/// Gauss-Newton step of the scaled parameters from `at` that leaves no range: parameters at an end
+/// of their range from which the step would lead outside are held, and the others take the step
+/// that is best without them.
+Eigen::VectorXd step_within(const Scaled& scaled, const Eigen::VectorXd& residuals,
+                            const ParameterBounds& range, const Eigen::VectorXd& at) {
+    Eigen::MatrixXd free = scaled.jacobian;
+    for (Eigen::Index turn = 0; turn < at.size(); ++turn) {
+        Eigen::VectorXd step = free.colPivHouseholderQr().solve(residuals);
+        bool held = false;
+        for (Eigen::Index k = 0; k < at.size(); ++k) {
+            if (free.col(k).isZero(0)) {
+                step(k) = 0;
+            } else if (leaves_at_bound(range, k, at(k), step(k))) {
+                free.col(k).setZero();
+                held = true;
+            }
+        }
+        if (!held) return step;
+    }
+    return Eigen::VectorXd::Zero(at.size());
+}
+
 /// Refines a minimum that Ceres found, near which chi2 is too flat to locate its minimum: takes
 /// Gauss-Newton steps as long as they become shorter.
 void polish(const Model& model, const Measured& measured, const Whitening& whitening,
@@ -200,8 +228,7 @@ void polish(const Model& model, const Measured& measured, const Whitening& white
         const Eigen::VectorXd residuals = whitening.apply(measured.value - prediction.value);
         const double chi2 = residuals.squaredNorm();
         const Scaled scaled(whitening.apply(prediction.jacobian));
-        const auto qr = scaled.jacobian.colPivHouseholderQr();
-        const Eigen::VectorXd step = qr.solve(residuals);
+        const Eigen::VectorXd step = step_within(scaled, residuals, range, at);
         const double length = (scaled.jacobian * step).norm();
         if (!(chi2 <= minimum.chi2 * (1 + 1e-9)) || !(length < shortest)) {
             return;

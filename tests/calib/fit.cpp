@@ -119,6 +119,21 @@ TEST(Fit, SaysWhenAParameterEndsAtItsBound) {
     EXPECT_NEAR(bounded.parameters(0), free + 0.5, 1e-9);
 }
 
+TEST(Fit, RefinesTheOthersWhereAParameterIsAtItsBound) {
+    Linear model(6, 2, 5);
+    const Measured measured = some_readings(model, 6);
+    const Eigen::VectorXd free = fit(model, measured, Eigen::VectorXd::Zero(2)).parameters;
+    model.names[0].lower = free(0) + 0.5;
+    const Eigen::Vector2d start(free(0) + 0.5, free(1) + 1);
+    // Without a step of Ceres, so that the refinement has to find the minimum.
+    const Fit refined = fit(model, measured, start, {.most_steps = 0, .elsewhere = false});
+    EXPECT_TRUE(refined.converged);
+    EXPECT_TRUE(refined.at_bound[0]);
+    const Fit searched = fit(model, measured, start);
+    EXPECT_NEAR(refined.parameters(1), searched.parameters(1), 1e-6);
+    EXPECT_NEAR(refined.chi2, searched.chi2, 1e-9 * searched.chi2);
+}
+
 TEST(Profile, IsTheStandardErrorWhereTheModelIsLinear) {
     for (const Eigen::Index count : {1, 3}) {
         const Linear model(6, count, 7);
