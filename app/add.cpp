@@ -41,13 +41,13 @@ change.
 
 const char* const about_both =
     R"(
-Writes fit.json, ladder.json (every model of the study so far, with its chi2 and RMS error) and the figure
-'ladder' to the results folder. study.toml is changed last: it stays as it is if the fit does not
-converge or is interrupted.
+Writes fit.json, ladder.json (every model of the study so far, with its chi2 and RMS error) and the
+figure 'ladder' to the results folder. study.toml is changed last: it stays as it is if the fit does
+not converge or is interrupted.
 
-An emulator trained on Pendular's own simulations (the atlas) and all stored ones predicts
-the readings, at the fidelity of the study's earlier fit unless --fidelity is given. New simulations
-are made only with --confirm or --cold. 'pendular effects' lists the known effects.)";
+An emulator trained on Pendular's own simulations (the atlas) and all stored ones predicts the
+readings, at the fidelity of the study's earlier fit unless --fidelity is given. New simulations are
+made only with --confirm or --cold. 'pendular effects' lists the known effects.)";
 
 struct AddOptions {
     FitOptions fit;

@@ -35,8 +35,7 @@ std::string basis_of(const Calibration& c) {
     if (ordered == 0) {
         return fmt::format(
             "The emulator was trained on the {} existing simulations that apply to this model; "
-            "none "
-            "was made for this study.",
+            "none was made for this study.",
             c.runs.size());
     }
     return fmt::format(

@@ -35,7 +35,7 @@ plan stays within the range of the readings:
   wet_cost = 2                            # cost of a wet reading over that of a dry one (default 1)
   filling_cost = 3                        # cost of another filling (default 0)
   wait = ["0 h", "4 h"]                   # waiting time after the last reading (default 0)
-  hour_cost = 0.5                         # cost of an hour between readings, in dry readings (default 1)
+  hour_cost = 0.5                         # cost of waiting an hour, in dry readings (default 1)
 
   [[rig.direct]]                          # an effect that can be measured directly: drag, by the
   effect = "torque-offset"                # torque of the empty cell

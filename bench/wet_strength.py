@@ -2,7 +2,7 @@
 """Wet steady shear in five states, simulated by YADE and by Pendular: do they find the same?
 
 YADE (Debian package `yade`) shears 1000 grains with the bridge force of Pendular, as
-peers/README.md says. A state takes YADE about 90 s of one core per unit of strain. States are
+peers/README.md says. A state takes YADE about 45 s of one core per unit of strain. States are
 sheared in turn, one unit of strain each; the same command goes on where it was stopped.
 
     bench/wet_strength.py                # result: bench/results/wet_strength.csv
@@ -18,6 +18,9 @@ import sys
 from collections import namedtuple
 from pathlib import Path
 
+sys.dont_write_bytecode = True
+from block_average import mean_and_error  # noqa: E402
+
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 State = namedtuple("State", "name friction reduced_pressure bridge_volume")
@@ -31,7 +34,7 @@ STATES = (
 INERTIAL_NUMBER = 0.01
 STIFFNESS_NUMBER = 1000
 GRAINS = 1000
-TIME_STEP = 0.0052  # sqrt(m/(a s22)), Pendular's own
+TIME_STEP = 0.0052  # sqrt(m/(a s22)), about Pendular's own
 SKIN = 0.1
 TRANSIENT = 1.5  # strain that is left out, after a strain of 1.1 of preparation
 PER_ROW = 0.25  # as in shear.yade.py
@@ -100,22 +103,6 @@ def shear(folder, strain):
     with open(folder / "rows", "a", encoding="ascii") as out:
         out.writelines(line + "\n" for line in rows)
     (folder / "new.bin.gz").rename(folder / "state.bin.gz")
-
-
-def mean_and_error(blocks):
-    """Standard error of the mean of correlated blocks, correlations summed up to the first that is
-    not positive."""
-    count = len(blocks)
-    mean = sum(blocks) / count
-    off = [block - mean for block in blocks]
-    variance = sum(x * x for x in off) / (count - 1)
-    stretch = 1
-    for lag in range(1, count // 3):
-        correlation = sum(a * b for a, b in zip(off, off[lag:])) / (count * variance)
-        if correlation <= 0:
-            break
-        stretch += 2 * correlation
-    return mean, math.sqrt(variance * stretch / count)
 
 
 def found_by_yade(folder):

@@ -198,7 +198,7 @@ void draw_key(Ink& ink, const PanelPlace& place, const Panel& panel) {
     const double inset = right ? 0 : key_inset;
     const double x = right ? edge - sample_width / 2 : edge + inset + sample_width / 2;
     const double away = sample_width / 2 + sample_gap;
-    if (panel.key == Key::top_left || panel.key == Key::top_right) {
+    if (panel.headroom > 0 && (panel.key == Key::top_left || panel.key == Key::top_right)) {
         clear_headroom(ink, place, panel, entries.size());
     }
     double y = bottom ? place.bottom + line_spacing * static_cast<double>(entries.size()) -

@@ -10,6 +10,7 @@
 
 #include "calib/emulator/emulated_observables.h"
 #include "calib/emulator/emulated_state.h"
+#include "calib/model/mohr_coulomb.h"
 
 namespace pendular {
 namespace {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "calib/emulator/emulator.h"
-#include "calib/model/mohr_coulomb.h"
 #include "sim/closures/capillary_stress.h"
 #include "sim/closures/closure_values.h"
 #include "sim/dem/run.h"

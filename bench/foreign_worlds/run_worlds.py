@@ -16,9 +16,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE))
+sys.path[:0] = [str(HERE), str(HERE.parent)]
 sys.dont_write_bytecode = True
 import states  # noqa: E402
+from block_average import mean_and_error  # noqa: E402
 
 STIFFNESS_NUMBER = 1000
 BLOCK = 0.25  # strain
@@ -135,22 +136,6 @@ def simulate(run, work):
         )
     (folder / "averages").rename(done)
     shutil.rmtree(folder)
-
-
-def mean_and_error(blocks):
-    """Standard error of the mean of correlated blocks, correlations summed up to the first that is
-    not positive."""
-    count = len(blocks)
-    mean = sum(blocks) / count
-    off = [block - mean for block in blocks]
-    variance = sum(x * x for x in off) / (count - 1)
-    stretch = 1
-    for lag in range(1, count // 3):
-        correlation = sum(a * b for a, b in zip(off, off[lag:])) / (count * variance)
-        if correlation <= 0:
-            break
-        stretch += 2 * correlation
-    return mean, math.sqrt(variance * stretch / count)
 
 
 COLUMNS = (

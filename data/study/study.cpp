@@ -211,20 +211,22 @@ void check_overlap(const std::vector<Source>& sources) {
 std::vector<Source> read_sources(const StudyTable& root, const Study& study) {
     std::vector<Source> sources;
     const bool allow_outside = root.flag("allow_outside").value_or(false);
+    std::optional<Position> first_pattern;
     for (const StudyTable& table : root.tables("recording", recording_keys)) {
         sources.push_back(read_source(table, Source::Kind::recording, study, allow_outside));
         check_recording(sources.back(), study);
+        if (!first_pattern) first_pattern = table.at("file");
     }
     for (const StudyTable& table : root.tables("readings", readings_keys)) {
         sources.push_back(read_source(table, Source::Kind::readings, study, allow_outside));
         sources.back().at_failure = table.choice("state", {"steady", "failure"}) == "failure";
+        if (!first_pattern) first_pattern = table.at("file");
     }
     if (sources.empty())
         throw InputError(root.position(),
                          "nothing was measured; add a [[recording]] or [[readings]] with its file");
     if (std::ranges::all_of(sources, [](const Source& s) { return s.files.empty(); })) {
-        throw InputError(sources.front().position,
-                         "'file': " + no_file(sources.front().pattern, study));
+        throw InputError(*first_pattern, "'file': " + no_file(sources.front().pattern, study));
     }
     std::stable_sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) {
         return a.position.line < b.position.line;  // order of measurement

@@ -102,7 +102,7 @@ function passes(series) {
 
 class Page {
   constructor(data) {
-    Object.assign(this, {data, marked: new Set(), here: -1, out: -1, plots: []});
+    Object.assign(this, {data, marked: new Set(), here: -1, told: -1, out: -1, plots: []});
     this.models = data.models.map(m => m.why_not === undefined ? new Model(m, data.readings, data.points) : m);
     this.index = data.current;
     this.order = data.switches.map((_, k) => k).filter(k => this.isOn(k));
@@ -250,7 +250,7 @@ class Page {
     });
     this.score();
     for (const plot of this.plots) plot.draw();
-    if (this.here >= 0) this.tell(this.here);
+    if (this.told >= 0) this.tell(this.told);
     this.fillReadings();
     this.fitTable();
   }
@@ -336,13 +336,15 @@ class Page {
     this.markPlots();
     if (id >= 0) this.tell(id);
   }
+  // Describes a reading; the line stays when the pointer leaves, so that it follows the model.
   tell(id) {
     const r = this.data.readings[id], predicted = [0, 1].map(which => this.model.predict(this.d, which)[id]), off = [0, 1].map(which => this.normalised(which)[id]);
     this.say(`Reading ${id + 1}, ${r.file} line ${r.line}${r.step ? `, step ${r.step}` : ""}: ${three(r.normal_stress)} Pa, I = ${three(r.inertial_number)}` +
       `${r.liquid_content ? `, liquid content ${three(r.liquid_content)}` : ", dry"}. Stress ratio ${withError(r.values[0], r.errors[0])}, model ${predicted[0].toFixed(4)} (${off[0].toFixed(1)} errors). ` +
       `Solid fraction ${withError(r.values[1], r.errors[1])}, model ${predicted[1].toFixed(4)} (${off[1].toFixed(1)} errors).`);
+    this.told = id;
   }
-  say(text) { document.getElementById("reading").textContent = text; }
+  say(text) { this.told = -1; document.getElementById("reading").textContent = text; }
   markOnly(ids) {
     this.marked = new Set(ids.filter(id => id >= 0));
     this.markPlots();

@@ -62,33 +62,33 @@ const Volumes& volumes_of(double deviation) {
     return volumes;
 }
 
-/// Gives each bridge that forms its volume, which stays until the bridge breaks; breaks bridges
-/// beyond their own rupture distance; and scales the force of each to its volume. In contact, the
-/// force does not depend on the volume.
+/// Gives each bridge that forms its volume, breaks bridges beyond their own rupture distance, and
+/// scales the force of each to its volume. In contact, the force does not depend on the volume. A
+/// pair keeps its volume until the base law has no bridge for it: where bridges form without
+/// contact, a pair would else draw volumes until one reaches.
 void own_volumes(const dem::PairBatch& batch, const dem::PairContext& context) {
     if (batch.contact_history == nullptr) return;  // a bridge of the mean volume
     const Volumes& volumes = volumes_of(context.values["deviation"]);
     double* volume = batch.contact_history[0];
     for (std::size_t k = 0; k < batch.size; ++k) {
-        if (batch.joined[k] != 0 && volume[k] == 0) {
+        if (batch.joined[k] == 0) {
+            volume[k] = 0;
+            continue;
+        }
+        if (volume[k] == 0) {
             volume[k] = volumes.quantile(random_share(batch.nx[k], batch.ny[k], batch.nz[k]));
         }
         const double own = std::abs(volume[k]);  // the sign follows the order of the two grains
-        const double gap = batch.gap[k];
-        if (batch.joined[k] != 0 && gap > 0) {
-            const double reach = context.bridges.rupture_distance;
-            if (gap * gap * gap * volumes.largest() > reach * reach * reach * own) {
-                batch.joined[k] = 0;
-            } else {
-                dem::BridgeLaw law = context.bridges.of(batch.diameter[k]);
-                const double base = law.relative_force(gap);
-                law.curvature *= own;
-                batch.capillary[k] *= law.relative_force(gap) / base;
-            }
+        const double gap = batch.gap[k], reach = context.bridges.rupture_distance;
+        if (gap <= 0) continue;
+        if (gap * gap * gap * volumes.largest() > reach * reach * reach * own) {
+            batch.joined[k] = batch.capillary[k] = 0;
+            continue;
         }
-        if (batch.joined[k] == 0) {
-            volume[k] = batch.capillary[k] = 0;
-        }
+        dem::BridgeLaw law = context.bridges.of(batch.diameter[k]);
+        const double base = law.relative_force(gap);
+        law.curvature *= own;
+        batch.capillary[k] *= law.relative_force(gap) / base;
     }
 }
 
@@ -99,7 +99,8 @@ void own_volumes(const dem::PairBatch& batch, const dem::PairContext& context) {
 /// differ. The force in contact does not depend on the volume; a small bridge attracts less and
 /// breaks earlier, a large one attracts more and reaches further. Bridges break sooner when they
 /// are small, so that those without contact are larger than the mean. No liquid flows between
-/// bridges while they last; if it flowed fast, volumes would be equal, as in the base law.
+/// bridges while they last; if it flowed fast, volumes would be equal, as in the base law. While
+/// the deviation is small, the readings change with the variance of the volumes, its square.
 Effect unequal_bridges() {
     return {.summary = "liquid bridges differ in volume",
             .equation =

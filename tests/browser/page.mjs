@@ -83,8 +83,33 @@ try {
     await page.locator("#live details summary").click();
     await page.getByLabel("Leave out reading 5", {exact: true}).click();
     assert.match(await page.locator("[data-without]").innerText(), /Refit without reading 5: chi2 falls by/);
+    await page.locator("input[data-effect=torque-gain]").check();
+    assert.match(await page.locator("[data-without]").innerText(), /Refit without reading 5/, "left out with another effect too");
+    await page.locator("input[data-effect=torque-gain]").uncheck();
     await page.getByLabel("Leave out reading 5", {exact: true}).click();
     assert.equal(await page.locator("[data-without]").count(), 0);
+  });
+  await check("the line about a reading follows the model", async () => {
+    await page.locator("#readings tbody tr").nth(4).hover();
+    const before = await page.locator("#reading").innerText();
+    assert.match(before, /^Reading 5, /);
+    await page.mouse.move(1, 1);
+    await page.locator("input[data-effect=torque-gain]").check();
+    const after = await page.locator("#reading").innerText();
+    assert.match(after, /^Reading 5, /);
+    assert.notEqual(after, before);
+    await page.locator("input[data-effect=torque-gain]").uncheck();
+  });
+  await check("errors of measurement are folded, words are on the left", async () => {
+    const table = page.locator("#impacts details table");
+    assert.equal(await table.count(), 1);
+    assert.ok(!await table.isVisible());
+    await page.locator("#impacts summary").click();
+    assert.ok(await table.isVisible());
+    const alignment = cell => page.locator(`#effects table`).last().locator(`tbody tr`).first().locator("td").nth(cell).evaluate(td => getComputedStyle(td).textAlign);
+    assert.equal(await alignment(1), "left");
+    assert.equal(await alignment(3), "right");
+    await page.locator("#impacts summary").click();
   });
   await check("arrow keys step through readings, brushing marks them everywhere", async () => {
     const svg = page.locator("svg[data-name=dry-stress-ratio]");

@@ -226,6 +226,7 @@ try {
     cpSync(join(study, "study.toml"), join(empty, "study.toml"));
     const waiting = await serve(empty, "--switches", "0"), first = await open(waiting.address.href);
     await warned(first, /study\.toml:\d+:\d+: .*no file matches "dry_\*\.csv"/);
+    assert.equal(await first.locator("p.study").innerText(), "empty");
     for (const k of [1, 2, 3]) await drop(first, `dry_${k}.csv`, readFileSync(join(examples, `dry-recordings/dry_${k}.csv`), "utf8"));
     await readings(first, 9);
     assert.ok(await first.locator("#trouble").isHidden());

@@ -199,7 +199,7 @@ TEST_F(ReadStudy, RefusesSourcesThatCannotBeRead) {
     EXPECT_THAT(error(grains + "[[readings]]\nfile = \"wet.csv\"\n"),
                 at(":5:8: 'file': no file matches \"wet.csv\" in "));
     EXPECT_THAT(error(grains + "[[readings]]\nfile = \"wet_*.csv\"\n"),
-                AllOf(HasSubstr("'file': no file matches \"wet_*.csv\" in "),
+                AllOf(at(":5:8: 'file': no file matches \"wet_*.csv\" in "),
                       HasSubstr("put the file there")));
     EXPECT_THAT(error(grains + "[readings]\nfile = \"points.csv\"\n"),
                 AllOf(at(":4:"), HasSubstr("write [[readings]]")));

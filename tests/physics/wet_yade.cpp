@@ -75,8 +75,7 @@ TEST(WetYade, FindsTheSameStrengthAndStructure) {
                 << name << ": " << quantity << " " << run[which].value << ", YADE " << theirs.value;
             return apart / theirs.value;
         };
-        // YADE reads the bridge force from a table, which is right to 0.2 % of F0 (bench/peers),
-        // and errors of quantities that hardly fluctuate are known to a third only.
+        // YADE reads the bridge force from a table, which is right to 0.2 % of F0 (bench/peers).
         constexpr double table = 0.005;
         const double apart = difference(Observable::stress_ratio, "stress_ratio", 0);
         difference(Observable::solid_fraction, "solid_fraction", 0.001);
