@@ -129,10 +129,11 @@ void print_evidence(Console& console, const ChangedStudy& changed, bool earlier_
     const Fitted& after = changed.comparable_after();
     console.table(error_changes(before.ladder_step, after.ladder_step), 10);
     console.table(parameter_changes(before.ladder_step, after.ladder_step), 5);
+    const bool adds = change.change == Action::add;
     console.line(fmt::format(
-        "Chi2 is {:.2f} for {} degrees of freedom before the change and {:.2f} for {} after it.",
-        before.ladder_step.chi2, before.ladder_step.dof, after.ladder_step.chi2,
-        after.ladder_step.dof));
+        "Chi2 is {:.2f} for {} degrees of freedom {} {}, and {:.2f} for {} {} it.",
+        before.ladder_step.chi2, before.ladder_step.dof, adds ? "without" : "with", change.effect,
+        after.ladder_step.chi2, after.ladder_step.dof, adds ? "with" : "without"));
     if (const std::string line = on_fitted_readings(changed, earlier_dry); !line.empty()) {
         console.line(line);
     }

@@ -132,11 +132,13 @@ const char* const standard_missing_word = "STUDY, the folder of a study or its f
 /// Names of the fidelities with the settings of each, one line per fidelity, for the help text.
 std::string fidelity_text() {
     std::string text =
-        "size and accuracy of the simulations; I: inertial number, strain: length of the averages";
+        "size and accuracy of the simulations; lower inertial numbers are simulated at the lowest";
     for (const Fidelity& each : fidelities()) {
-        text += fmt::format("\n{} {} grains, stiffness number {:g}, I >= {:g}, strain {:g}",
-                            each.name + ':', each.grains, each.stiffness_number,
-                            each.lowest_inertial_number, each.strain);
+        text += fmt::format(
+            "\n{} {} grains, stiffness number {:g}, lowest inertial number {:g}, "
+            "averages over a strain of {:g}",
+            each.name + ':', each.grains, each.stiffness_number, each.lowest_inertial_number,
+            each.strain);
     }
     return text;
 }

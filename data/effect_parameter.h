@@ -31,8 +31,16 @@ struct EffectParameter {
     /// at `upper`. Null: `amplitude` is used.
     double (*effective_amplitude)(double value, double friction) = nullptr;
 
+    /// True if only simulations of given values have the parameter. The models of studies keep it at
+    /// `neutral`, since the readings hardly tell it from the other parameters of the effect.
+    bool only_simulated = false;
+
     /// Whether the effect can only be switched on or off: its parameter has the name "on".
     bool is_switch() const { return name == "on"; }
+    /// Whether the models of studies fit the parameter.
+    bool is_fitted() const { return !is_switch() && !only_simulated; }
+    /// Value of the parameter in models of studies that do not fit it, in the parameter's unit.
+    double value_if_not_fitted() const { return is_switch() ? 1 : neutral; }
 };
 
 /// Returns the parameter of an effect that can only be switched on or off: the parameter has the

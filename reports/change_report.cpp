@@ -156,20 +156,20 @@ std::string next_after(const StudyChange& change, const LadderStep& before, cons
 
 std::vector<std::string> error_changes(const LadderStep& before, const LadderStep& after) {
     const auto row = [](const std::string& name, double first, double second) {
-        return fmt::format("  {:<52} {:>12.3f} {:>12.3f}", name, first, second);
+        return fmt::format("  {:<62} {:>12.3f} {:>12.3f}", name, first, second);
     };
     std::vector<std::string> lines = {
-        fmt::format("  {:<52} {:>12} {:>12}", "error", "before", "after"),
+        fmt::format("  {:<62} {:>12} {:>12}", "error", "before", "after"),
         row("chi2/dof [1]", before.chi2_per_dof(), after.chi2_per_dof())};
     for (std::size_t o = 0; o < observables.size(); ++o) {
-        lines.push_back(row(fmt::format("RMS error of {} [%]", observables[o]),
+        lines.push_back(row(fmt::format("relative RMS error of {} [%]", observables[o]),
                             before.rms_percent[o], after.rms_percent[o]));
     }
     if (before.left_out_percent && after.left_out_percent) {
         for (std::size_t o = 0; o < observables.size(); ++o) {
-            lines.push_back(
-                row(fmt::format("RMS error of {}, left-out conditions [%]", observables[o]),
-                    (*before.left_out_percent)[o], (*after.left_out_percent)[o]));
+            lines.push_back(row(
+                fmt::format("relative RMS error of {}, left-out conditions [%]", observables[o]),
+                (*before.left_out_percent)[o], (*after.left_out_percent)[o]));
         }
     }
     return lines;

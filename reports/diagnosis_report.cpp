@@ -368,8 +368,8 @@ std::pair<std::string, std::string> sizes_apart(double one, double other, const 
     }
 }
 
-/// Line on the size from which the readings would show an effect, and the size from which it
-/// matters; for a switch, on the share of studies that would show it.
+/// Line on the smallest size of an effect that the readings would show, and on the smallest size of
+/// interest; for a switch, on the share of studies that would show it.
 std::string unseen_line(const Finding& finding, const EffectParameter& p,
                         const std::string& effect) {
     if (p.is_switch()) {
@@ -377,12 +377,12 @@ std::string unseen_line(const Finding& finding, const EffectParameter& p,
                            effect, 100 * finding.power);
     }
     const auto [shown, matters] = sizes_apart(finding.detectable, p.smallest_of_interest, p.unit);
-    const std::string what =
-        p.neutral != 0 ? fmt::format("a change of the {} from {} by", spoken_parameter(p.name),
-                                     with_unit(p.neutral, p.unit))
-                       : spoken_parameter(p.name);
-    return fmt::format("  {}: would show from {} {}{}; {} would matter.", effect, what, shown,
-                       p.neutral == 0 && p.lower < 0 ? " (or negative)" : "", matters);
+    const std::string what = p.neutral != 0
+                                 ? fmt::format("change of the {} from {}", spoken_parameter(p.name),
+                                               with_unit(p.neutral, p.unit))
+                                 : spoken_parameter(p.name);
+    return fmt::format("  {}: smallest detectable {} {}{}; smallest of interest {}.", effect, what,
+                       shown, p.neutral == 0 && p.lower < 0 ? " (or negative)" : "", matters);
 }
 
 /// Line that names the effects that would not show at any size; empty where there is none.

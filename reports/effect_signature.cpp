@@ -99,7 +99,7 @@ Along along(const Column& column, bool dry, bool at_failure, const Study& study,
 /// Value of an effect's parameter at which its signature is drawn: the smallest size that matters
 /// away from neutral, or from the liquid's value where the parameter is a property of the liquid.
 double shown_size(const Effect& effect, const EffectParameter& p, const Study& study) {
-    if (p.is_switch()) return 1;
+    if (!p.is_fitted()) return p.value_if_not_fitted();
     const double from = effect.given_by_liquid ? effect.unlisted_value(study.liquid) : p.neutral;
     return std::clamp(from + p.smallest_of_interest, p.lower, p.upper);
 }
@@ -214,7 +214,7 @@ class Models {
         }
         std::vector<double> parameters = {friction};
         for (std::size_t k = 0; k < sizes.size(); ++k) {
-            if (!effect_.parameters[k].is_switch()) parameters.push_back(sizes[k]);
+            if (effect_.parameters[k].is_fitted()) parameters.push_back(sizes[k]);
         }
         const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(
             parameters.data(), static_cast<Eigen::Index>(parameters.size()));
@@ -309,6 +309,7 @@ void add_key(Panel& panel) {
 std::string size_text(const Effect& effect, const Study& study) {
     std::vector<std::string> sizes;
     for (const EffectParameter& p : effect.parameters) {
+        if (p.only_simulated) continue;
         std::string name = p.name;
         std::ranges::replace(name, '_', ' ');
         sizes.push_back(

@@ -10,7 +10,7 @@ packages=(
   libboost-filesystem-dev libboost-system-dev libicu-dev libudunits2-dev libtomlplusplus-dev
   nlohmann-json3-dev libcereal-dev libfmt-dev libgnuplot-iostream-dev
   libkainjow-mustache-dev libzip-dev libpugixml-dev libsqlite3-dev libsqlitecpp-dev libopenmpi-dev openmpi-bin libmuparser-dev
-  libcpp-httplib-dev pkg-config
+  libcpp-httplib-dev libmimalloc-dev pkg-config
   # figures
   gnuplot-nox fonts-dejavu-core
   # tests, benchmarks, style

@@ -195,19 +195,33 @@ SwitchedModel fitted_with(const Effects& effects, const ResolvedStudy& study,
     return result;
 }
 
-/// Fit with the least chi2 of all combinations with one effect fewer; null where there is none, and
-/// for single effects, which start as `calibrate_study` starts.
-const Calibration* best_with_fewer(const SwitchedModels& all, std::size_t index) {
+/// Fit with the least chi2 of all combinations with `fewer` effects fewer; null where there is
+/// none, and for single effects, which start as `calibrate_study` starts.
+const Calibration* best_with_fewer(const SwitchedModels& all, std::size_t index, int fewer) {
     const SwitchedModel* best = nullptr;
-    if (std::popcount(index) < 2) return nullptr;
-    for (std::size_t k = 0; k < all.switches.size(); ++k) {
-        if (((index >> k) & 1) == 0) continue;
-        const auto& fewer = all.models[index ^ (std::size_t(1) << k)];
-        if (fewer && (!best || fewer->comparison.total.chi2 < best->comparison.total.chi2)) {
-            best = &*fewer;
+    const int effects = std::popcount(index);
+    if (effects < 2) return nullptr;
+    for (std::size_t part = 0; part < index; ++part) {
+        if ((part & index) != part || std::popcount(part) != effects - fewer) continue;
+        const auto& model = all.models[part];
+        if (model && (!best || model->comparison.total.chi2 < best->comparison.total.chi2)) {
+            best = &*model;
         }
     }
     return best ? &best->calibration : nullptr;
+}
+
+/// Combinations of `switches` effects, by index, in groups whose fits begin near the fits of
+/// earlier groups: by the number of effects. That of all effects, which takes longest, is fitted
+/// beside those with one fewer.
+std::vector<std::vector<std::size_t>> in_groups(std::size_t switches) {
+    std::vector<std::vector<std::size_t>> groups(std::max(switches, std::size_t(1)));
+    const std::size_t all = (std::size_t(1) << switches) - 1;
+    groups.back().push_back(all);
+    for (std::size_t index = 0; index < all; ++index) {
+        groups[static_cast<std::size_t>(std::popcount(index))].push_back(index);
+    }
+    return groups;
 }
 
 }  // namespace
@@ -238,13 +252,14 @@ SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis&
                                 .total = result.models.size()});
     };
     const auto fit_one = [&](std::size_t index) {
+        const int fewer = index + 1 == result.models.size() ? 2 : 1;
         Effects effects = result.always;
         for (std::size_t k = 0; k < result.switches.size(); ++k) {
             if ((index >> k) & 1) effects.push_back(result.switches[k]);
         }
         try {
             result.models[index] = fitted_with(effects, fitted, diagnosis, session, options.along,
-                                               best_with_fewer(result, index));
+                                               best_with_fewer(result, index, fewer));
         } catch (const std::domain_error&) {
             result.why_not[index] = "the readings are impossible with these effects";
         } catch (const std::invalid_argument& error) {
@@ -253,15 +268,10 @@ SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis&
             result.why_not[index] = error.what();  // effects that the base model does not allow
         }
     };
-    // In the order of the number of effects, so that each fit begins near a fit with fewer.
-    for (std::size_t on = 0; on <= result.switches.size(); ++on) {
-        std::vector<std::size_t> level;
-        for (std::size_t index = 0; index < result.models.size(); ++index) {
-            if (static_cast<std::size_t>(std::popcount(index)) == on) level.push_back(index);
-        }
-        side_by_side(level.size(), static_cast<std::size_t>(session.threads), report,
-                     [&](std::size_t k) { fit_one(level[k]); });
-        finished += level.size();
+    for (const std::vector<std::size_t>& group : in_groups(result.switches.size())) {
+        side_by_side(group.size(), static_cast<std::size_t>(session.threads), report,
+                     [&](std::size_t k) { fit_one(group[k]); });
+        finished += group.size();
     }
     return result;
 }

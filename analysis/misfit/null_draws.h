@@ -39,8 +39,8 @@ struct ErrorKnowledge {
     /// Degrees of freedom of the estimated size of each kind of error; infinite: the size is known.
     std::vector<double> freedom;
     std::vector<SharedErrors> shared;  ///< errors that several readings share
-    /// Number of readings; the entries 2 k and 2 k + 1 are the shear stress and the solid fraction
-    /// of reading k.
+    /// Number of readings; the entries 2 k and 2 k + 1 of a draw of errors are those of the shear
+    /// stress and the solid fraction of reading k.
     Eigen::Index readings = 0;
     /// Degrees of freedom of the estimated correlation between the errors of the two observables of
     /// a reading; infinite: the correlation is known.

@@ -150,9 +150,12 @@ std::vector<Proposal> ShapeSearch::fitted(const std::vector<Score>& scores) {
         if (possible[k]) refitted.push_back(std::move(proposals[k]));
     }
     explanations.errors = diagnosis_.change_errors;
-    for (std::size_t k = models_.candidates().size(); k < space.candidates().size(); ++k) {
-        explanations.errors.push_back(explanations.addition(base_, k).signature(true).errors);
-    }
+    const std::size_t known = models_.candidates().size();
+    explanations.errors.resize(space.candidates().size());
+    side_by_side(explanations.errors.size() - known, options_.threads, {}, [&](std::size_t k) {
+        explanations.errors[known + k] =
+            explanations.addition(base_, known + k).signature(true).errors;
+    });
     judge(refitted, explanations);
     return refitted;
 }

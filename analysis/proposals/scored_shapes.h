@@ -88,8 +88,9 @@ class ScoredShapes {
     std::vector<ShapeOfChange> shapes_;
     /// For each shape, the quantity that it changes, as index into `changeables_`.
     std::vector<std::size_t> changed_by_;
-    /// Direction of the change of the readings by each shape, a column of length 1: P g/|P g| with
-    /// the whitened change g and the projection P of `WeightedResiduals`.
+    /// A unit vector for each shape (an assumed form of the missing change), as a column: the
+    /// direction in which the shape changes the readings, P g/|P g|, with the whitened change g and
+    /// the projection P of `WeightedResiduals`.
     Eigen::MatrixXd directions_;
     /// Length |P g| of the whitened change of the readings by each shape [1/unit of its change].
     Eigen::VectorXd lengths_;

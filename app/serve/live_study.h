@@ -94,7 +94,8 @@ class LiveStudy {
     Answer change_now(Action action, const std::string& effect, const std::stop_token& end);
     void watch(const std::stop_token& over);
     void begin(const std::string& sentence);
-    /// Returns a listener that stores the progress of the work for open pages.
+    /// Returns a listener that stores the progress of the running computation, which the browser
+    /// pages that show the study display.
     Listener progress();
     void add_event(const std::string& text, bool of_effect, bool ok);
     std::optional<std::future<Answer>> queue(std::function<Answer()> work);

@@ -19,6 +19,7 @@ constexpr std::array outcome_columns = {"truth",
                                         "verdict",
                                         "named",
                                         "suspects",
+                                        "faults",
                                         "confidence_set",
                                         "set_size",
                                         "set_has_truth",
@@ -80,6 +81,7 @@ std::vector<std::string> cells_of(const Outcome& o) {
                                       o.verdict,
                                       fmt::format("{}", fmt::join(o.named, " ")),
                                       fmt::format("{}", fmt::join(o.suspects, "; ")),
+                                      fmt::format("{}", fmt::join(o.faults, " ")),
                                       o.confidence_set,
                                       std::to_string(o.set_size),
                                       o.set_has_truth ? "1" : "0",
@@ -116,6 +118,7 @@ std::vector<Outcome> read_outcomes(const std::filesystem::path& file) {
         o.verdict = cells.text();
         o.named = cells.words();
         if (const std::string& suspects = cells.text(); !suspects.empty()) o.suspects = {suspects};
+        o.faults = cells.words();
         o.confidence_set = cells.text();
         o.set_size = static_cast<std::size_t>(cells.number().value_or(0));
         o.set_has_truth = cells.number() == 1;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "bench/hidden_effects/truth.h"
 
@@ -10,10 +9,9 @@ namespace pendular::bench {
 namespace {
 
 Effect lid_wobble() {
-    constexpr double period = 5;  // [s], of the order of a recording
     return {.name = "lid-wobble",
             .summary = "a lid that is not level binds once a turn",
-            .equation = "T_shown = T (1 + amplitude sin(2 pi t/period))",
+            .equation = "T_shown = T (1 + amplitude sin(omega t))",
             .parameters = {{.name = "amplitude",
                             .unit = "1",
                             .lower = -0.8,
@@ -24,8 +22,8 @@ Effect lid_wobble() {
             .change = ChangeInstrument{
                 .show =
                     [](CellState shown, const Values& v) {
-                        shown.torque *= 1 + v["amplitude"] * std::sin(2 * std::numbers::pi *
-                                                                      shown.time / period);
+                        shown.torque *=
+                            1 + v["amplitude"] * std::sin(shown.angular_velocity * shown.time);
                         return shown;
                     },
                 .where = ChangeInstrument::Where::transducers}};

@@ -146,9 +146,14 @@ std::vector<std::string> figures_of(const Studies& every) {
     add("truths outside the catalogue: flagged unknown or suspect-measurement",
         rate(those(all, [](const LabStudy& s) { return s.truth->kind == Truth::Kind::outside; }),
              flagged));
-    add("  noticed at all",
-        rate(those(all, [](const LabStudy& s) { return s.truth->kind == Truth::Kind::outside; }),
-             alarms));
+    const auto outside =
+        those(all, [](const LabStudy& s) { return s.truth->kind == Truth::Kind::outside; });
+    const auto faulty = [](const LabStudy& s) { return !s.outcome->faults.empty(); };
+    add("  or import names a fault of the recordings",
+        rate(outside, [&](const LabStudy& s) { return flagged(s) || faulty(s); }));
+    add("  noticed at all, by diagnose or import",
+        rate(outside, [&](const LabStudy& s) { return alarms(s) || faulty(s); }));
+    add("import names a fault of the recordings of complete laboratories", rate(complete, faulty));
     const auto refitted = those(all, [](const LabStudy& s) {
         return single(s) && s.outcome->foretold_reduction && s.outcome->refitted_reduction;
     });

@@ -159,6 +159,12 @@ Outcome walk(const Truth& truth, const LabResult& laboratory, int study,
     stated.model.discrepancy = discrepancy;
     input.study = input.study.changed_to(stated);
     const Fidelity& fidelity = laboratory.plan.fidelity;
+    for (const RecordingFinding& finding : input.measurements.findings) {
+        const std::string kind(to_string(finding.kind));
+        if (std::ranges::find(outcome.faults, kind) == outcome.faults.end()) {
+            outcome.faults.push_back(kind);
+        }
+    }
     diagnose_into(outcome, truth, input, fidelity);
     std::vector<std::string> hidden;
     for (const ActiveEffect& active : truth.hidden) {

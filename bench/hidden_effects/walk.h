@@ -20,6 +20,7 @@ struct Outcome {
     std::string verdict;
     std::vector<std::string> named;     ///< effects that the verdict points at
     std::vector<std::string> suspects;  ///< parts of the measurement that it points at
+    std::vector<std::string> faults;    ///< kinds of faults that `import` found in the recordings
     std::string confidence_set;         ///< "a | b + c"
     std::size_t set_size = 0;           ///< models in it
     bool set_has_truth = false;         ///< exactly what is hidden, or, of a complete

@@ -36,6 +36,16 @@ double response_scale(const std::string& name) {
     return p.amplitude ? p.amplitude(value) : value - p.neutral;
 }
 
+/// Whether models of studies can have an effect with these values: parameters that only simulations
+/// have are neutral.
+bool in_models(const EffectValues& values) {
+    const auto& parameters = built_in_effect(values.effect).parameters;
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+        if (parameters[k].only_simulated && values.values[k] != parameters[k].neutral) return false;
+    }
+    return true;
+}
+
 /// Effective amplitude of an effect, to which the response is proportional. It follows from the
 /// effect's first parameter and is 0 at the neutral value.
 double response_amplitude(const EffectValues& values, double friction) {
@@ -161,7 +171,7 @@ bool Emulator::trains(const dem::RunResult& run, const std::string& name, Observ
     const bool caused =
         name == stiffness_name
             ? effects.empty() && !alike(run.parameters.stiffness_number, plain_.stiffness_number())
-            : effects.size() == 1 && effects[0].effect == name;
+            : effects.size() == 1 && effects[0].effect == name && in_models(effects[0]);
     return caused && has_value(run, which);
 }
 

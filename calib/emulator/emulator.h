@@ -55,13 +55,13 @@ class Emulator {
     /// Whether effects on grains, or a stiffness number other than that of the `PlainEmulator`,
     /// change predictions at a state of steady shear.
     bool changes(const FlowState& state) const;
-    /// Covariance of the errors of the answers of `mean`, a row and a column for each query. A
-    /// prediction with an effect is the sum of the prediction f without the effect and the change
-    /// by the effect. The change is trained on the differences run - f at the states X of the runs
-    /// with the effect. An error of f thus enters the sum twice, with opposite signs, and is
-    /// counted once:
-    ///     error = e(at) - W e(X) + error of the change at given f,
-    /// with the error e of f and the weights W of the differences in the change.
+    /// Covariance of the errors of the predictions that `mean` returns, one row and one column for
+    /// each query. The prediction for a state x with an effect is f(x) + d(x), with the prediction
+    /// f without the effect and the change d by the effect. The predictor of d is trained on the
+    /// differences (simulated value - f) at the states X of the runs with the effect, so that the
+    /// errors of f and d are correlated:
+    ///     error = e(x) - W e(X) + error of d at given f,
+    /// with the error e of f, and the weights W of the training differences in d.
     /// @throws std::invalid_argument for an observable of which no training run has a value, for an
     ///         observable of liquid bridges at a dry state, and for an effect that no run has as
     ///         its only effect
@@ -93,22 +93,23 @@ class Emulator {
 
   private:
     static inline const std::string stiffness_name = "stiffness number";
-    /// Calls `use(name, size, place)` for each cause that changes the observable `which` at a state
-    /// of steady shear from the prediction of the `PlainEmulator`: each effect on grains, then a
-    /// different stiffness number. `name`: name of the effect, or `stiffness_name`; `size`: factor
-    /// to which the change is proportional; `place`: coordinates at which the change is evaluated.
+    /// Calls `use(name, size, place)` for each cause (an effect on grains, or a stiffness number
+    /// that differs from that of the `PlainEmulator`) that changes the observable `which` at a
+    /// state of steady shear from the prediction of the `PlainEmulator`, effects first. `name`:
+    /// name of the effect, or `stiffness_name`; `size`: factor to which the change is proportional;
+    /// `place`: coordinates at which the change is evaluated.
     template <typename Use>
     void each_cause(const FlowState& state, dem::Observable which, const Use& use) const;
     /// Whether the stiffness number of a state of steady shear changes predictions: it differs from
     /// that of the `PlainEmulator`, and `knows_stiffness` is true.
     bool stiffened(const FlowState& state) const;
-    /// Whether a run trains the change of an observable by the cause `name`: for an effect, the run
-    /// has this effect alone, at any stiffness number; for stiffness, the run has another stiffness
-    /// number and no effects.
+    /// Whether a run trains the predictor of how the cause `name` changes an observable. For an
+    /// effect, the run has this effect alone, at any stiffness number, with values that models of
+    /// studies can have; for stiffness, the run has another stiffness number and no effects.
     bool trains(const dem::RunResult& run, const std::string& name, dem::Observable which) const;
 
-    /// Predictor of the change of an observable by one cause, with the predictions without the
-    /// cause from which its training changes were computed.
+    /// Predictor of how one cause changes an observable, with the predictions without the cause
+    /// from which its training changes were computed.
     struct LearnedResponse {
         EffectResponse response;
         /// Queries at the state of each training run, without the cause.
@@ -119,13 +120,13 @@ class Emulator {
         /// `sizes`.
         Eigen::MatrixXd plain_error;
     };
-    /// Returns the predictor of the change of an observable by the cause `name`, trained at the
-    /// first call.
-    /// @throws std::invalid_argument where no run has this cause alone
+    /// Returns the predictor of how the cause `name` changes the observable `which`; it is trained
+    /// at the first call.
+    /// @throws std::invalid_argument if no run has `name` as its only cause of a change
     const LearnedResponse& response_to(const std::string& name, dem::Observable which) const;
-    /// Trains the predictor of the change of an observable by the cause `name` on the runs that
-    /// have this cause alone.
-    /// @throws std::invalid_argument where there is no such run
+    /// Trains a predictor of how the cause `name` changes the observable `which`, on the runs that
+    /// have `name` as their only cause of a change.
+    /// @throws std::invalid_argument if no run has `name` as its only cause of a change
     std::unique_ptr<const LearnedResponse> learned(const std::string& name,
                                                    dem::Observable which) const;
     /// Covariance of the errors of the predictions without causes between the training states of

@@ -11,8 +11,8 @@
 
 namespace pendular {
 
-/// Relative deviation of a cohesion line from the stress ratio of a wet reading to which the line
-/// was not fitted.
+/// Relative amount by which a cohesion line (straight line of stress ratio against 1/P*)
+/// overestimates the stress ratio of a wet reading to which it was not fitted.
 struct Overestimate {
     double reduced_pressure = 0;  ///< reduced pressure P* of the reading [1]
     /// Relative deviation [1]: (line - stress ratio of the reading)/(stress ratio of the reading).

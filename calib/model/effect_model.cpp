@@ -48,7 +48,7 @@ EffectModel::EffectModel(std::shared_ptr<const FlowPredictor> inside, const Stud
       parameters_(inside_->parameters()) {
     for (const Effect* effect : effects_) {
         for (const EffectParameter& p : effect->parameters) {
-            if (!p.is_switch()) {
+            if (p.is_fitted()) {
                 parameters_.push_back({.name = fmt::format("{}.{}", effect->name, p.name),
                                        .unit = p.unit,
                                        .lower = p.lower,
@@ -59,13 +59,17 @@ EffectModel::EffectModel(std::shared_ptr<const FlowPredictor> inside, const Stud
     }
 }
 
+bool EffectModel::changes_grains() const {
+    return std::ranges::any_of(effects_, &Effect::of_grains);
+}
+
 std::vector<ActiveEffect> EffectModel::effects_at(const Eigen::VectorXd& parameters) const {
     std::vector<ActiveEffect> active;
     auto next = static_cast<Eigen::Index>(inside_->parameters().size());
     for (const Effect* effect : effects_) {
         std::vector<double> values;
         for (const EffectParameter& p : effect->parameters) {
-            values.push_back(p.is_switch() ? 1 : parameters(next++));
+            values.push_back(p.is_fitted() ? parameters(next++) : p.value_if_not_fitted());
         }
         active.push_back({effect, std::move(values)});
     }
@@ -196,16 +200,13 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
         return Eigen::VectorXd((values_at(above, of_instrument) - values_at(below, of_instrument)) /
                                (above(k) - below(k)));
     };
-    // The inner model returns the slopes by its own parameters. They do not contain how the
-    // response to effects on grains depends on these parameters, which needs difference quotients.
-    const bool grains = std::ranges::any_of(effects_, &Effect::of_grains);
-    for (Eigen::Index k = 0; grains && k < inside; ++k) {
+    for (Eigen::Index k = 0; changes_grains() && k < inside; ++k) {
         result.jacobian.col(k) = quotient(k, step_share * std::max(0.1, parameters(k)), false);
     }
     Eigen::Index next = inside;
     for (const Effect* effect : effects_) {
         for (const EffectParameter& p : effect->parameters) {
-            if (!p.is_switch()) {
+            if (p.is_fitted()) {
                 result.jacobian.col(next) =
                     quotient(next, step_share * p.smallest_of_interest, effect->of_instrument());
                 ++next;
@@ -218,14 +219,26 @@ Prediction EffectModel::predict(const Eigen::VectorXd& parameters,
                                 const std::vector<Condition>& conditions,
                                 PredictionPart what) const {
     const Truths truths = truths_at(parameters, conditions);
-    const Prediction inside =
-        inside_->predict_flow(inside_parameters(parameters), truths.imposed, what);
+    // The inner model's slopes by its own parameters do not contain how the response to effects on
+    // grains depends on these parameters, which needs difference quotients.
+    const bool own_slopes = what == PredictionPart::slopes && !changes_grains();
+    const Prediction inside = inside_->predict_flow(
+        inside_parameters(parameters), truths.imposed,
+        what == PredictionPart::covariance || own_slopes ? what : PredictionPart::values);
     Prediction result{
         .value = shown(truths, inside.value), .jacobian = {}, .covariance = {}, .run_noise = {}};
     if (what == PredictionPart::values) {
         return result;
     }
+    result.jacobian = Eigen::MatrixXd::Zero(inside.value.size(), parameters.size());
+    add_slopes(parameters, conditions, truths, inside.value, result);
+    if (what == PredictionPart::slopes && !own_slopes) {
+        return result;
+    }
     const Eigen::SparseMatrix<double> slopes = shown_by_predicted(truths, inside.value);
+    if (!changes_grains()) {
+        result.jacobian.leftCols(inside.jacobian.cols()) = slopes * inside.jacobian;
+    }
     const auto shown_covariance = [&](const Eigen::MatrixXd& predicted) {
         const Eigen::MatrixXd half = slopes * predicted;
         return Eigen::MatrixXd(half * slopes.transpose());
@@ -238,9 +251,6 @@ Prediction EffectModel::predict(const Eigen::VectorXd& parameters,
         }
         result.run_noise = shown_covariance(inside.run_noise);
     }
-    result.jacobian = Eigen::MatrixXd::Zero(inside.value.size(), parameters.size());
-    result.jacobian.leftCols(inside.jacobian.cols()) = slopes * inside.jacobian;
-    add_slopes(parameters, conditions, truths, inside.value, result);
     return result;
 }
 

@@ -84,6 +84,8 @@ class EffectModel : public Predictor {
     /// for each true value.
     Eigen::SparseMatrix<double> shown_by_predicted(const Truths& truths,
                                                    const Eigen::VectorXd& predicted) const;
+    /// Whether an effect of the model acts on grains.
+    bool changes_grains() const;
     /// Sets the derivatives of the prediction `result` with respect to the effects' parameters.
     /// Where an effect acts on grains, also sets the derivatives with respect to the inner model's
     /// parameters. All are difference quotients.

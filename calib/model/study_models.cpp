@@ -98,6 +98,7 @@ void StudyModels::add_candidate(const Effect& effect) {
                                true});
     } else {
         Candidate candidate{effect.name, effect.parameters, group_of(effect)};
+        std::erase_if(candidate.parameters, &EffectParameter::only_simulated);
         // An effect that the liquid switches on is neutral at the value that the liquid gives.
         candidate.parameters.front().neutral = effect.unlisted_value(study_.study().liquid);
         if (effect.of_closure()) candidate.level = static_cast<int>(*effect.level());

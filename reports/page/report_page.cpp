@@ -209,7 +209,8 @@ PageSection ladder_section(const PageContent& content) {
     PageSection section{.id = "ladder", .title = "Ladder of models"};
     PageTable table{.caption = "Models of this study in the order of time",
                     .head = {"step", "change", "effects", "chi2", "degrees of freedom",
-                             "RMS error of shear stress [%]", "RMS error of solid fraction [%]"}};
+                             "relative RMS error of shear stress [%]",
+                             "relative RMS error of solid fraction [%]"}};
     for (const LadderStep& step : content.ladder) {
         table.rows.push_back(
             {fmt::format("{}", step.step),

@@ -20,8 +20,8 @@ const Effect& effect_of(const StatedDirect& stated, const Study& study,
     }
     if (const auto why = why_not(*effect, study))
         throw InputError(stated.effect_position, fmt::format("'effect': {}", *why));
-    // No effect has several parameters so far.
-    if (effect->parameters.size() != 1 || effect->is_switch())
+    // No effect has several fitted parameters so far.
+    if (std::ranges::count_if(effect->parameters, &EffectParameter::is_fitted) != 1)
         throw InputError(stated.effect_position,
                          fmt::format("'effect': {} is a switch without a size that could be "
                                      "measured; leave this entry out",

@@ -71,6 +71,9 @@ struct ChangePairs {
     /// with any sign (V0: mean volume of a bridge as it forms). The liquid content of a sample is
     /// then the sum of these volumes; without such an effect, each bridge has the volume V0.
     bool volume_in_history = false;
+    /// Returns the rate [1 per unit of shear strain] at which the volumes of the bridges of a grain
+    /// even out (`LiquidExchange`). Null: bridges exchange no liquid.
+    double (*exchange_rate)(const Values&) = nullptr;
     /// True if the effect lets bridges form without contact, at any gap below the rupture distance.
     bool bridges_without_contact = false;
     /// Returns the law of the liquid bridges as the effect changes it, given the law without the

@@ -42,6 +42,16 @@ double GrainEffects::damping_rate(const BridgeLaw& law) const {
     return rate;
 }
 
+double GrainEffects::exchange_rate() const {
+    double rate = 0;
+    for (const OnPairs& on : pairs_) {
+        if (on.change->exchange_rate) {
+            rate += on.change->exchange_rate(Values(on.parameters, on.values));
+        }
+    }
+    return rate;
+}
+
 std::vector<double> GrainEffects::diameters(std::size_t count, std::uint64_t seed) const {
     if (samples_.empty()) {
         return {};

@@ -38,6 +38,9 @@ class GrainEffects {
     bool bridges_without_contact() const { return bridges_without_contact_; }
     BridgeLaw changed(BridgeLaw law) const;
     double damping_rate(const BridgeLaw& law) const;
+    /// Rate at which the volumes of the bridges of a grain even out [1 per unit of shear strain];
+    /// 0: bridges exchange no liquid.
+    double exchange_rate() const;
     /// Random diameters of `count` grains, divided by their mean [1]; empty if no effect changes
     /// sizes.
     /// @param seed seed of the random numbers

@@ -174,6 +174,7 @@ void ShearCell::step(EnergyAccounting accounting) {
         moved = move_grains();
     }
     check_state();
+    exchange_liquid();
     motion_ = moved;
     advance_cell();
     if (servo_) {
@@ -270,6 +271,14 @@ void ShearCell::adjust_height_rate() {
         gain += effect_viscosity * effects_.damping_rate(bridges_) / (servo_modulus * stiffness);
     }
     flow_.height_rate += (wanted - flow_.height_rate) / (1 + gain);
+}
+
+void ShearCell::exchange_liquid() {
+    const double rate = bridging_ ? effects_.exchange_rate() : 0;
+    if (rate > 0) {
+        exchange_.flow(pairs_, *effects_.volume_in_history(), grains_.size(),
+                       rate * time_step_ * std::abs(flow_.shear_rate));
+    }
 }
 
 void ShearCell::check_state() const {

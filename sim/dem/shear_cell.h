@@ -8,6 +8,7 @@
 #include "sim/dem/grain_effects.h"
 #include "sim/dem/grains.h"
 #include "sim/dem/integrator.h"
+#include "sim/dem/liquid_exchange.h"
 #include "sim/dem/pair_laws.h"
 #include "sim/dem/pair_list.h"
 #include "sim/dem/shares.h"
@@ -135,6 +136,7 @@ class ShearCell {
 
   private:
     void adjust_height_rate();
+    void exchange_liquid();
     void check_state() const;
     PairSums sum_forces(const PairLaws& laws);
     /// Adds the forces of the pairs of one share to `net_forces`. If `moved` is given, each grain
@@ -157,6 +159,7 @@ class ShearCell {
     PairList pairs_;
     Material material_;
     GrainEffects effects_;
+    LiquidExchange exchange_;
     BridgeLaw bridges_;
     Flow flow_;
     int parts_ = 1;

@@ -98,40 +98,55 @@ void own_volumes(const dem::PairBatch& batch, const dem::PairContext& context) {
 /// sheared sample a bridge takes up the liquid that it finds where it forms, so that volumes
 /// differ. The force in contact does not depend on the volume; a small bridge attracts less and
 /// breaks earlier, a large one attracts more and reaches further. Bridges break sooner when they
-/// are small, so that those without contact are larger than the mean. No liquid flows between
-/// bridges while they last; if it flowed fast, volumes would be equal, as in the base law. While
-/// the deviation is small, the readings change with the variance of the volumes, its square.
+/// are small, so that those without contact are larger than the mean. Simulations may let liquid
+/// flow between the bridges of a grain; if it flows fast, volumes become equal, as in the base law.
+/// The readings hardly tell this exchange from a smaller deviation, so that studies fit the
+/// deviation alone. While the deviation is small, the readings change with the variance of the
+/// volumes, its square.
 Effect unequal_bridges() {
-    return {.summary = "liquid bridges differ in volume",
-            .equation =
-                "volume V of a bridge lognormal of mean V0 as it forms, then constant;\n"
-                "F = F0 [1 - h/sqrt(h^2 + 4 V/(pi a))],  rupture distance V^(1/3)",
-            .parameters = {{.name = "deviation",
-                            .unit = "1",
-                            .lower = 0,
-                            .upper = 1,
-                            .neutral = 0,
-                            .smallest_of_interest = 0.5,
-                            .meaning = "standard deviation of the bridges' volumes over their "
-                                       "mean, as they form",
-                            .amplitude = [](double deviation) { return deviation * deviation; }}},
-            .change = dem::ChangePairs{.contact_history = 1,
-                                       .volume_in_history = true,
-                                       .bridge_law =
-                                           [](dem::BridgeLaw law, const Values& v) {
-                                               law.rupture_distance *=
-                                                   std::cbrt(Volumes(v["deviation"]).largest());
-                                               return law;
-                                           },
-                                       .bridge = own_volumes},
-            .touches = Touches::wet,
-            .fades_with_capillarity = true,
-            .acts_through = {"liquid_content", "1/reduced_pressure"},
-            .references = {
-                "Scheel, Seemann, Brinkmann, Di Michiel, Sheppard, Breidenbach, Herminghaus, "
-                "Nature Materials 7 (2008) 189: volumes of bridges in wet beads",
-                "Mani, Kadau, Or, Herrmann, Phys. Rev. Lett. 109 (2012) 248001: volumes of bridges "
-                "under shear"}};
+    return {
+        .summary = "liquid bridges differ in volume",
+        .equation =
+            "volume V of a bridge lognormal of mean V0 as it forms; then, of bridge k between "
+            "grains i and j,\n"
+            "dV_k/d(strain) = exchange [(m_i + m_j)/2 - V_k],  m_i: mean of grain i's bridges;\n"
+            "F = F0 [1 - h/sqrt(h^2 + 4 V/(pi a))],  rupture distance V^(1/3)",
+        .parameters = {{.name = "deviation",
+                        .unit = "1",
+                        .lower = 0,
+                        .upper = 1,
+                        .neutral = 0,
+                        .smallest_of_interest = 0.5,
+                        .meaning = "standard deviation of the bridges' volumes over their "
+                                   "mean, as they form",
+                        .amplitude = [](double deviation) { return deviation * deviation; }},
+                       {.name = "exchange",
+                        .unit = "1",
+                        .lower = 0,
+                        .upper = 1000,
+                        .neutral = 0,
+                        .smallest_of_interest = 1,
+                        .meaning = "rate per unit of shear strain at which liquid evens out "
+                                   "between the bridges of a grain; in simulations only",
+                        .only_simulated = true}},
+        .change = dem::ChangePairs{.contact_history = 1,
+                                   .volume_in_history = true,
+                                   .exchange_rate = [](const Values& v) { return v["exchange"]; },
+                                   .bridge_law =
+                                       [](dem::BridgeLaw law, const Values& v) {
+                                           law.rupture_distance *=
+                                               std::cbrt(Volumes(v["deviation"]).largest());
+                                           return law;
+                                       },
+                                   .bridge = own_volumes},
+        .touches = Touches::wet,
+        .fades_with_capillarity = true,
+        .acts_through = {"liquid_content", "1/reduced_pressure"},
+        .references = {
+            "Scheel, Seemann, Brinkmann, Di Michiel, Sheppard, Breidenbach, Herminghaus, "
+            "Nature Materials 7 (2008) 189: volumes of bridges in wet beads",
+            "Mani, Kadau, Or, Herrmann, Phys. Rev. Lett. 109 (2012) 248001: volumes of bridges "
+            "under shear"}};
 }
 
 }  // namespace pendular

@@ -207,9 +207,15 @@ EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked
     return changed_condition(std::move(condition), plan.effects, plan.liquid);
 }
 
-CellState shown_at_set_points(const LabPlan& plan, const Condition& asked, const FlowPoint& flow) {
-    const InstrumentMap map = map_of(plan, asked);
-    return map.show(truth_of(plan, asked, flow, map));
+std::function<CellState(double)> shown_over_time(const LabPlan& plan, const Condition& asked,
+                                                 const FlowPoint& flow) {
+    InstrumentMap map = map_of(plan, asked);
+    CellState truth = truth_of(plan, asked, flow, map);
+    return [map = std::move(map), truth](double time) {
+        CellState now = truth;
+        now.time = time;
+        return map.show(now);
+    };
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -49,8 +50,8 @@ struct PlannedRecording {
 
 /// Returns all recordings of a plan, in the order of measurement: dry recordings first, then those
 /// of each liquid content. They follow one another without a pause. The time of a step of constant
-/// set points is the mean time of its part after the start-up transient [s]; effects that depend on
-/// time have their value at this time throughout the step.
+/// set points is the mean time of its part after the start-up transient [s]; effects on the
+/// grains that depend on time have their value at this time throughout the step.
 std::vector<PlannedRecording> recordings_of(const LabPlan& plan);
 
 /// Returns the true condition of the grains, in SI units, at which the instrument shows the
@@ -60,17 +61,20 @@ std::vector<PlannedRecording> recordings_of(const LabPlan& plan);
 /// The height of the sample, which is unknown before the simulation, follows from a typical solid
 /// fraction of 0.6. True heights differ by up to 4 %, which shifts the simulated condition by about
 /// 0.1 %. The recording is made with the simulated height, so that it shows the true state exactly
-/// at the requested set points (`shown_at_set_points`).
+/// at the requested set points (`shown_over_time`).
 /// @param asked requested condition
 /// @throws InputError if no true state is shown as the requested condition
 EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked);
 
-/// Returns the state of the cell that the instrument shows, without noise, at a requested
-/// condition.
+/// Returns the function that gives the state of the cell that the instrument shows, without noise,
+/// at a time [s] since the first recording began. The true state is constant:
+/// the one that is shown as the requested condition at the condition's time. The effects on the
+/// instrument may change with time, as those of a lid that wobbles.
 /// @param asked requested condition
 /// @param flow true stress ratio and solid fraction of the grains [1]
 /// @throws InputError if no true state is shown as the requested condition
-CellState shown_at_set_points(const LabPlan& plan, const Condition& asked, const FlowPoint& flow);
+std::function<CellState(double)> shown_over_time(const LabPlan& plan, const Condition& asked,
+                                                 const FlowPoint& flow);
 
 /// Returns the reason why no virtual laboratory can have an effect, for messages that begin with
 /// the name of the effect; empty where it can have the effect. Effects on closures and on

@@ -72,6 +72,7 @@ double factor(const Mean& simulated, double scatter, InstrumentNoise& random) {
 /// Steady values that the instrument shows in a step after the transient.
 struct Level {
     double torque, normal_force, height, angular_velocity, shear_rate;
+    const TrueState* state;  ///< state that is shown; the values belong to its condition's time
 };
 
 /// Returns the state that an ideal instrument, without effects and noise, shows.
@@ -95,33 +96,58 @@ Level level_of(const TrueState& state, const AnnularCell& cell, const GrainPrope
                const Instrument& instrument, InstrumentNoise& random) {
     const Condition& c = state.condition;
     const double rate = shear_rate_at(c.inertial_number, c.normal_stress, grains);
-    const CellState shown = state.shown.value_or(as_it_is(state, cell, grains));
+    const CellState shown = state.shown ? state.shown(c.time) : as_it_is(state, cell, grains);
     // Separate statements fix the order in which random numbers are drawn, which determines the
     // recording.
     const double of_torque = factor(state.stress_ratio, instrument.noise * torque_scatter, random);
     const double of_height =
         factor(state.solid_fraction, instrument.noise * solid_fraction_scatter, random);
     // If the shown solid fraction is too high, the shown gap is too small.
-    return {shown.torque * of_torque, shown.normal_force, shown.height / of_height,
-            shown.angular_velocity, rate};
+    return {shown.torque * of_torque,
+            shown.normal_force,
+            shown.height / of_height,
+            shown.angular_velocity,
+            rate,
+            &state};
 }
 
-void append_step(Recording& recording, const Level& level, const Instrument& instrument,
+/// Returns the first row of a step after the transient.
+double first_steady_row(double rows) {
+    return rows * transient_strain / step_strain;
+}
+
+/// Returns the values of a step at a time [s]: those of its mean time, times what the instrument
+/// shows now over what it shows then.
+Level at_time(Level level, double time) {
+    const TrueState& state = *level.state;
+    if (!state.shown) return level;
+    const CellState then = state.shown(state.condition.time), now = state.shown(time);
+    level.torque *= now.torque / then.torque;
+    level.normal_force *= now.normal_force / then.normal_force;
+    level.height *= now.height / then.height;
+    level.angular_velocity *= now.angular_velocity / then.angular_velocity;
+    return level;
+}
+
+void append_step(Recording& recording, const Level& steady, const Instrument& instrument,
                  InstrumentNoise& random) {
     const double rows = instrument.rows, rows_per_strain = rows / step_strain;
-    const double steady_rows = rows * (1 - transient_strain / step_strain);
+    const double steady_rows = rows - first_steady_row(rows);
     const double within = share_within * instrument.noise;
     CorrelatedNoise torque_noise(within * torque_scatter,
                                  rows_per_strain * torque_correlation_strain, steady_rows);
     CorrelatedNoise height_noise(within * solid_fraction_scatter,
                                  rows_per_strain * height_correlation_strain, steady_rows);
-    const double spacing = spacing_of_rows(instrument, level.shear_rate);
+    const double spacing = spacing_of_rows(instrument, steady.shear_rate);
+    const double mean_row = (first_steady_row(rows) + rows - 1) / 2;
     const double start = recording.time.empty() ? 0 : recording.time.back() + spacing;
     const double interval = recording.interval.empty() ? 1 : recording.interval.back() + 1;
     for (int k = 0; k < instrument.rows; ++k) {
         const double strain = k / rows_per_strain;
         const double softening = std::exp(-strain / softening_strain);
         const double rising = std::exp(-strain / elastic_strain);
+        const Level level =
+            at_time(steady, steady.state->condition.time + (k - mean_row) * spacing);
         recording.line.push_back(static_cast<int>(recording.line.size()) + 2);
         recording.time.push_back(start + k * spacing);
         recording.torque.push_back(level.torque *
@@ -147,7 +173,7 @@ double time_steps(std::vector<Condition>& steps, const GrainProperties& grains,
         const double spacing = spacing_of_rows(instrument, rate);
         if (&step != &steps.front()) start = last + spacing;
         last = start + (rows - 1) * spacing;
-        const double steady = start + rows * transient_strain / step_strain * spacing;
+        const double steady = start + first_steady_row(rows) * spacing;
         step.time = now + (steady + last) / 2;
     }
     return last;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,9 +25,9 @@ struct TrueState {
     Condition condition;  ///< requested condition of the step
     Mean stress_ratio;    ///< true stress ratio of the grains with its standard error [1]
     Mean solid_fraction;  ///< true solid fraction of the grains with its standard error [1]
-    /// State of the cell that the instrument shows without noise; empty if it equals the true
-    /// state.
-    std::optional<CellState> shown = {};
+    /// State of the cell that the instrument shows without noise at a time [s] on the scale of
+    /// `Condition::time`; empty if it equals the true state.
+    std::function<CellState(double)> shown = {};
 };
 
 /// Noise, drift and number of recorded rows of a virtual rheometer.
@@ -58,6 +58,8 @@ double time_steps(std::vector<Condition>& steps, const GrainProperties& grains,
 /// The noise of torque and gap within the step is Gaussian and correlated over strains of 0.03 and
 /// 0.1, as in simulated samples. The normal force has white noise of `noise` times 0.2 % about its
 /// set point, so that the mean force of a step of 400 rows is off by 0.01 %.
+///
+/// An instrument whose faults change with time (`TrueState::shown`) shows them from row to row.
 ///
 /// A step lasts a strain of 20. The torque first rises over a strain of about 0.02 and overshoots
 /// its steady value by up to 30 %; the gap begins 2 % below its steady value. Both deviations decay

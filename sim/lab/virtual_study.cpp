@@ -66,7 +66,7 @@ TrueState true_state(const LabPlan& plan, const LabStep& step, double ratio_erro
     fraction.standard_error = fraction_error * fraction.value;
     TrueState state{step.condition, ratio, fraction};
     if (!plan.effects.empty()) {
-        state.shown = shown_at_set_points(plan, step.condition, {ratio.value, fraction.value});
+        state.shown = shown_over_time(plan, step.condition, {ratio.value, fraction.value});
     }
     return state;
 }

@@ -71,8 +71,10 @@ std::string effects_text(const std::vector<EffectValues>& effects) {
     for (const EffectValues& active : effects) {
         const Effect& effect = built_in_effect(active.effect);
         for (std::size_t k = 0; k < active.values.size(); ++k) {
-            text += fmt::format("{}{}.{}={}", text.empty() ? "" : " ", effect.name,
-                                effect.parameters[k].name, active.values[k]);
+            const EffectParameter& p = effect.parameters[k];
+            if (p.only_simulated && active.values[k] == p.neutral) continue;
+            text += fmt::format("{}{}.{}={}", text.empty() ? "" : " ", effect.name, p.name,
+                                active.values[k]);
         }
     }
     return text;

@@ -2,6 +2,7 @@
 // bridge of its own volume, and the liquid of a sample.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -9,6 +10,7 @@
 #include "sim/catalogue/effect.h"
 #include "sim/dem/grain_effects.h"
 #include "sim/dem/pair_forces.h"
+#include "sim/dem/shear_cell.h"
 #include "sim/dem/structure.h"
 #include "sim/runs/ensemble.h"
 #include "sim/runs/run_request.h"
@@ -20,8 +22,8 @@ using namespace pendular::dem;
 
 constexpr double bridge_volume = 4e-3;
 
-EffectValues unequal(double deviation) {
-    return {"unequal-bridges", {deviation}};
+EffectValues unequal(double deviation, double exchange = 0) {
+    return {"unequal-bridges", {deviation, exchange}};
 }
 
 /// Volumes over V0 that bridges get between pairs of grains in contact, in random directions.
@@ -188,6 +190,102 @@ TEST(UnequalBridges, CountTheLiquidThatTheyHold) {
     }
     EXPECT_GT(count, 300);
     EXPECT_NEAR(mean_bridge_volume(cell.pairs(), cell.effects()), volume / count, 1e-12);
+}
+
+/// Number of bridges of a sample, sum of their volumes over V0, and sum of the squared volumes.
+std::array<double, 3> sums_of_volumes(const PairList& pairs) {
+    std::array<double, 3> sums{};
+    for (const Pairs* list : {&pairs.narrow(), &pairs.distant()}) {
+        for (std::size_t k = 0; k < list->size(); ++k) {
+            const double volume = list->bridge[k] * std::abs(list->history_of(k).front());
+            sums[0] += list->bridge[k], sums[1] += volume, sums[2] += volume * volume;
+        }
+    }
+    return sums;
+}
+
+double relative_deviation(const std::array<double, 3>& sums) {
+    const double mean = sums[1] / sums[0];
+    return std::sqrt(sums[2] / sums[0] - mean * mean) / mean;
+}
+
+/// Sample in steady flow whose bridges differ in volume and exchange liquid at this rate.
+ShearCell sheared(double exchange, int steps) {
+    ShearCell cell(150, {.modulus = 5e3, .friction = 0.3}, 0.05, 9,
+                   BridgeLaw(Wetting{2, bridge_volume}), 1,
+                   grain_effects({unequal(1, exchange)}, true));
+    if (!cell.compress()) throw std::logic_error("the sample was not compressed");
+    for (int step = 0; step < steps; ++step) {
+        cell.step();
+    }
+    return cell;
+}
+
+TEST(UnequalBridges, ExchangeLiquidAndLoseNone) {
+    const ShearCell cell = sheared(0, 500);
+    PairList pairs = cell.pairs();
+    const std::array<double, 3> before = sums_of_volumes(pairs);
+    ASSERT_GT(before[0], 300);
+    LiquidExchange exchange;
+    for (int step = 0; step < 1000; ++step) {
+        exchange.flow(pairs, 0, cell.grains().size(), 0.01);
+    }
+    const std::array<double, 3> after = sums_of_volumes(pairs);
+    EXPECT_EQ(after[0], before[0]);
+    EXPECT_NEAR(after[1] / before[1], 1, 1e-12);
+    // Ten times the time of exchange: volumes differ much less, and no bridge is empty.
+    EXPECT_LT(relative_deviation(after), 0.3 * relative_deviation(before));
+    for (const Pairs* list : {&pairs.narrow(), &pairs.distant()}) {
+        for (std::size_t k = 0; k < list->size(); ++k) {
+            if (list->bridge[k] == 1) EXPECT_GT(std::abs(list->history_of(k).front()), 0);
+        }
+    }
+}
+
+TEST(UnequalBridges, RelaxAtTheStatedRate) {
+    // Three grains in a row: the middle one has two bridges, of 1/2 and 3/2 V0, whose difference D
+    // obeys dD/d(strain) = rate/2 D - rate D: each has the mean of both on one side only.
+    Grains grains{3};
+    for (int i = 0; i < 3; ++i) {
+        grains.position(static_cast<std::size_t>(i)) = {5 + 0.999 * i, 5, 5};
+    }
+    dem::Cell cell{20, 20, 20, 0};
+    PairList pairs(0.2, 1, {.contact_history = 1});
+    pairs.rebuild(grains, cell);
+    ASSERT_GE(pairs.narrow().size(), 2u);
+    int bridges = 0;
+    for (std::size_t k = 0; k < pairs.narrow().size(); ++k) {
+        if (pairs.narrow().first[k] == pairs.narrow().second[k]) continue;  // a placeholder
+        pairs.narrow().bridge[k] = 1;
+        pairs.narrow().contact_history[0][k] = bridges++ == 0 ? -0.5 : 1.5;
+    }
+    ASSERT_EQ(bridges, 2);
+    LiquidExchange exchange;
+    const double rate = 0.7, strain = 1e-4;
+    for (int step = 0; step < 10'000; ++step) {
+        exchange.flow(pairs, 0, 3, rate * strain);
+    }
+    std::vector<double> volumes;
+    for (std::size_t k = 0; k < pairs.narrow().size(); ++k) {
+        if (pairs.narrow().bridge[k] > 0) volumes.push_back(pairs.narrow().contact_history[0][k]);
+    }
+    EXPECT_LT(volumes[0], 0);  // the sign follows the order of the grains
+    EXPECT_NEAR(volumes[1] + volumes[0] * -1, 2, 1e-12);
+    EXPECT_NEAR(volumes[1] - std::abs(volumes[0]), std::exp(-rate / 2), 1e-4);
+}
+
+TEST(UnequalBridges, AreMoreAlikeInAFlowWhereLiquidIsExchanged) {
+    const double without = relative_deviation(sums_of_volumes(sheared(0, 4000).pairs()));
+    const double slow = relative_deviation(sums_of_volumes(sheared(1, 4000).pairs()));
+    const double fast = relative_deviation(sums_of_volumes(sheared(100, 4000).pairs()));
+    EXPECT_LT(slow, 0.95 * without);
+    EXPECT_LT(fast, 0.5 * slow);
+}
+
+TEST(UnequalBridges, KeepTheNamesOfRunsWithoutExchange) {
+    EXPECT_EQ(effects_text({unequal(0.5)}), "unequal-bridges.deviation=0.5");
+    EXPECT_EQ(effects_from("unequal-bridges.deviation=0.5"), std::vector{unequal(0.5)});
+    EXPECT_EQ(effects_from(effects_text({unequal(0.5, 3)})), std::vector{unequal(0.5, 3)});
 }
 
 }  // namespace unequal_bridges_test

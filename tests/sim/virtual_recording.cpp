@@ -6,6 +6,7 @@
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "data/recordings/steady_state.h"
@@ -182,6 +183,30 @@ TEST(VirtualRecording, IsTheSameForTheSameSeed) {
     };
     EXPECT_EQ(csv(4), csv(4));
     EXPECT_NE(csv(4), csv(5));
+}
+
+TEST(VirtualRecording, ShowsAWobbleOfTheInstrumentFromRowToRow) {
+    TrueState wobbling = state(0, 0);
+    wobbling.condition.time = 7;
+    constexpr double period = 0.5;
+    wobbling.shown = [&](double time) {
+        const double height = pendular::height(0.6, cell);
+        return CellState{
+            .torque =
+                torque(300, cell) * (1 + 0.1 * std::sin(2 * std::numbers::pi * time / period)),
+            .normal_force = normal_force(1000, cell),
+            .height = height,
+            .angular_velocity = angular_velocity(shear_rate_at(0.01, 1000, grains), height, cell),
+            .time = time};
+    };
+    std::vector<Condition> steps = {wobbling.condition};
+    time_steps(steps, grains, {}, 0);
+    const double shift = 7 - steps[0].time;  // from the time of the rows to that of the instrument
+    const Recording recording = record({wobbling}, cell, grains, {.noise = 0}, 5);
+    for (std::size_t k = 100; k < recording.size(); ++k) {
+        const double phase = 2 * std::numbers::pi * (recording.time[k] + shift) / period;
+        EXPECT_NEAR(recording.torque[k] / torque(300, cell), 1 + 0.1 * std::sin(phase), 1e-6) << k;
+    }
 }
 
 }  // namespace sim_virtual_recording_test

@@ -1,5 +1,6 @@
 #include "data/recordings/findings/harmonics.h"
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ namespace pendular {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
-constexpr double least_turns = 2, least_samples_per_turn = 8;
+constexpr double least_turns = 1.5, least_samples_per_turn = 8;
 constexpr std::size_t least_samples = 40;
 constexpr int highest_per_turn = 2, most_neighbours = 20;
 /// p value of a periodic part below which means are taken over whole turns [1].
@@ -128,6 +129,8 @@ std::vector<Harmonic> harmonics(std::span<const double> samples, std::span<const
     const Eigen::Map<const Eigen::VectorXd> values(samples.data(), n);
     const Eigen::MatrixXd columns = harmonic_columns(angle);
     const Eigen::VectorXd fit = columns.colPivHouseholderQr().solve(values);
+    // Over a part of a turn, the columns are not orthogonal.
+    const Eigen::MatrixXd unit_covariance = (columns.transpose() * columns).inverse();
     const Eigen::VectorXd residuals = values - columns * fit;
     const std::span<const double> left(residuals.data(), samples.size());
     LaggedCovariances covariance(left, left);
@@ -142,8 +145,10 @@ std::vector<Harmonic> harmonics(std::span<const double> samples, std::span<const
         if (level.frequencies == 0) continue;
         const double spectrum = level.ratio * noise.spectrum(q * turns_covered(angle) / count);
         const double amplitude = std::hypot(fit(2 * q), fit(2 * q + 1));
-        const double f = count * amplitude * amplitude / (4 * spectrum), k = level.frequencies;
-        result.push_back({q, amplitude, std::sqrt(2 * spectrum / count), std::pow(1 + f / k, -k)});
+        const Eigen::Matrix2d of_waves = spectrum * unit_covariance.block<2, 2>(2 * q, 2 * q);
+        const Eigen::Vector2d waves = fit.segment<2>(2 * q);
+        const double f = waves.dot(of_waves.inverse() * waves) / 2, k = level.frequencies;
+        result.push_back({q, amplitude, std::sqrt(of_waves.trace() / 2), std::pow(1 + f / k, -k)});
     }
     return result;
 }

@@ -26,9 +26,10 @@ std::vector<double> rotation_angle(const StepSeries& series);
 /// The squared amplitude c^2 + s^2 is compared with the noise at its frequency, which is the
 /// spectrum of the best autoregressive model of the residuals, times the mean ratio of the
 /// residuals' power to this spectrum at up to K = 20 neighbouring frequencies:
-///     p = (1 + F/K)^-K,   F = n (c^2 + s^2)/(4 noise),   n: number of samples
-/// Empty for less than two turns, less than eight samples a turn, less than 40 samples, and a
-/// series without noise.
+///     p = (1 + F/K)^-K,   F = (c s) C^-1 (c s)'/(2 noise),
+/// with the covariance C of c and s for independent noise of variance 1; F = n (c^2 + s^2)/(4
+/// noise) over whole turns of n samples. Empty for less than one and a half turns, less than eight
+/// samples a turn, less than 40 samples, and a series without noise.
 /// @param angle rotation angle of the lid at each sample [rad]
 std::vector<Harmonic> harmonics(std::span<const double> samples, std::span<const double> angle);
 
@@ -42,7 +43,7 @@ struct PeriodicColumn {
 };
 
 /// Periodic parts of torque, normal force and gap of a step, by `harmonics`. Empty for less than
-/// two turns of the lid, less than eight samples a turn, or less than 40 samples.
+/// one and a half turns of the lid, less than eight samples a turn, or less than 40 samples.
 std::vector<PeriodicColumn> periodic_columns(const StepSeries& series);
 
 /// Number of samples to leave out at the beginning of a steady series so that a whole number of
