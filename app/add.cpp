@@ -18,6 +18,7 @@
 #include "calib/fit/calibrate_study.h"
 #include "data/input_error.h"
 #include "reports/change_report.h"
+#include "reports/tables.h"
 #include "reports/with_error.h"
 #include "workflow/json_parts.h"
 #include "workflow/proposed_effects.h"
@@ -130,10 +131,10 @@ void print_evidence(Console& console, const ChangedStudy& changed, bool earlier_
     console.table(error_changes(before.ladder_step, after.ladder_step), 10);
     console.table(parameter_changes(before.ladder_step, after.ladder_step), 5);
     const bool adds = change.change == Action::add;
-    console.line(fmt::format(
-        "Chi2 is {:.2f} for {} degrees of freedom {} {}, and {:.2f} for {} {} it.",
-        before.ladder_step.chi2, before.ladder_step.dof, adds ? "without" : "with", change.effect,
-        after.ladder_step.chi2, after.ladder_step.dof, adds ? "with" : "without"));
+    console.line(fmt::format("Chi2 is {:.2f} for {} {} {}, and {:.2f} for {} {} it.",
+                             before.ladder_step.chi2, freedom_text(before.ladder_step.dof),
+                             adds ? "without" : "with", change.effect, after.ladder_step.chi2,
+                             after.ladder_step.dof, adds ? "with" : "without"));
     if (const std::string line = on_fitted_readings(changed, earlier_dry); !line.empty()) {
         console.line(line);
     }

@@ -8,6 +8,7 @@
 
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
+#include "reports/tables.h"
 
 namespace pendular {
 namespace {
@@ -50,9 +51,8 @@ Panel drop_panel(const Diagnosis& diagnosis, const std::vector<const Finding*>& 
         }
     }
     panel.curves = {predicted, refitted};
-    panel.references.push_back(
-        {fmt::format("χ^2 of the model, {} degrees of freedom", diagnosis.dof), diagnosis.chi2, 0,
-         false, "#888888"});
+    panel.references.push_back({fmt::format("χ^2 of the model, {}", freedom_text(diagnosis.dof)),
+                                diagnosis.chi2, 0, false, "#888888"});
     panel.key = Key::top_right;
     panel.headroom = 0.3;
     return panel;

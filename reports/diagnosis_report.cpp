@@ -7,6 +7,7 @@
 
 #include "reports/failure_report.h"
 #include "reports/joined.h"
+#include "reports/tables.h"
 #include "reports/with_error.h"
 #include "workflow/diagnosis_json.h"
 
@@ -351,10 +352,10 @@ std::string suspects_line(const Diagnosis& d, const Evidence& evidence) {
 
 std::string fit_line(const Diagnosis& d) {
     return fmt::format(
-        "Fitted to all readings: chi2 = {:.1f} for {} degrees of freedom. Test for lack of fit: p "
+        "Fitted to all readings: chi2 = {:.1f} for {}. Test for lack of fit: p "
         "{}. "
         "Test for a missing known effect: p {}. (A small p speaks against the model.)",
-        d.chi2, d.dof, p_text(d.lack_of_fit_p), p_text(d.further_p));
+        d.chi2, freedom_text(d.dof), p_text(d.lack_of_fit_p), p_text(d.further_p));
 }
 
 namespace {

@@ -9,6 +9,7 @@
 
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
+#include "reports/tables.h"
 
 namespace pendular {
 namespace {
@@ -62,7 +63,7 @@ Figure scan_figure(const Diagnosis& diagnosis, const ModelSpace& space) {
     if (!refitted.x.empty()) panel.curves.push_back(refitted);
     // Where no effect takes a good part of chi2, a line at chi2 would squeeze the bars.
     if (diagnosis.chi2 < 3 * reach) {
-        panel.references = {{fmt::format("χ^2 of the model, {} degrees of freedom", diagnosis.dof),
+        panel.references = {{fmt::format("χ^2 of the model, {}", freedom_text(diagnosis.dof)),
                              diagnosis.chi2, 0, true, "#888888"}};
         reach = std::max(reach, diagnosis.chi2);
     }

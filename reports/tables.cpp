@@ -29,16 +29,20 @@ constexpr std::size_t place_width = 28;
 
 }  // namespace
 
+std::string freedom_text(int degrees_of_freedom) {
+    return fmt::format("{} degree{} of freedom", degrees_of_freedom,
+                       degrees_of_freedom == 1 ? "" : "s");
+}
+
 std::string misfit_text(const Misfit& misfit) {
     Misfit known_errors = misfit;
     known_errors.freedom = INFINITY;
     // Else a reader would compute a far smaller p.
     const bool differs = known_errors.p() < misfit.p() / 10;
-    return fmt::format("chi2 = {:.1f} for {} degrees of freedom (p {}{})", misfit.chi2, misfit.dof,
-                       p_text(misfit.p()),
-                       differs && misfit.p() >= 1e-3
-                           ? ", which allows for errors estimated from few repetitions"
-                           : "");
+    return fmt::format(
+        "chi2 = {:.1f} for {} (p {}{})", misfit.chi2, freedom_text(misfit.dof), p_text(misfit.p()),
+        differs && misfit.p() >= 1e-3 ? ", which allows for errors estimated from few repetitions"
+                                      : "");
 }
 
 std::vector<std::string> readings_table(const Measurements& measurements) {

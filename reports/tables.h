@@ -36,6 +36,8 @@ std::vector<std::string> scatter_table(const Measurements& measurements);
 /// @param worst_first true: readings with the largest chi2 come first; false: order of the readings
 std::vector<std::string> predictions_table(const Comparison& comparison, bool worst_first = false);
 
+/// Text of a number of degrees of freedom: "46 degrees of freedom", "1 degree of freedom".
+std::string freedom_text(int degrees_of_freedom);
 /// Text on a misfit for use in a sentence: "chi2 = 45.72 for 46 degrees of freedom (p = 0.51)".
 /// Where the p value includes an allowance for errors that are estimated from few repetitions, the
 /// text says so.

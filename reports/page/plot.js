@@ -190,10 +190,10 @@ class Plot {
     }
     for (const p of s.points) {
       const x = xOf(p.x), y = yOf(p.y);
-      if (p.error) node("path", {d: `M${x.toFixed(1)} ${yOf(p.y - p.error).toFixed(1)}V${yOf(p.y + p.error).toFixed(1)}`, stroke: colour, "stroke-width": 1.2}, this.svg);
+      const bar = p.error ? node("path", {d: `M${x.toFixed(1)} ${yOf(p.y - p.error).toFixed(1)}V${yOf(p.y + p.error).toFixed(1)}`, stroke: colour, "stroke-width": 1.2}, this.svg) : null;
       const hollow = shape === "plus" || shape === "cross" || shape === "ring";
       const point = node("path", {d: shapePath(shape, x, y, 4.2), fill: hollow ? "none" : colour, stroke: colour, "stroke-width": hollow ? 1.8 : 1, "data-id": p.id}, this.svg);
-      this.places.push({x, y, id: p.id, point});
+      this.places.push({x, y, id: p.id, point, bar});
     }
     if (s.label && !s.keyless) {
       const entry = html("li", {}, this.key);
@@ -206,9 +206,10 @@ class Plot {
 
   // Shows which readings are marked, under the pointer, or left out.
   mark() {
-    for (const {point, id} of this.places || []) {
+    for (const {point, bar, id} of this.places || []) {
       const marked = this.page.marked.has(id), here = this.page.here === id, out = this.page.out === id;
-      point.setAttribute("opacity", out ? .25 : this.page.marked.size > 0 && !marked && !here ? .25 : 1);
+      const opacity = out || this.page.marked.size > 0 && !marked && !here ? .25 : 1;
+      for (const part of bar ? [point, bar] : [point]) part.setAttribute("opacity", opacity);
       if (here || marked) {
         point.setAttribute("stroke", "var(--ink)");
         point.setAttribute("stroke-width", 2.2);
