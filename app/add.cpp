@@ -95,10 +95,11 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
     set_confirmation(confirming, own.fit);
     const bool proposed = adds && options.given("proposed");
     if (words.size() != (proposed ? 0 : 1)) {
-        throw InputError(fmt::format(
-            "{}; usage: pendular {}",
-            words.empty() ? "EFFECT, the name of an effect, is missing" : "too many arguments",
-            usage));
+        throw InputError(fmt::format("{}; usage: pendular {}",
+                                     words.empty()
+                                         ? "argument EFFECT (the name of an effect) is not given"
+                                         : "too many arguments",
+                                     usage));
     }
     own.effects = proposed ? proposal(common->out_folder() / "proposed.toml", number) : words;
     own.fidelity_given = options.given("fidelity");
@@ -198,8 +199,9 @@ int change_study(Action what, const std::string& effect, const AddOptions& own,
     if (changed.written) {
         console.answer(answer_on(changed));
         print_doubts(console, belief, 0,
-                     changed.after_to_all ? "Warning on the fit to the dry readings: "
-                                          : "Warning on the new fit: ");
+                     changed.after_to_all
+                         ? "Warning on the fit of 'pendular calibrate', to the dry readings alone: "
+                         : "Warning on the new fit: ");
         const auto& readings = changed.before.calibration.readings;
         const bool earlier_dry = changed.before.calibration.fitted == readings.size() &&
                                  fitted_count(session->resolved(), readings) < readings.size();

@@ -88,8 +88,9 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
     }
     print_doubts(console, belief, 1);
     if (c.profile) {
-        console.line(fmt::format("The 68 % profile likelihood interval is {:.4g} to {:.4g}.",
-                                 c.profile->first, c.profile->second));
+        console.line(
+            fmt::format("The 68 % profile likelihood interval of the friction is {:.4f} to {:.4f}.",
+                        c.profile->first, c.profile->second));
     }
     const double p = comparison.fitted.p();
     if (belief.misfit_reason != 0) {  // else the answer states it
@@ -130,7 +131,7 @@ int calibrate(const std::vector<std::string>& arguments) {
         "together,\n"
         "and predicts the wet readings with it (fit_to = \"all\" in study.toml fits them too). The "
         "model is a\n"
-        "discrete-element simulation. In the least-squares fit, an emulator stands for it: a "
+        "discrete-element simulation. In the least-squares fit, an emulator replaces it: a "
         "statistical model\n"
         "trained on the simulations that come with the program (the atlas) and on those in the "
         "store.\n"
@@ -155,9 +156,10 @@ int calibrate(const std::vector<std::string>& arguments) {
     options.add_switch("cold", &fit.cold,
                        "use neither the atlas nor stored simulations: simulate all states that "
                        "the fit needs, and keep the results in the store");
-    options.add("lowest-reduced-pressure", &fit.cohesion.lowest_reduced_pressure,
-                "lowest reduced pressure P* = a^2 s22/F0 of the points to which cohesion lines are "
-                "fitted [1] (default 2.3)");
+    options.add(
+        "lowest-reduced-pressure", &fit.cohesion.lowest_reduced_pressure,
+        "fit the cohesion only to points with at least this reduced pressure P* = a^2 s22/F0 [1] "
+        "(a: grain diameter, s22: normal stress, F0: pull-off force of a bridge) (default 2.3)");
     options.add_switch("profile", &fit.profile,
                        "also compute the profile likelihood interval of the friction");
     const auto common = options.parse(arguments);

@@ -151,7 +151,7 @@ int campaign(const std::vector<std::string>& arguments) {
         "  pendular runs merge part-*.sqlite                             # merge the results\n"
         "  pendular campaign my.toml --dry-run\n",
         true);
-    options.set_first_word("FILE, the file that lists the simulations,");
+    options.set_first_word("FILE (the file that lists the simulations)");
     options.leave_out({"out", "fidelity"});
     std::string shard;
     options.add("shard", &shard,

@@ -27,11 +27,11 @@ namespace pendular::app {
 
 namespace {
 
-/// Beginning of the answer with the effects of the model: "With torque-offset and lid-slip, the RMS
-/// error of the model is".
+/// Beginning of the answer with the effects of the model: "With torque-offset and lid-slip, the
+/// relative RMS error of the model is".
 std::string with_effects(const ModelSettings& model) {
-    return model.effects.empty() ? "The RMS error of the model is"
-                                 : fmt::format("With {}, the RMS error of the model is",
+    return model.effects.empty() ? "The relative RMS error of the model is"
+                                 : fmt::format("With {}, the relative RMS error of the model is",
                                                joined(names_of(model.effects), "and"));
 }
 
@@ -65,8 +65,9 @@ int compare(const std::vector<std::string>& arguments) {
     options.leave_out({"fidelity", "store", "threads", "quiet"});
     CohesionOptions cohesion;
     options.add("lowest-reduced-pressure", &cohesion.lowest_reduced_pressure,
-                "lowest reduced pressure P* = a^2 s22/F0 of the points to which cohesion lines are "
-                "fitted [1] (default: as calibrated)");
+                "fit the cohesion only to points with at least this reduced pressure P* = a^2 "
+                "s22/F0 [1] (a: grain diameter, s22: normal stress, F0: pull-off force of a "
+                "bridge) (default: as calibrated)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

@@ -42,13 +42,13 @@ namespace {
 const char* const about_diagnose =
     R"(Tests whether the study's model is complete and, if not, which physical effects explain the
 residuals. The command fits all readings together, tests the residuals for every effect that applies
-to the study, refits the model with the likely effects, and keeps the smallest models that describe
-the readings. Verdicts:
-  nothing-missing       the model describes the readings, and each effect that can show in them would
-                        have shown if it were large enough to matter
-  inconclusive          the model describes the readings, but some effects that would matter might not
-                        show in them
-  missing               one effect, or one set of effects, explains the residuals, or most of them
+to the study, refits the model with the likely effects, and keeps the models with the fewest effects
+that describe the readings. Verdicts:
+  nothing-missing       the model describes the readings, and every effect that they can reveal would
+                        have been detected at its smallest size of interest
+  inconclusive          the model describes the readings, but they might not reveal some effects of
+                        the smallest size of interest
+  missing               one effect, or one set of effects, explains all or most of the misfit
   indistinguishable     several effects explain the residuals equally well
   suspect-measurement   an error in one condition or file explains the residuals
   unknown               something is missing, and no known effect explains it
@@ -60,13 +60,14 @@ Decisions on an effect:
   missing, with others      adding the effect explains most of the residuals, but not all
   may be missing            one of several effects that explain the residuals equally well
   may be missing too        part of another set of effects that explains the residuals as well
-  contains what is missing  the effect explains the residuals, but a smaller model does so too
+  contains what is missing  the effect explains the residuals, but so does a model with fewer effects
   does not explain it       the residuals resemble the effect, but adding it leaves a misfit
   no sign of it             something is missing, and the residuals do not resemble this effect
-  absent                    nothing is missing, and an effect that matters would have shown
-  cannot be excluded        an effect large enough to matter might not show in the readings
+  absent                    nothing is missing, and the effect would have been detected at its
+                            smallest size of interest
+  cannot be excluded        the readings might not reveal the effect at that size
   refit not converged       the fit with the effect did not converge: it is not tested
-  cannot be seen            the effect would not show even at the bounds of its parameter
+  cannot be seen            the readings do not reveal the effect even at the bounds of its parameter
 An emulator trained on Pendular's own simulations (the atlas) and all stored ones predicts
 the readings. New simulations are made only with --confirm: the command then simulates the states
 that reduce the errors of the best models most, and repeats the diagnosis with the results. It ends

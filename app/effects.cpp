@@ -35,9 +35,9 @@ A study may also define its own effects by formulas. The option --study lists th
   unit = "mN m s/rad"
   lower = -1
   upper = 1
-  torque = "torque + drag*angular_velocity"   # torque that the instrument shows, from the true one
+  torque = "torque + drag*angular_velocity"   # displayed torque, as a function of the true one
 
-Optional keys: neutral (value at which the effect vanishes, default 0), matters (smallest effect of
+Optional keys: neutral (value at which the effect vanishes, default 0), matters (smallest size of
 interest, default a tenth of the range), summary. A formula sets a quantity that the instrument
 shows (torque, normal_force, height or angular_velocity), a quantity of the flow (stress_ratio or
 solid_fraction), or a property of grains and liquid (friction_difference, which is added to the

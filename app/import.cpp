@@ -86,7 +86,7 @@ int import(const std::vector<std::string>& arguments) {
         "  pendular import export.csv --study my-study\n"
         "  pendular import export.csv --figures figures\n",
         true);
-    options.set_first_word("STUDY or FILE, the folder of a study or a file of an instrument,");
+    options.set_first_word("STUDY or FILE (the folder of a study, or a file of an instrument)");
     options.leave_out({"fidelity", "store", "threads", "quiet"});
     file.declare(options);
     const auto common = options.parse(arguments);
@@ -110,12 +110,12 @@ int import(const std::vector<std::string>& arguments) {
             : fmt::format("{} readings", measurements.readings.size()),
         readings.string(),
         left_out.empty() ? ""
-                         : fmt::format(" Not averaged: {} (listed in {}).", left_out,
+                         : fmt::format(" Excluded: {} (listed in {}).", left_out,
                                        (common->out_folder() / "excluded.csv").string())));
     for (const Doubt& doubt : measurements.doubts) {
         console.line(fmt::format(
             "Warning: {} {}", doubt.what,
-            doubt.set_aside ? "These readings are set aside." : "These readings are kept."));
+            doubt.set_aside ? "These readings are excluded." : "These readings are kept."));
     }
     console.table(findings_lines(measurements.findings, console.all()), 6);
     console.table(file_findings_lines(measurements.file_findings, console.all()), 6);

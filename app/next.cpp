@@ -32,15 +32,15 @@ plan stays within the range of the readings:
   bead_mass = ["30 g", "60 g"]            # fillings of the cell
   repeats = 5                             # largest number of readings at one condition (default 5)
   readings = 12                           # largest number at several conditions together (default 12)
-  wet_cost = 2                            # cost of a wet reading over that of a dry one (default 1)
-  filling_cost = 3                        # cost of another filling (default 0)
+  wet_cost = 2                            # cost of a wet reading, in dry readings (default 1)
+  filling_cost = 3                        # cost of another filling, in dry readings (default 0)
   wait = ["0 h", "4 h"]                   # waiting time after the last reading (default 0)
   hour_cost = 0.5                         # cost of waiting an hour, in dry readings (default 1)
 
-  [[rig.direct]]                          # an effect that can be measured directly: drag, by the
-  effect = "torque-offset"                # torque of the empty cell
+  [[rig.direct]]                          # an effect that can be measured directly, here the
+  effect = "torque-offset"                # drag, from the torque of the empty cell
   error = "0.05 mN m"                     # standard error of one such measurement
-  cost = 0.5                              # (default 1)
+  cost = 0.5                              # cost of one, in dry readings (default 1)
 
 Write the result of a direct measurement into study.toml; every fit and diagnosis then uses it:
 
@@ -79,10 +79,10 @@ int next(const std::vector<std::string>& arguments) {
     }
     if (const std::string& assumed = next.rivals.front().name;
         next.plans.empty() && assumed != present_model) {
-        console.line(fmt::format(
-            "The plan assumes that the study has {}, as the diagnosis says; study.toml does not "
-            "list it yet.",
-            assumed));
+        console.line(
+            fmt::format("The plan assumes that {} is part of the model, as the diagnosis says; "
+                        "study.toml does not list it yet.",
+                        assumed));
     }
     if (d.diagnosis.verdict == Verdict::unknown ||
         d.diagnosis.verdict == Verdict::suspect_measurement) {

@@ -103,7 +103,7 @@ void Options::add_time(const char* name, std::optional<double>* seconds, double 
         po::value<double>()->value_name("[MINUTES]")->notifier([seconds, option](double minutes) {
             if (!(minutes >= 0)) {
                 throw InputError(
-                    fmt::format("{} {}: minutes of 0 or more are needed", option, minutes));
+                    fmt::format("{} {}: the minutes must not be negative", option, minutes));
             }
             *seconds = 60 * minutes;
         }),
@@ -127,12 +127,13 @@ namespace {
 thread_local CommandDeclaration* requested_declaration = nullptr;
 
 /// First word of most commands and its meaning, for the message that it is missing.
-const char* const standard_missing_word = "STUDY, the folder of a study or its file study.toml,";
+const char* const standard_missing_word = "STUDY (the folder of a study or its file study.toml)";
 
 /// Names of the fidelities with the settings of each, one line per fidelity, for the help text.
 std::string fidelity_text() {
     std::string text =
-        "size and accuracy of the simulations; lower inertial numbers are simulated at the lowest";
+        "size and accuracy of the simulations; predictions below the lowest inertial number are "
+        "extrapolated";
     for (const Fidelity& each : fidelities()) {
         text += fmt::format(
             "\n{} {} grains, stiffness number {:g}, lowest inertial number {:g}, "
@@ -249,7 +250,7 @@ po::options_description Options::common_options(CommonValues& values, bool shown
             ->default_value(threads, default_threads_ > 0 ? std::to_string(threads) : "cores")
             ->value_name("N"),
         threads_meaning_);
-    add("quiet", po::bool_switch(&values.options.quiet), "print no progress on standard error");
+    add("quiet", po::bool_switch(&values.options.quiet), "print no progress messages");
     add("all", po::bool_switch(&values.options.all), "print all rows of tables and all notes");
     add("help", new po::untyped_value(true), "print this text");
     return options;
@@ -311,7 +312,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
     CommonOptions result = values.options;
     const std::string& json = values.json;
     if (takes_study_ && study.empty()) {
-        throw InputError(fmt::format("{} is missing; usage: pendular {}",
+        throw InputError(fmt::format("argument {} is not given; usage: pendular {}",
                                      missing_word_.empty() ? standard_missing_word : missing_word_,
                                      usage_));
     }

@@ -25,16 +25,16 @@ const std::vector<CommandGroup> groups = {
       {"serve", "show the report in the browser and update it as recordings arrive", serve}}},
     {"Find the missing physical effect",
      {{"diagnose", "test which physical effect is missing from the model", diagnose},
-      {"next", "plan the measurement that would tell most", next},
-      {"add", "add an effect to the model, refit it, show the error before and after", add},
-      {"drop", "remove an effect from the model, refit it, show the error before and after", drop},
-      {"effects", "list the known effects, or describe one", effects}}},
+      {"next", "plan the most informative next measurement", next},
+      {"add", "add an effect to the model, refit it, show the misfit before and after", add},
+      {"drop", "remove an effect from the model, refit it, show the misfit before and after", drop},
+      {"effects", "list the effects in the catalogue, or describe one", effects}}},
     {"Simulate",
      {{"predict", "predict steady shear from stored simulations, without a new one", predict},
       {"simulate", "simulate one sheared sample by the discrete-element method", simulate},
       {"campaign", "make many simulations; resumable, also on a cluster", campaign},
       {"runs", "list, compare, plot, export, import, merge and prune stored simulations", runs},
-      {"virtual-lab", "make test recordings with known, hidden effects", virtual_lab},
+      {"virtual-lab", "make test recordings with hidden effects that you choose", virtual_lab},
       {"reproduce", "compare the simulations with the numbers of Badetti et al. (2018)",
        reproduce}}}};
 
@@ -81,9 +81,8 @@ const ProgramTexts program_texts = {
         "  pendular diagnose my-study\n",
     .exit_codes =
         "0 done; 1 the program failed; 2 the input or the command line is wrong;\n"
-        "3 the fit did not converge, or its numbers mean nothing: the friction is at the end of "
-        "its\n"
-        "range and the model misses the readings, or more readings were set aside than kept;\n"
+        "3 no usable fit: it did not converge; or the friction is at its bound and the model does\n"
+        "not describe the readings; or more readings were excluded than kept;\n"
         "130 interrupted.\n"};
 
 namespace {

@@ -39,15 +39,14 @@ RunEffects::RunEffects(Options& options, const std::vector<std::string>& argumen
                       "diameter of the grains, with its unit (default 500 um)");
           options.add("density", &density_,
                       "density of the grains, with its unit (default 1050 kg/m^3)");
-          options.add(
-              "normal-stress", &normal_stress_,
-              "normal stress on dry grains, with its unit (default 1 kPa); on wet grains it is "
-              "P* pi Gamma/a, with the surface tension Gamma and the diameter a");
-          options.add(
-              "surface-tension", &surface_tension_,
-              "surface tension of the liquid, with its unit (default 20.6 mN/m): sets the normal "
-              "stress that belongs to P*; --capillary-bridges.surface_tension changes the "
-              "surface tension, and with it P*, at this normal stress");
+          options.add("normal-stress", &normal_stress_,
+                      "normal stress on dry grains, with its unit (default 1 kPa); on wet grains "
+                      "it follows from P* and the surface tension Gamma: P* pi Gamma/a, with the "
+                      "grain diameter a");
+          options.add("surface-tension", &surface_tension_,
+                      "nominal surface tension Gamma of the liquid, with its unit (default 20.6 "
+                      "mN/m), which sets the normal stress of wet grains; a different true one is "
+                      "given by --capillary-bridges.surface_tension");
           return {options, arguments,
                   "Effects on grains and liquid (values with their unit, \"3 uN\"; a number "
                   "without a unit is in SI units)",

@@ -140,7 +140,7 @@ int compare_two(const RunsRequest& request, Console& console) {
     const StoredRun first = numbered_run(*store, request.words[0]),
                     second = numbered_run(*store, request.words[1]);
     console.line(fmt::format("{:<32} {:>20} {:>20} {:>26}", "", fmt::format("run {}", first.id),
-                             fmt::format("run {}", second.id), "difference / standard error"));
+                             fmt::format("run {}", second.id), "(second - first)/std. err."));
     for (const StoredRun* stored : {&first, &second}) {
         if (!stored->run.parameters.effects.empty()) {
             console.line(with_effects(stored->run.parameters,
@@ -309,7 +309,7 @@ int runs(const std::vector<std::string>& arguments) {
         "  export FILE.csv   write the simulations as a table\n"
         "  import FILE.csv   add the simulations of such a table to the store\n"
         "  merge STORE...    add the simulations of other stores to the store\n"
-        "  prune             remove the simulations that --where selects from the store\n"
+        "  prune             remove from the store the simulations that match --where\n"
         "  learn FILE.csv    retrain the emulator (for developers of Pendular): fit its "
         "hyperparameters",
         "  pendular runs list --where \"friction = 0.09 AND reduced_pressure IS NULL\"\n"

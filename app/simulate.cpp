@@ -66,13 +66,13 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
     }
     if (const Mean& banded = run[dem::Observable::localization];
         banded.value > dem::localised_above) {
-        console.note(fmt::format(
-            "The flow is not uniform: the localization is {}, above {}, and 1 is a thin shear "
-            "band.{}",
-            with_error(banded.value, banded.standard_error), dem::localised_above,
-            banded.value > emulated::banded_above
-                ? " The emulator is not trained on this simulation."
-                : ""));
+        console.note(
+            fmt::format("The shear is localised: the localization is {}, above {} (0: uniform, 1: "
+                        "a thin band).{}",
+                        with_error(banded.value, banded.standard_error), dem::localised_above,
+                        banded.value > emulated::banded_above
+                            ? " The emulator is not trained on this simulation."
+                            : ""));
     }
     if (run.crystallised) {
         console.note(
@@ -99,10 +99,9 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
         console.line(observable_line(static_cast<dem::Observable>(k), run.means[k]));
     }
     console.line(fmt::format(
-        "{} grains; averages over a strain of {:.2f} after a transient strain of "
-        "{:.2f}; {} time steps, each {:.3g} sqrt(m/(a s22)) (m: grain mass, a: grain "
-        "diameter, s22: normal stress); computing time {:.1f} s, {:.3g} time steps of a "
-        "grain per second.",
+        "{} grains; averages over a strain of {:.2f} after a transient strain of {:.2f}; {} time "
+        "steps, each {:.3g} sqrt(m/(a s22)) (m: grain mass, a: grain diameter, s22: normal "
+        "stress); computing time {:.1f} s, {:.3g} grain updates per second.",
         p.grains, run.strain_averaged, run.strain_transient, run.steps, run.time_step,
         run.wall_seconds, run.particle_steps_per_second()));
 }
@@ -359,8 +358,8 @@ int simulate(const std::vector<std::string>& arguments) {
     options.add("poisson-ratio", &run.poisson_ratio,
                 "Poisson ratio of the grains [1] (default 0.3)");
     options.add("damping", &run.damping,
-                "viscous damping of a contact along its normal, over the critical damping [1] "
-                "(default 0.98)");
+                "viscous damping of a contact along its normal, divided by the critical damping "
+                "[1] (default 0.98)");
     options.add("beads", &run.grains,
                 "number of grains (default: the number that belongs to --fidelity)");
     options.add("strain", &run.strain,
@@ -377,12 +376,11 @@ int simulate(const std::vector<std::string>& arguments) {
                 "(default: dry)");
     options.add(
         "bridge-volume", &wetting.bridge_volume,
-        "volume of a liquid bridge over a^3, with the grain diameter a [1] (default 0.002)");
-    options.add(
-        "bridge-force", &bridge_force,
-        "formula of the force of a bridge without contact: derived (default), or as_printed in "
-        "Badetti et al. (2018), Eq. (5)",
-        one_of({"derived", "as_printed"}));
+        "volume of a liquid bridge, divided by a^3 (a: grain diameter) [1] (default 0.002)");
+    options.add("bridge-force", &bridge_force,
+                "force of a bridge between grains that do not touch: derived (default), or "
+                "as_printed in Badetti et al. (2018), Eq. (5), which has half the liquid volume",
+                one_of({"derived", "as_printed"}));
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the random initial state (default 1)");
     Extras extras;

@@ -117,13 +117,12 @@ void print_result(Console& console, const LabResult& result, const std::filesyst
 void declare(Options& options, LabPlan& plan, Words& words) {
     options.add("friction", &plan.friction,
                 "hidden friction coefficient between grains [1] (default 0.09)");
-    options.add(
-        "noise", &plan.instrument.noise,
-        "scatter of the mean values of steps, as a multiple of 1 % in torque and 0.2 % in solid "
-        "fraction (default 1)");
+    options.add("noise", &plan.instrument.noise,
+                "scatter of the mean values of steps, as a multiple of 1 % of the torque and 0.2 % "
+                "of the solid fraction (default 1)");
     options.add("drift", &plan.instrument.drift,
-                "drift of torque and solid fraction over a recording (standard deviation), as a "
-                "multiple of the scatter of --noise 1 [1] (default 0)");
+                "drift over a recording (standard deviation), as a multiple of 1 % of the torque "
+                "and 0.2 % of the solid fraction (default 0)");
     options.add("dry-normal-stresses", &words.dry_normal_stresses,
                 "normal stresses of dry recordings, with a unit (default \"0.3, 1, 3 kPa\")");
     options.add("wet-normal-stresses", &words.wet_normal_stresses,
@@ -175,11 +174,12 @@ int virtual_lab(const std::vector<std::string>& arguments) {
         "uses them.\n"
         "The cell has radii of 21 and 45 mm and holds grains of 500 um and 1050 kg/m^3. Unless a "
         "hidden effect\n"
-        "changes this, the contact angle is 0 and the weight of the beads is neglected. Set points "
-        "are values\n"
-        "that the instrument shows.",
+        "changes this, the contact angle is 0 and the weight of the beads is neglected. Normal "
+        "stresses and\n"
+        "inertial numbers are those that the instrument displays; hidden effects on it make the "
+        "true ones differ.",
         examples(), true);
-    options.set_first_word("OUT, the folder for the new study,");
+    options.set_first_word("OUT (the folder for the new study)");
     declare(options, plan, words);
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of simulations and instrument (default 1)");

@@ -115,8 +115,9 @@ std::string reason_for(Outcome outcome, const std::string& effect, const LadderS
                        const LadderStep& with) {
     if (outcome == Outcome::by_chance) {
         return fmt::format(
-            "With {}, chi2 is {:.1f} lower ({} instead of {}), which chance explains.", effect,
-            without.chi2 - with.chi2, number(with.chi2), number(without.chi2));
+            "With {}, chi2 is {:.1f} lower ({} instead of {}) for a further parameter, which "
+            "chance explains.",
+            effect, without.chi2 - with.chi2, number(with.chi2), number(without.chi2));
     }
     if (outcome == Outcome::left_out_worse) {
         return fmt::format(
@@ -139,7 +140,7 @@ std::string verdict_of(const StudyChange& change, const LadderStep& before,
                        const LadderStep& after) {
     const auto percent = [](double rms) { return fmt::format("{:.2f} %", rms); };
     return fmt::format(
-        "{}: chi2/dof {}, the RMS error of shear stress {}.",
+        "{}: chi2/dof {}, the relative RMS error of shear stress {}.",
         beginning(change, outcome_of(change, before, after)),
         moved(per_dof(before), per_dof(after), after.chi2_per_dof() < before.chi2_per_dof()),
         moved(percent(before.rms_percent[0]), percent(after.rms_percent[0]),
@@ -159,7 +160,7 @@ std::vector<std::string> error_changes(const LadderStep& before, const LadderSte
         return fmt::format("  {:<62} {:>12.3f} {:>12.3f}", name, first, second);
     };
     std::vector<std::string> lines = {
-        fmt::format("  {:<62} {:>12} {:>12}", "error", "before", "after"),
+        fmt::format("  {:<62} {:>12} {:>12}", "misfit", "before", "after"),
         row("chi2/dof [1]", before.chi2_per_dof(), after.chi2_per_dof())};
     for (std::size_t o = 0; o < observables.size(); ++o) {
         lines.push_back(row(fmt::format("relative RMS error of {} [%]", observables[o]),

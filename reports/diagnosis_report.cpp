@@ -112,8 +112,8 @@ std::string leading_line(const Diagnosis& d, const ModelSpace& space) {
     const Explanation& model = d.leaders->model;
     return fmt::format(
         "Missing: {}, and something smaller that no known effect explains. Adding {} brings {}, "
-        "which removes {} of the misfit beyond the errors.",
-        with_estimates(model, space), model.chosen.size() > 1 ? "them" : "it", reduction(d, model),
+        "which removes {} of the excess of chi2 over its degrees of freedom.",
+        with_estimates(model, space), joined(names_of(model, space), "and"), reduction(d, model),
         percent(d.leaders->explained));
 }
 
@@ -138,8 +138,8 @@ std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
                                    best.chosen.size() > 1 ? "them" : "it", reduction(d, best));
     if (d.confidence_set.size() > 1) {
         line = fmt::format(
-            "Missing: {}, and one of several others; these readings do not tell whether it is {}. "
-            "Adding {} brings {}.",
+            "Missing: {}, and one further effect, {} (these readings do not tell which). Adding {} "
+            "brings {}.",
             joined(d.effects, "and"), joined(others_of(d, space), "or"),
             joined(names_of(best, space), "and"), reduction(d, best));
     }
@@ -193,8 +193,8 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
                "not tell whether an effect is missing.";
     }
     return fmt::format(
-        "Inconclusive: no known effect improves the model, but {} effect{} could be present at a "
-        "size that matters without showing in these readings: {}.",
+        "Inconclusive: no known effect improves the model, but these readings cannot exclude {} "
+        "effect{} of the smallest size of interest: {}.",
         d.effects.size(), d.effects.size() == 1 ? "" : "s", some_of(d.effects));
 }
 
@@ -295,17 +295,16 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
 std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& space) {
     std::vector<std::string> lines = {
         fmt::format("  {:<24} {:>26} {:>11} {:>9} {:>10} {:>6} {:>8}   {}", "effect", "estimate",
-                    "chi2 change", "in refit", "imitated", "power", "p", "decision")};
+                    "chi2 change", "refitted", "imitated", "power", "p", "decision")};
     for (const Finding& finding : d.scan) {
         lines.push_back(finding_line(d, finding, space));
     }
     lines.push_back(
-        "  (chi2 change: predicted change of chi2 with the effect in the model, and its change in "
-        "a refit; imitated: share of the effect that a change of the fitted parameters can "
-        "reproduce; power: probability that these readings show an effect just large enough to "
-        "matter; p: probability of an effect at least as significant, of all that are tested, "
-        "where "
-        "none is present)");
+        "  (chi2 change: predicted for the model with the effect, then refitted; imitated: share "
+        "of the effect that a change of the fitted parameters can reproduce; power: probability "
+        "that these readings detect the effect at its smallest size of interest; p: probability, "
+        "if no effect is present, that the most significant of all tested effects is at least this "
+        "significant)");
     if (std::ranges::any_of(
             d.scan, [](const Finding& f) { return f.refitted_reduction.value_or(0) < 0; })) {
         lines.push_back(
@@ -320,13 +319,14 @@ std::vector<std::string> incomplete_lines(const Diagnosis& d, const std::array<d
                                           const Checks& remaining) {
     if (!d.leaders) return {};
     const std::string effects = joined(d.effects, "and");
-    std::vector<std::string> lines = {fmt::format(
-        "With {}, the RMS error of shear stress goes from {:.2f} % to {:.2f} %, that of solid "
-        "fraction from {:.2f} % to {:.2f} %.",
-        effects, before[0], after[0], before[1], after[1])};
-    lines.push_back(fmt::format(
-        "In simulated repetitions of the experiment, {} would be named in {:.1f} of 100.", effects,
-        100 * (1 - d.leaders->rival_share)));
+    std::vector<std::string> lines = {
+        fmt::format("With {}, the relative RMS error of shear stress goes from {:.2f} % to {:.2f} "
+                    "%, that of solid "
+                    "fraction from {:.2f} % to {:.2f} %.",
+                    effects, before[0], after[0], before[1], after[1])};
+    lines.push_back(
+        fmt::format("In {1:.1f} % of simulated repetitions of the experiment, {0} would be named.",
+                    effects, 100 * (1 - d.leaders->rival_share)));
     const std::string trend = strongest_trend(remaining);
     lines.push_back("A misfit remains with " + effects + " in the model" + trend);
     return lines;
@@ -374,35 +374,37 @@ std::pair<std::string, std::string> sizes_apart(double one, double other, const 
 std::string unseen_line(const Finding& finding, const EffectParameter& p,
                         const std::string& effect) {
     if (p.is_switch()) {
-        return fmt::format("  {} (switch): would show in {:.0f} of 100 repetitions of this study.",
+        return fmt::format("  {} (switch): detected in {:.0f} % of repetitions of this study.",
                            effect, 100 * finding.power);
     }
     const auto [shown, matters] = sizes_apart(finding.detectable, p.smallest_of_interest, p.unit);
-    const std::string what = p.neutral != 0
-                                 ? fmt::format("change of the {} from {}", spoken_parameter(p.name),
-                                               with_unit(p.neutral, p.unit))
-                                 : spoken_parameter(p.name);
-    return fmt::format("  {}: smallest detectable {} {}{}; smallest of interest {}.", effect, what,
-                       shown, p.neutral == 0 && p.lower < 0 ? " (or negative)" : "", matters);
+    const bool both_ways = p.neutral == 0 && p.lower < 0;
+    const std::string what =
+        p.neutral != 0 ? fmt::format("a change of the {} ({}) by", spoken_parameter(p.name),
+                                     with_unit(p.neutral, p.unit))
+                       : fmt::format("{}{}", spoken_parameter(p.name), both_ways ? " +-" : "");
+    return fmt::format("  {}: {}{} is detectable; smallest size of interest {}.", effect,
+                       both_ways ? what : what + " ", shown, matters);
 }
 
-/// Line that names the effects that would not show at any size; empty where there is none.
+/// Line that names the effects that no size within bounds makes detectable; empty for none.
 std::string invisible_line(const Diagnosis& d, const ModelSpace& space) {
     std::vector<std::string> names;
     for (const Finding& finding : d.scan) {
         if (!finding.identifiable) names.push_back(space.candidates()[finding.candidate].name);
     }
     return names.empty() ? ""
-                         : fmt::format("  {} would not show in these readings at any size.",
-                                       joined(names, "and"));
+                         : fmt::format(
+                               "  {} cannot be detected in these readings within the bounds of "
+                               "their parameters.",
+                               joined(names, "and"));
 }
 
 }  // namespace
 
 std::vector<std::string> unseen_table(const Diagnosis& d, const ModelSpace& space) {
     if (d.verdict != Verdict::inconclusive || d.effects.empty()) return {};
-    std::vector<std::string> lines = {
-        "Effects that could matter without showing in these readings:"};
+    std::vector<std::string> lines = {"Effects of interest that these readings may not detect:"};
     if (const std::string line = invisible_line(d, space); !line.empty()) lines.push_back(line);
     for (const std::string& effect : d.effects) {
         const Finding& finding = finding_of(d, space, effect);
@@ -417,8 +419,9 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space, 
     if (d.verdict == Verdict::inconclusive) {
         lines.push_back(
             "To rule out one of these effects, measure it directly ('pendular effects NAME' says "
-            "how) or add readings where it is larger. 'pendular next' does not plan for that: it "
-            "plans readings that make the fitted parameters more precise.");
+            "how, where possible) or add readings where it is larger. 'pendular next' plans "
+            "readings that make the fitted parameters more precise, which does not rule out "
+            "effects.");
     }
     if (d.verdict == Verdict::unknown) {
         if (const Explanation* best = best_of(d.tried); best && !best->suspect) {

@@ -27,8 +27,8 @@ constexpr std::array<Group, 5> groups = {{
     {"beads-and-liquid", "the properties of the grains and the liquid", true, true},
     {"grains", "the forces between grains and the grain sizes", true, true},
     {"closure",
-     "the formula of the strength of wet grains (base = \"mohr-coulomb\" or \"rumpf\"; base = "
-     "\"dem\" simulates and needs none)",
+     "the formula of the strength of wet grains (base model \"mohr-coulomb\" or \"rumpf\"; the "
+     "base model \"dem\" uses no formula)",
      false, false},
     {"flow", "the predicted shear stress and solid fraction", false, false},
 }};
@@ -131,7 +131,7 @@ void add_lines(std::vector<std::string>& page, const char* name, const std::stri
 
 std::string parameter_text(const Effect& effect, const EffectParameter& p) {
     if (p.is_switch()) return fmt::format("{}, a switch (1 on, 0 off): {}", p.name, p.meaning);
-    return fmt::format("{}: {}; {}, no effect at {}, smallest change that matters {}", p.name,
+    return fmt::format("{}: {}; {}, no effect at {}, smallest size of interest {}", p.name,
                        p.meaning, printed_bounds(p), neutral_text(effect, p),
                        printed_value(p.smallest_of_interest, p));
 }
@@ -206,8 +206,9 @@ std::string parameter_row(const Effect& effect, const EffectParameter& p) {
 
 std::string parameter_table(const Effect& effect) {
     std::string text =
-        "| parameter | unit | bounds | value without effect | smallest change that matters | "
-        "meaning |\n|---|---|---|---|---|---|\n";
+        "| parameter | unit | bounds | value without effect | smallest size of interest | meaning "
+        "|\n"
+        "|---|---|---|---|---|---|\n";
     for (const EffectParameter& p : effect.parameters) {
         text += parameter_row(effect, p);
     }
@@ -274,7 +275,7 @@ std::vector<std::string> effect_page(const EffectEntry& entry) {
     for (const EffectParameter& parameter : effect.parameters) {
         page.push_back(field("parameter", parameter_text(effect, parameter)));
     }
-    if (!effect.acts_through.empty()) page.push_back(field("depends on", dependences(effect)));
+    if (!effect.acts_through.empty()) page.push_back(field("varies with", dependences(effect)));
     if (!effect.directly.empty()) {
         page.push_back(field("measured by", effect.directly + "; see 'pendular next --help'"));
     }

@@ -20,9 +20,9 @@ std::string sentence(const Check& check) {
                 "of fit, {}).",
                 p);
         case Check::Kind::trend:
-            return fmt::format("The measured {} {} the model as {} grows ({}).", check.of,
-                               check.statistic > 0 ? "rises above" : "falls below", check.covariate,
-                               p);
+            return fmt::format("The residual of the {} (measured minus model) {} with the {} ({}).",
+                               check.of, check.statistic > 0 ? "increases" : "decreases",
+                               check.covariate, p);
         case Check::Kind::score:
             return fmt::format("The fitted {} depends on {} ({}): it should be constant.", check.of,
                                check.covariate, p);
@@ -66,8 +66,8 @@ std::vector<std::string> checks_table(const Checks& checks) {
         : checks.p < significant
             ? fmt::format("Where the model fails ({} checks of the residuals, together: p {}):",
                           checks.all.size(), p_text(checks.p))
-            : fmt::format("The {} checks of the residuals are not significant together (p {}); "
-                          "single ones with p < {}:",
+            : fmt::format("Taken together, the {} checks of the residuals show no significant "
+                          "misfit (p {}); by themselves, these have p < {}:",
                           checks.all.size(), p_text(checks.p), significant));
     return lines;
 }

@@ -60,7 +60,7 @@ std::string condition_of(const Impact& impact, const Shift& shift, bool at_estim
         return fmt::format("With {} in the model", impact.name);
     std::string parameter = impact.quantity;
     std::ranges::replace(parameter, '_', ' ');
-    return fmt::format("If {} were present with {} {}", impact.name, parameter,
+    return fmt::format("With {} in the model at {} {}", impact.name, parameter,
                        size_text(impact, shift.size));
 }
 
@@ -171,11 +171,9 @@ std::vector<std::string> impact_table(const ImpactTable& table) {
     }
     lines.push_back(fmt::format(
         "  (shift of the fitted {} with the effect or the error of measurement in the model; "
-        "smallest "
-        "size: the smallest size that matters; *: linear, without a refit; per error: for one "
-        "standard error of the estimate; pull: distance of the estimate from no effect, in "
-        "standard "
-        "errors; sum: root of the sum of squares)",
+        "smallest size: the smallest size of interest; *: linear, without a refit; per error: for "
+        "one standard error of the estimate; pull: distance of the estimate from no effect, in "
+        "standard errors; sum: root of the sum of squares)",
         parameter));
     return lines;
 }

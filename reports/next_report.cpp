@@ -146,8 +146,8 @@ std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
                                     parameters[k].unit == "1" ? "" : " " + parameters[k].unit));
     }
     lines.emplace_back(
-        "  (in a fit to all readings, without the allowance for few repetitions that 'pendular "
-        "calibrate' makes)");
+        "  (in a fit to all readings; smaller than the errors of 'pendular calibrate', which "
+        "widens them where few repetitions determine the scatter)");
     return lines;
 }
 

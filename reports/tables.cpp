@@ -70,7 +70,7 @@ std::string excluded_text(const Measurements& measurements) {
     constexpr std::array<Words, 4> words = {
         {{Kind::beside_plateau, "transient", "transients"},
          {Kind::step_without_plateau, "step without a plateau", "steps without a plateau"},
-         {Kind::reading, "reading set aside", "readings set aside"},
+         {Kind::reading, "reading excluded", "readings excluded"},
          {Kind::rows, "other range of rows", "other ranges of rows"}}};
     std::string text;
     for (const auto& [kind, one, several] : words) {
@@ -108,21 +108,21 @@ std::vector<std::string> scatter_table(const Measurements& measurements) {
         std::vector<std::string> names;
         for (const std::string& file : group.files)
             names.push_back(std::filesystem::path(file).filename().string());
-        lines.push_back(fmt::format("  {:>12.2f} {:>14.2f}   differs from step to step: {}",
+        lines.push_back(fmt::format("  {:>12.2f} {:>14.2f}   independent in each step: {}",
                                     100 * std::sqrt(group.excess(0, 0)),
                                     100 * std::sqrt(group.excess(1, 1)), fmt::join(names, ", ")));
     }
     if (lines.empty()) return lines;
-    lines.insert(lines.begin(), fmt::format("Scatter of repeated readings [% of the value] at {} "
-                                            "Pa, the geometric mean of the normal "
-                                            "stresses{}:",
-                                            short_text(scatter.reference_stress),
-                                            scatter.stated ? ", as stated in [scatter]" : ""));
+    lines.insert(
+        lines.begin(),
+        fmt::format("Scatter of repeated readings [% of the value] at a normal stress of {} Pa{}:",
+                    short_text(scatter.reference_stress),
+                    scatter.stated ? ", as stated in [scatter]" : ""));
     lines.insert(lines.begin() + 1,
                  fmt::format("  {:>12} {:>14}", "shear stress", "solid fraction"));
     const auto& [stress, fraction] = scatter.filling;
     if (stress.variance > 0 || fraction.variance > 0) {
-        lines.push_back(fmt::format("  {:>12.2f} {:>14.2f}   common to all steps of a filling",
+        lines.push_back(fmt::format("  {:>12.2f} {:>14.2f}   shared by all steps of a filling",
                                     100 * std::sqrt(stress.variance),
                                     100 * std::sqrt(fraction.variance)));
     }
@@ -157,8 +157,9 @@ std::vector<std::string> predictions_table(const Comparison& comparison, bool wo
             m.normalised(0), m.reading.value(1), m.predicted(1), m.normalised(1), m.chi2.sum()));
     }
     lines.push_back(
-        "  (resid./err.: residual, measured minus model, over its standard error; part of chi2: "
-        "from this reading, in the sum over all readings that are correlated by common errors)");
+        "  (resid./err.: measured minus model, divided by its standard error; part of chi2: "
+        "contribution of this reading, which is not the sum of both squares where errors are "
+        "correlated)");
     for (const DirectMisfit& direct : comparison.direct) {
         const DirectMeasurement& m = direct.measurement;
         lines.push_back(fmt::format(
@@ -251,7 +252,8 @@ std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines) 
     }
     const auto estimate = [](const Estimate& e) { return with_error(e.value, e.standard_error); };
     std::vector<std::string> table = {
-        "Cohesion: stress ratio = intercept + c*/P*, with the reduced pressure P*",
+        "Cohesion: straight lines, stress ratio = intercept + (reduced cohesion c*)/(reduced "
+        "pressure P*)",
         fmt::format("  {:<10} {:>8} {:>9} {:>18} {:>18} {:>11} {:>16} {:>9} {:>7}", "line",
                     "liquid", "inertial", "", "reduced", "", "", "lowest", ""),
         fmt::format("  {:<10} {:>8} {:>9} {:>18} {:>18} {:>11} {:>16} {:>9} {:>7}", "through",

@@ -90,7 +90,13 @@ Explanations::Explanations(const ModelSpace& space, const Evidence& evidence,
     : space_(space),
       evidence_(evidence),
       options_(options),
-      draws_(evidence.measured, evidence.errors, options.seed, options.draws) {
+      draws_(std::make_shared<NullDraws>(evidence.measured, evidence.errors, options.seed,
+                                         options.draws)) {
+    errors.resize(space.candidates().size());
+}
+
+Explanations::Explanations(const ModelSpace& space, const Explanations& other)
+    : space_(space), evidence_(other.evidence_), options_(other.options_), draws_(other.draws_) {
     errors.resize(space.candidates().size());
 }
 
@@ -122,13 +128,13 @@ double Explanations::lack_of_fit_p(const WeightedResiduals& residuals, bool roug
     const double observed = (means.transpose() * residuals.residuals()).squaredNorm();
     const auto drawn = [&](Eigen::Index draws) {
         return Eigen::VectorXd(
-            draws_.along(residuals, means, draws).colwise().squaredNorm().transpose());
+            draws_->along(residuals, means, draws).colwise().squaredNorm().transpose());
     };
     if (roughly) {
-        const Eigen::VectorXd first = drawn(std::min(first_draws, draws_.count()));
+        const Eigen::VectorXd first = drawn(std::min(first_draws, draws_->count()));
         if (far_above(observed, first)) return NullDraws::p(observed, first);
     }
-    return NullDraws::p(observed, drawn(draws_.count()));
+    return NullDraws::p(observed, drawn(draws_->count()));
 }
 
 std::vector<ScoreTest> Explanations::suspect_tests(const WeightedResiduals& residuals,
@@ -178,7 +184,7 @@ void Explanations::judge(Explanation& explanation) const {
     for (const ScoreTest& test : tests) {
         smallest = std::min(smallest, test.p());
     }
-    explanation.further_p = FamilyOfTests(tests, residuals, draws_).p(smallest);
+    explanation.further_p = FamilyOfTests(tests, residuals, *draws_).p(smallest);
     explanation.accepted = explanation.further_p >= half_significance();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "analysis/diagnosis/explanation.h"
@@ -27,6 +28,10 @@ class Explanations {
     /// @param space the model and its candidates
     Explanations(const ModelSpace& space, const Evidence& evidence,
                  const DiagnosisOptions& options);
+    /// Tests models of another space against the same readings, with the random draws of `other`.
+    /// The space and the arguments of `other` must outlive this object.
+    /// @param space the model and its candidates
+    Explanations(const ModelSpace& space, const Explanations& other);
 
     /// Fits the model with the effects `chosen` and, if given, with an error of the suspect
     /// measurement `suspect` to the readings. Whether the model fits is not tested.
@@ -61,7 +66,7 @@ class Explanations {
     Addition addition(const Explanation& explanation, std::size_t candidate) const;
 
     /// Random draws of the errors of readings and predictions that all tests use.
-    const NullDraws& draws() const { return draws_; }
+    const NullDraws& draws() const { return *draws_; }
     /// p value [1] below which one test of a model rejects the model: half of
     /// DiagnosisOptions::significance, since each model has two tests, for lack of fit and for
     /// further effects.
@@ -82,7 +87,7 @@ class Explanations {
     const ModelSpace& space_;
     const Evidence& evidence_;
     const DiagnosisOptions& options_;
-    NullDraws draws_;
+    std::shared_ptr<const NullDraws> draws_;
 };
 
 }  // namespace pendular

@@ -42,10 +42,10 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
     const bool undescribed = misfit.p() < incredible_p;
     if (undescribed) {
         belief.misfit_reason = belief.reasons.size();
-        belief.reasons.push_back(fmt::format(
-            "The model does not describe the fitted readings: chi2 = {:.4g} for {} degrees "
-            "of freedom (p < 1e-6).",
-            misfit.chi2, misfit.dof));
+        belief.reasons.push_back(
+            fmt::format("The model does not describe the fitted readings: chi2 = {:.4g} for {} "
+                        "degrees of freedom (p < 0.001).",
+                        misfit.chi2, misfit.dof));
     }
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         if (!out_of_range(fit, parameters, k)) continue;

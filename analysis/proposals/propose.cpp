@@ -35,11 +35,11 @@ class ShapeSearch {
                 const std::vector<Reading>& readings, const Diagnosis& diagnosis,
                 const DiagnosisOptions& options)
         : models_(models),
-          evidence_(evidence),
+          explanations_(models, evidence, options),
           diagnosis_(diagnosis),
           options_(options),
           base_{.fit = diagnosis.fit, .chi2 = diagnosis.chi2},
-          scored_(study, models, readings, base_, {models, evidence, options}, options.threads) {
+          scored_(study, models, readings, base_, explanations_, options.threads) {
         for (const Effect& effect : study.catalogue().all()) {
             taken_.insert(effect.name);
         }
@@ -68,7 +68,7 @@ class ShapeSearch {
     static std::vector<Proposal> best_of(std::vector<Proposal> found);
 
     const StudyModels& models_;
-    const Evidence& evidence_;
+    const Explanations explanations_;
     const Diagnosis& diagnosis_;
     const DiagnosisOptions& options_;
     Explanation base_;
@@ -127,7 +127,7 @@ std::vector<Proposal> ShapeSearch::fitted(const std::vector<Score>& scores) {
         }
     }
     const StudyModels space = models_.offering(effects);
-    Explanations explanations(space, evidence_, options_);
+    Explanations explanations(space, explanations_);
     std::vector<std::size_t> firsts;
     std::size_t next = models_.candidates().size();
     for (const Score& score : scores) {

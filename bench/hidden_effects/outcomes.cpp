@@ -17,6 +17,7 @@ namespace {
 constexpr std::array outcome_columns = {"truth",
                                         "study",
                                         "verdict",
+                                        "complete",
                                         "named",
                                         "suspects",
                                         "faults",
@@ -79,6 +80,7 @@ std::vector<std::string> cells_of(const Outcome& o) {
     std::vector<std::string> cells = {o.truth,
                                       std::to_string(o.study),
                                       o.verdict,
+                                      o.complete ? "1" : "0",
                                       fmt::format("{}", fmt::join(o.named, " ")),
                                       fmt::format("{}", fmt::join(o.suspects, "; ")),
                                       fmt::format("{}", fmt::join(o.faults, " ")),
@@ -116,6 +118,7 @@ std::vector<Outcome> read_outcomes(const std::filesystem::path& file) {
         o.truth = cells.text();
         o.study = static_cast<int>(cells.number().value_or(0));
         o.verdict = cells.text();
+        o.complete = cells.number() == 1;
         o.named = cells.words();
         if (const std::string& suspects = cells.text(); !suspects.empty()) o.suspects = {suspects};
         o.faults = cells.words();

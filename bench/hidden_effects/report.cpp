@@ -120,6 +120,12 @@ std::vector<std::string> figures_of(const Studies& every) {
         fmt::format("{:g}", median_of(noticed, [](const LabStudy& s) {
                         return static_cast<double>(s.outcome->set_size);
                     })));
+    add("verdict missing with complete: false, which names a true effect",
+        rate(those(catalogue,
+                   [](const LabStudy& s) {
+                       return verdict_is(s, "missing") && !s.outcome->complete;
+                   }),
+             points_at_truth));
     for (const double v : {10.0, 25.0, 60.0}) {
         const auto here =
             those(all, [&](const LabStudy& s) { return single(s) && wanted(s) == v; });

@@ -110,6 +110,7 @@ void diagnose_into(Outcome& outcome, const Truth& truth, const StudyInput& input
     const Evidence& evidence = found.evidence;
     const Diagnosis& d = found.diagnosis;
     outcome.verdict = to_string(d.verdict);
+    outcome.complete = d.complete;
     outcome.named = d.effects;
     outcome.suspects = d.suspects;
     outcome.chi2 = d.chi2;

@@ -18,6 +18,7 @@ struct Outcome {
     std::string truth;  ///< its name
     int study = 0;      ///< number of the recordings' noise
     std::string verdict;
+    bool complete = true;  ///< false: a verdict that names the effect that leads, and not all
     std::vector<std::string> named;     ///< effects that the verdict points at
     std::vector<std::string> suspects;  ///< parts of the measurement that it points at
     std::vector<std::string> faults;    ///< kinds of faults that `import` found in the recordings

@@ -80,7 +80,7 @@ RunPlanner::RunPlanner(const Study& study, const std::vector<Condition>& conditi
         trained_stiffness = fidelity.stiffness_number;
         known.runs = simulated(runs_at(first_dry_design()), "since there was none to predict from");
         if (known.runs.empty()) {
-            throw dem::SimulationError("no simulation succeeded: " + notes_.back());
+            throw dem::SimulationError("no simulation succeeded: " + last_note());
         }
     }
     use(Emulator(known.runs, std::move(known.hyperparameters), trained_stiffness));
@@ -128,7 +128,7 @@ void RunPlanner::begin_wet(double friction) {
     const auto fresh =
         simulated(runs_at(first_wet_design(friction)), "since there was none with liquid bridges");
     if (fresh.empty()) {
-        throw dem::SimulationError("no wet simulation succeeded: " + notes_.back());
+        throw dem::SimulationError("no wet simulation succeeded: " + last_note());
     }
     use(simulation_->emulator().with(fresh));
 }
@@ -278,6 +278,11 @@ std::vector<dem::RunResult> RunPlanner::simulated(const std::vector<dem::RunPara
     made_.insert(made_.end(), done.begin(), done.end());
     if (!done.empty()) count_runs(done.size(), why);
     return usable_of(done, notes_);
+}
+
+std::string RunPlanner::last_note() const {
+    return notes_.empty() ? "the time for simulations ended before the first of them"
+                          : notes_.back();
 }
 
 std::vector<dem::RunParameters> RunPlanner::runs_at(const std::vector<FlowState>& states) {

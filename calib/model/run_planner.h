@@ -122,6 +122,8 @@ class RunPlanner {
     std::vector<FlowState> most_informative(const std::vector<FlowState>& targets,
                                             const std::vector<FlowState>& from,
                                             double excess) const;
+    /// Last note, or the reason why there is none: the time ended before the first simulation did.
+    std::string last_note() const;
     /// Returns the parameters of a run at each state, with seeds that no earlier run has.
     std::vector<dem::RunParameters> runs_at(const std::vector<FlowState>& states);
     /// Simulates runs, counts them under the reason `why` and returns those that can train the

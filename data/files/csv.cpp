@@ -161,7 +161,7 @@ void check_length(const Table& table, const Row& row, bool last) {
                  "or remove the line"
                : "; complete or remove this line";
     throw InputError(table.at(row, shown),
-                     fmt::format("this row has {} cell{}, the header {}{}", row.cells.size(),
+                     fmt::format("this row has {} column{}, the header {}{}", row.cells.size(),
                                  row.cells.size() == 1 ? "" : "s", expected, hint));
 }
 

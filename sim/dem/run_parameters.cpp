@@ -22,11 +22,11 @@ void check_wetting(const Wetting& w, double rupture_distance, double edge) {
     demand(w.reduced_pressure >= 0.05 && w.reduced_pressure <= 1e6,
            fmt::format("reduced pressure {} is not between 0.05 and 1e6", w.reduced_pressure));
     demand(w.bridge_volume >= 1e-6,
-           fmt::format("bridge volume {} a^3 is not at least 1e-6", w.bridge_volume));
+           fmt::format("bridge volume {} is below 1e-6 grain diameters cubed", w.bridge_volume));
     demand(
         rupture_distance <= edge / 4,
-        fmt::format("a bridge of volume {:.3g} a^3 ruptures at a gap of {:.3g} a, above the limit of "
-                    "{:.3g} a, a quarter of the box: use more grains or a smaller bridge volume",
+        fmt::format("a bridge of volume {:.3g} d^3 ruptures at a gap of {:.3g} d, more than a quarter "
+                    "of the box, {:.3g} d (d: grain diameter): use more grains or a smaller bridge volume",
                     w.bridge_volume, rupture_distance, edge / 4));
 }
 

@@ -16,28 +16,32 @@ constexpr double degree = std::numbers::pi / 180;
 /// since bridges do not attract above 90 degrees and a negative sum has no meaning. A negative
 /// value of the effect's angle is useful where the study's angle is too large.
 Effect contact_angle() {
-    return {.summary = "the contact angle of the liquid differs from the value in study.toml",
-            .equation = "F0 = pi a Gamma cos(theta + angle)      0 <= theta + angle <= 89 degrees",
-            .parameters = {{.name = "angle",
-                            .unit = "rad",
-                            .lower = -89 * degree,
-                            .upper = 89 * degree,
-                            .neutral = 0,
-                            .smallest_of_interest = 10 * degree,
-                            .meaning = "contact angle minus that of the study (0 without a study)",
-                            .amplitude = [](double angle) { return 1 - std::cos(angle); }}},
-            .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
-                double& angle = condition.liquid->contact_angle;
-                if (v["angle"] != 0) angle = std::clamp(angle + v["angle"], 0.0, 89 * degree);
-                return condition;
-            }},
-            .touches = Touches::wet,
-            .acts_through = {"1/reduced_pressure"},
-            .directly = "a drop on the material of the grains (minus the angle in study.toml)",
-            .references = {
-                "de Gennes, Brochard-Wyart and Quere, Capillarity and Wetting Phenomena (2004)",
-                "Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
-                "macroscopic cohesion and effective stress (2018), Eq. (5)"}};
+    return {
+        .summary = "the contact angle of the liquid differs from the value in study.toml",
+        .equation = "F0 = pi a Gamma cos(theta + angle),  theta + angle limited to 0 to 89 degrees",
+        .parameters = {{.name = "angle",
+                        .unit = "rad",
+                        .lower = -89 * degree,
+                        .upper = 89 * degree,
+                        .neutral = 0,
+                        .smallest_of_interest = 10 * degree,
+                        .meaning = "deviation of the contact angle from that in study.toml "
+                                   "(without a study: from 0)",
+                        .amplitude = [](double angle) { return 1 - std::cos(angle); }}},
+        .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
+            double& angle = condition.liquid->contact_angle;
+            if (v["angle"] != 0) angle = std::clamp(angle + v["angle"], 0.0, 89 * degree);
+            return condition;
+        }},
+        .touches = Touches::wet,
+        .acts_through = {"1/reduced_pressure"},
+        .directly =
+            "the contact angle of a drop on the material of the grains, minus the angle in "
+            "study.toml",
+        .references = {
+            "de Gennes, Brochard-Wyart and Quere, Capillarity and Wetting Phenomena (2004)",
+            "Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
+            "macroscopic cohesion and effective stress (2018), Eq. (5)"}};
 }
 
 }  // namespace pendular

@@ -11,8 +11,8 @@ Effect contact_stress() {
             "the simulated stress of the contacts replaces the assumption that contacts have the "
             "stress ratio of dry grains",
         .equation =
-            "mu* = |s12cont + s12cap|/s22, simulated      s12cont = -mu*_0 s22cont without the "
-            "effect",
+            "mu* = |s12cont + s12cap|/s22 (cont: contacts, cap: bridges), all simulated;\n"
+            "without the effect, s12cont = -mu*_0 s22cont with the dry stress ratio mu*_0",
         .parameters = {on_switch(
             "simulated stress of the contacts instead of the stress ratio of dry grains")},
         .change = ChangeClosure{.level = closures::Level::simulation},

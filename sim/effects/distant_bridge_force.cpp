@@ -7,13 +7,13 @@ namespace pendular {
 Effect distant_bridge_force() {
     return {
         .summary =
-            "Rumpf's formula counts a bridge without contact with the simulated mean force, "
+            "in Rumpf's formula, bridges between separated grains have the simulated mean force "
             "instead of half the pull-off force F0",
         .equation =
             "mu* = mu*_0 [1 + Phi_S Z*/(pi P*)], Z* = Z_c + Z_d F_d/F0      in place of Z_c + 0.5 "
             "Z_d",
-        .parameters = {on_switch("simulated mean force F_d of bridges without contact instead of "
-                                 "half the pull-off force F0")},
+        .parameters = {on_switch("simulated mean force F_d of bridges between separated grains, "
+                                 "instead of half the pull-off force F0")},
         .change = ChangeClosure{.level = closures::Level::strength3},
         .touches = Touches::wet,
         .acts_through = {"1/reduced_pressure", "liquid_content"},

@@ -7,7 +7,7 @@ namespace pendular {
 /// error of -offset/H.
 Effect height_offset() {
     return {
-        .summary = "a wrong zero of the gap adds a constant to the height",
+        .summary = "a wrong zero of the gap adds a constant to the gap height",
         .equation = "H_shown = H + offset",
         .parameters = {{.name = "offset",
                         .unit = "m",

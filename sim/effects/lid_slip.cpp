@@ -20,7 +20,7 @@ Effect lid_slip() {
                         .upper = 0.9,
                         .neutral = 0,
                         .smallest_of_interest = 0.05,
-                        .meaning = "velocity of the slip over the velocity of the lid"}},
+                        .meaning = "velocity of the slip, divided by the velocity of the lid"}},
         .change = ChangeInstrument{.show =
                                        [](CellState shown, const Values& v) {
                                            shown.angular_velocity /= 1 - v["fraction"];

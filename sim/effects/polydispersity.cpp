@@ -33,7 +33,8 @@ Effect polydispersity() {
                             .upper = 0.3,
                             .neutral = 0,
                             .smallest_of_interest = 0.1,
-                            .meaning = "standard deviation of the grain diameters over their mean",
+                            .meaning =
+                                "standard deviation of the grain diameters, divided by their mean",
                             .amplitude = [](double deviation) { return deviation * deviation; }}},
             .change = dem::ChangeSample{.diameters = spread},
             .touches = Touches::all,

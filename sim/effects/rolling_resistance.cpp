@@ -61,8 +61,8 @@ Effect rolling_resistance() {
                             .upper = 0.5,
                             .neutral = 0,
                             .smallest_of_interest = 0.02,
-                            .meaning = "largest rolling torque of a contact over (a/2) F_N (a: "
-                                       "grain diameter, F_N: normal force)",
+                            .meaning = "largest rolling torque of a contact, divided by (a/2) F_N "
+                                       "(a: grain diameter, F_N: normal force)",
                             .effective_amplitude = effective_amplitude}},
             .change = dem::ChangePairs{.contact_history = 3, .add = roll},
             .touches = Touches::all,

@@ -7,29 +7,28 @@ namespace pendular {
 /// change this rupture distance. With a larger rupture distance there are more bridges, and they
 /// exert forces at gaps where the base law has none.
 Effect rupture_distance() {
-    return {
-        .summary = "the gap at which bridges break differs from V0^(1/3)",
-        .equation = "D0 = factor V0^(1/3)",
-        .parameters =
-            {{.name = "factor",
-              .unit = "1",
-              .lower = 0.2,
-              .upper = 2,
-              .neutral = 1,
-              .smallest_of_interest = 0.2,
-              .meaning = "gap at which a bridge breaks, over V0^(1/3) (V0: volume of a bridge)"}},
-        .change = dem::ChangePairs{.bridge_law =
-                                       [](dem::BridgeLaw law, const Values& v) {
-                                           law.rupture_distance *= v["factor"];
-                                           return law;
-                                       }},
-        .touches = Touches::wet,
-        .fades_with_capillarity = true,
-        .acts_through = {"liquid_content", "1/reduced_pressure"},
-        .references = {
-            "Lian, Thornton, Adams, J. Colloid Interface Sci. 161 (1993) 138: rupture at (1 + "
-            "theta/2) V0^(1/3)",
-            "Willett, Adams, Johnson, Seville, Langmuir 16 (2000) 9396"}};
+    return {.summary = "the gap at which bridges break differs from V0^(1/3)",
+            .equation = "D0 = factor V0^(1/3)",
+            .parameters = {{.name = "factor",
+                            .unit = "1",
+                            .lower = 0.2,
+                            .upper = 2,
+                            .neutral = 1,
+                            .smallest_of_interest = 0.2,
+                            .meaning = "distance between two grains at which their bridge breaks, "
+                                       "divided by V0^(1/3) (V0: volume of a bridge)"}},
+            .change = dem::ChangePairs{.bridge_law =
+                                           [](dem::BridgeLaw law, const Values& v) {
+                                               law.rupture_distance *= v["factor"];
+                                               return law;
+                                           }},
+            .touches = Touches::wet,
+            .fades_with_capillarity = true,
+            .acts_through = {"liquid_content", "1/reduced_pressure"},
+            .references = {
+                "Lian, Thornton, Adams, J. Colloid Interface Sci. 161 (1993) 138: rupture at (1 + "
+                "theta/2) V0^(1/3)",
+                "Willett, Adams, Johnson, Seville, Langmuir 16 (2000) 9396"}};
 }
 
 }  // namespace pendular

@@ -111,24 +111,25 @@ Effect unequal_bridges() {
             "grains i and j,\n"
             "dV_k/d(strain) = exchange [(m_i + m_j)/2 - V_k],  m_i: mean of grain i's bridges;\n"
             "F = F0 [1 - h/sqrt(h^2 + 4 V/(pi a))],  rupture distance V^(1/3)",
-        .parameters = {{.name = "deviation",
-                        .unit = "1",
-                        .lower = 0,
-                        .upper = 1,
-                        .neutral = 0,
-                        .smallest_of_interest = 0.5,
-                        .meaning = "standard deviation of the bridges' volumes over their "
-                                   "mean, as they form",
-                        .amplitude = [](double deviation) { return deviation * deviation; }},
-                       {.name = "exchange",
-                        .unit = "1",
-                        .lower = 0,
-                        .upper = 1000,
-                        .neutral = 0,
-                        .smallest_of_interest = 1,
-                        .meaning = "rate per unit of shear strain at which liquid evens out "
-                                   "between the bridges of a grain; in simulations only",
-                        .only_simulated = true}},
+        .parameters =
+            {{.name = "deviation",
+              .unit = "1",
+              .lower = 0,
+              .upper = 1,
+              .neutral = 0,
+              .smallest_of_interest = 0.5,
+              .meaning =
+                  "standard deviation of the bridges' volumes as they form, divided by their mean",
+              .amplitude = [](double deviation) { return deviation * deviation; }},
+             {.name = "exchange",
+              .unit = "1",
+              .lower = 0,
+              .upper = 1000,
+              .neutral = 0,
+              .smallest_of_interest = 1,
+              .meaning = "rate per unit of shear strain at which liquid evens out "
+                         "between the bridges of a grain; in simulations only",
+              .only_simulated = true}},
         .change = dem::ChangePairs{.contact_history = 1,
                                    .volume_in_history = true,
                                    .exchange_rate = [](const Values& v) { return v["exchange"]; },

@@ -107,10 +107,10 @@ TEST_F(StudyChanges, AreRefusedBeforeAnyWork) {
     expect_refused_whole("drop " + path + " torque-ofset", "did you mean 'torque-offset'?");
     expect_refused_whole(
         "add " + path,
-        "EFFECT, the name of an effect, is missing; usage: pendular add STUDY EFFECT");
-    expect_refused_whole(
-        "drop",
-        "STUDY, the folder of a study or its file study.toml, is missing; usage: pendular drop");
+        "argument EFFECT (the name of an effect) is not given; usage: pendular add STUDY EFFECT");
+    expect_refused_whole("drop",
+                         "argument STUDY (the folder of a study or its file study.toml) is not "
+                         "given; usage: pendular drop");
     expect_refused_whole("add " + path + " lid-slip torque-gain", "too many arguments");
     const std::string none = study(cell).string();
     expect_refused_whole("drop " + none + " torque-gain", "the study lists no effects");
@@ -216,10 +216,9 @@ TEST_F(StudyChanges, AreToldInOneLineWithTheErrorBeforeAndAfter) {
     const StudyChange change = plan(Action::add, "torque-offset");
     const LadderStep before = ladder_step(401.8, 41, 4.12, 4.31),
                      after = with_torque(ladder_step(44, 40, 1, 1.1));
-    EXPECT_EQ(
-        verdict_of(change, before, after),
-        "torque-offset added: chi2/dof falls from 9.80 to 1.10, the RMS error of shear stress "
-        "falls from 4.12 % to 1.00 %.");
+    EXPECT_EQ(verdict_of(change, before, after),
+              "torque-offset added: chi2/dof falls from 9.80 to 1.10, the relative RMS error of "
+              "shear stress falls from 4.12 % to 1.00 %.");
     const auto errors = error_changes(before, after);
     ASSERT_EQ(errors.size(), 6u);
     EXPECT_THAT(errors[2],
@@ -252,10 +251,10 @@ TEST(StudyChangeAdvice, SaysWhenAnEffectDidNotHelp) {
                       HasSubstr("The fitted friction depends strongly on torque-offset: it changes "
                                 "by 3.3 standard errors."),
                       HasSubstr("pendular drop beads torque-offset")));
-    EXPECT_THAT(added(48, 4.3),
-                AllOf(HasSubstr("added, but the readings do not need it"),
-                      HasSubstr("chi2 is 2.0 lower (48 instead of 50), which chance explains"),
-                      HasSubstr("pendular drop beads torque-offset")));
+    EXPECT_THAT(added(48, 4.3), AllOf(HasSubstr("added, but the readings do not need it"),
+                                      HasSubstr("chi2 is 2.0 lower (48 instead of 50) for a "
+                                                "further parameter, which chance explains"),
+                                      HasSubstr("pendular drop beads torque-offset")));
     EXPECT_THAT(added(20, 5),
                 AllOf(HasSubstr("added, but left-out conditions are predicted worse"),
                       HasSubstr("error of shear stress is larger at conditions left out"),

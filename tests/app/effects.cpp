@@ -69,7 +69,7 @@ TEST(Effects, ShowsOneEntryWhole) {
     EXPECT_EQ(run.code, 0) << run.errors;
     for (const char* part :
          {"T_shown = T + torque",
-          "-100 to 100 mN m, no effect at 0 mN m, smallest change that matters 0.1 mN m",
+          "-100 to 100 mN m, no effect at 0 mN m, smallest size of interest 0.1 mN m",
           "normal stress (largest at small values)", "Schulze", "effects = [\"torque-offset\"]",
           "pendular virtual-lab OUT --torque-offset.torque \"0.1 mN m\"", "all readings"})
         EXPECT_THAT(run.output, HasSubstr(part));

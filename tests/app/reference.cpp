@@ -73,8 +73,8 @@ TEST(ReferencePages, OfEffectsHoldTheRegistry) {
         text += fmt::format("\n## {}\n\n{}.\n\n```\n{}\n```\n\n", effect.name, summary,
                             effect.equation);
         text +=
-            "| parameter | bounds | value without effect | smallest change that matters | meaning "
-            "|\n|---|---|---|---|---|\n";
+            "| parameter | bounds | value without effect | smallest size of interest | meaning |\n"
+            "|---|---|---|---|---|\n";
         for (const EffectParameter& p : effect.parameters) {
             text += fmt::format(
                 "| `{}` | {} | {} | {} | {} |\n", p.name,

@@ -103,8 +103,8 @@ TEST(Compare, SaysWhereTheModelFails) {
     EXPECT_LT(trend->p, 0.01);
     EXPECT_LT(where.checks.p, 0.05);
     const auto lines = failure_table(where);
-    EXPECT_THAT(lines, testing::Contains(HasSubstr(
-                           "measured shear stress falls below the model as normal stress grows")));
+    EXPECT_THAT(lines, testing::Contains(HasSubstr("residual of the shear stress (measured minus "
+                                                   "model) decreases with the normal stress")));
 }
 
 TEST(Compare, FindsAFailureOfAModelThatHoldsAsOftenAsItSays) {

@@ -92,8 +92,8 @@ TEST_F(ReadTable, RefusesNumbersWithoutHeader) {
 TEST_F(ReadTable, RefusesRaggedRows) {
     EXPECT_THAT(
         error("a;b\n1;2\n1;2;3\n4;5\n"),
-        AllOf(HasSubstr(at(":3:5: this row has 3 cells, the header 2")), HasSubstr("complete")));
-    EXPECT_THAT(error("a,b\n1\n"), AllOf(HasSubstr(at(":2:1: this row has 1 cell, the header 2")),
+        AllOf(HasSubstr(at(":3:5: this row has 3 columns, the header 2")), HasSubstr("complete")));
+    EXPECT_THAT(error("a,b\n1\n"), AllOf(HasSubstr(at(":2:1: this row has 1 column, the header 2")),
                                          HasSubstr("if the file was cut off")));
     EXPECT_THAT(error("a,b\n1,5,2,5\n"), HasSubstr("if commas are decimal signs"));
 }

@@ -60,12 +60,11 @@ TEST(ImpactReport, SaysNothingWhereNoKnownEffectExplainsTheReadings) {
 TEST(ImpactReport, SaysWhatTheTwoLeadingEffectsWouldDoWhereNoneIsNamed) {
     Diagnosis d;
     d.verdict = Verdict::inconclusive;
-    EXPECT_THAT(
-        impact_lines(table(), d),
-        ElementsAre("If wall-friction were present with coefficient 0.4, the friction fitted "
-                    "to all readings would be 0.260 instead of 0.300.",
-                    "If lid-slip were present with coefficient 0.2, the friction fitted to "
-                    "all readings would be 0.280 instead of 0.300."));
+    EXPECT_THAT(impact_lines(table(), d),
+                ElementsAre("With wall-friction in the model at coefficient 0.4, the friction "
+                            "fitted to all readings would be 0.260 instead of 0.300.",
+                            "With lid-slip in the model at coefficient 0.2, the friction fitted to "
+                            "all readings would be 0.280 instead of 0.300."));
 }
 
 TEST(ImpactReport, TableHasEachImpactAndEachGroup) {
