@@ -35,8 +35,8 @@ double normal_stress(double normal_force, const AnnularCell& cell);
 /// Source: direct integration.
 double shear_stress(double torque, const AnnularCell& cell);
 
-/// Solid fraction [1] of a sample of height H [m]: volume V_S of the grains over volume of the
-/// sample.
+/// Solid fraction [1] of a sample of height H [m]: volume V_S of the grains divided by the volume
+/// of the sample.
 ///     solid fraction = V_S / (pi H (Re^2 - Ri^2))      Ri, Re: inner and outer radius [m]
 /// Source: Badetti et al. (2018), eq:exprheol.
 double solid_fraction(double height, const AnnularCell& cell);
@@ -63,8 +63,8 @@ double height(double solid_fraction, const AnnularCell& cell);
 /// [m]. The inverse of `shear_rate`.
 double angular_velocity(double shear_rate, double height, const AnnularCell& cell);
 
-/// 2 x 2 covariance of (shear stress [Pa], solid fraction [1]), propagated to first order from the
-/// covariance C of (torque [N m], sample height [m]).
+/// Covariance matrix (2 x 2) of the errors of (shear stress [Pa], solid fraction [1]). It follows
+/// to first order from the covariance matrix C of the errors of (torque [N m], sample height [m]).
 ///     J C J^T      J = diag(d(shear stress)/d(torque), d(solid fraction)/d(height))
 /// @param height sample height at which the derivatives are taken [m]
 Eigen::Matrix2d covariance_of_reading(double height,

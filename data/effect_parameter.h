@@ -21,25 +21,28 @@ struct EffectParameter {
     double smallest_of_interest = 1;
     std::string meaning;  ///< meaning of the effect's parameter in a few words, for the user
     /// Function that returns the amplitude A(value) of the effect: the change of the observables is
-    /// taken as proportional to A(value) - A(neutral). It is needed for changes with zero slope at
-    /// `neutral`, such as 1 - cos(angle). Null: A(value) = value.
+    /// taken as proportional to A(value) - A(neutral). Here `neutral` is the value at which the
+    /// effect vanishes. The function is needed if the slope of the change is zero at that value, as
+    /// the slope of 1 - cos(angle) at angle 0. Null: A(value) = value.
     double (*amplitude)(double value) = nullptr;
     /// Function that returns the effective amplitude at a value of the parameter and a friction
     /// coefficient between grains [1], for effects that friction limits, such as rolling
     /// resistance. The emulator (Gaussian processes trained on simulations) takes the change of the
-    /// observables as proportional to the effective amplitude, which is 0 at `neutral` and largest
-    /// at `upper`. Null: `amplitude` is used.
+    /// observables as proportional to the effective amplitude, which is 0 at the neutral value of
+    /// the parameter and largest at its upper bound. Null: the function `amplitude` is used.
     double (*effective_amplitude)(double value, double friction) = nullptr;
 
-    /// True if only simulations of given values have the parameter. The models of studies keep it at
-    /// `neutral`, since the readings hardly tell it from the other parameters of the effect.
+    /// True if the parameter can differ from its neutral value only in simulations for which the
+    /// user states its value. Models of studies do not fit it, since measured data can hardly
+    /// separate it from the other parameters of the effect.
     bool only_simulated = false;
 
     /// Whether the effect can only be switched on or off: its parameter has the name "on".
     bool is_switch() const { return name == "on"; }
-    /// Whether the models of studies fit the parameter.
+    /// Whether a model of a study can fit the parameter to measured data.
     bool is_fitted() const { return !is_switch() && !only_simulated; }
-    /// Value of the parameter in models of studies that do not fit it, in the parameter's unit.
+    /// Value of the parameter, in its unit, in models that do not fit the parameter: 1 (on) for a
+    /// switch, else the neutral value, at which the effect vanishes.
     double value_if_not_fitted() const { return is_switch() ? 1 : neutral; }
 };
 
@@ -58,17 +61,17 @@ struct EffectValues {
     bool operator==(const EffectValues&) const = default;
 };
 
-/// Values of an effect's parameters, which are accessed by the parameters' names. The two arrays of
-/// the constructor have one element per parameter, in the same order. They are not copied, so they
-/// must outlive this object.
+/// Values of an effect's parameters, accessed by the names of the parameters. The two arrays that
+/// the constructor receives have one element per parameter, in the same order. The arrays are not
+/// copied and must outlive this object.
 class Values {
   public:
     Values(std::span<const EffectParameter> parameters, std::span<const double> values)
         : parameters_(parameters), values_(values) {}
 
     /// Value of the effect's parameter with a given name, in the parameter's unit.
-    /// @throws std::logic_error if the effect has no such parameter, which is an error of the
-    ///         program
+    /// @throws std::logic_error if the effect has no parameter with this name, which is a
+    ///         programming error
     double operator[](std::string_view name) const;
 
   private:

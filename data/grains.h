@@ -11,9 +11,9 @@ constexpr double gravity = 9.80665;
 struct GrainProperties {
     double diameter = 0;  ///< mean diameter a of the grains [m]
     double density = 0;   ///< density of the grain material [kg/m^3]
-    /// Young's modulus E [Pa]. If it is empty, grains are simulated at a stiffness number (see
-    /// `stiffness_number`) that depends on the chosen fidelity (size and accuracy of the
-    /// simulations).
+    /// Young's modulus E of the grain material [Pa]. If it is empty, grains are simulated at a
+    /// stiffness number (see `stiffness_number`) that is chosen together with the size and accuracy
+    /// of the simulations (`Fidelity`).
     std::optional<double> youngs_modulus = {};
     double poisson_ratio = 0.3;  ///< Poisson ratio nu of the grain material [1]
 
@@ -33,7 +33,7 @@ struct Liquid {
 /// Inertial number I [1] at a shear rate [1/s] and a normal stress s22 [Pa].
 ///     I = shear rate sqrt(m/(a s22))      m, a: mass [kg] and diameter [m] of a grain
 /// Source: Badetti et al. (2018), eq:defI, in its three-dimensional form. The other common
-/// definition, shear rate a sqrt(density/s22), gives sqrt(6/pi) = 1.382 times larger values.
+/// definition, shear rate times a sqrt(density/s22), gives sqrt(6/pi) = 1.382 times larger values.
 double inertial_number(double shear_rate, double normal_stress, const GrainProperties& grains);
 
 /// Shear rate [1/s] at an inertial number I [1] and a normal stress s22 [Pa], the inverse of the

@@ -12,16 +12,17 @@ struct PrintedUnit {
     double si = 1;     ///< size of one printed unit in the SI unit: 0.001 for "mN m"
 };
 
-/// Unit in which the values of an effect's parameter are printed for readers, the same for all its
-/// values: degrees for an angle, else the parameter's SI unit with the prefix m or u if the bounds
-/// of the parameter are all below 1 or 0.001 of the SI unit, "mN m" for torques up to 0.1 N m.
+/// Unit in which all values of an effect's parameter are printed. An angle is printed in degrees.
+/// Otherwise the unit is the parameter's SI unit, with the prefix m if both bounds of the parameter
+/// are below 1 in magnitude, or u if both are below 0.001: "mN m" for torques up to 0.1 N m.
 PrintedUnit printed_unit(const EffectParameter& parameter);
 
 /// Text of a value [SI unit] of an effect's parameter with four significant digits in its printed
 /// unit (`printed_unit`): "0.1 mN m", "10 deg"; without a unit if the parameter is dimensionless.
 std::string printed_value(double value, const EffectParameter& parameter);
 
-/// Text of `printed_value` as one word of a command line: in quotes if it has a unit.
+/// Text of a value [SI unit] of an effect's parameter as `printed_value` gives it, for use as one
+/// argument of a command: in quotes if it contains a unit.
 std::string printed_word(double value, const EffectParameter& parameter);
 
 /// Text of the bounds of an effect's parameter in its printed unit: "-100 to 100 mN m".

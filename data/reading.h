@@ -14,12 +14,12 @@
 
 namespace pendular {
 
-/// Imposed conditions of a measured or simulated state, which is steady shear or a point of
-/// failure.
+/// Conditions imposed on the grains in one measured or simulated state, which is either steady
+/// shear or a point of failure.
 struct Condition {
     double normal_stress = 0;      ///< normal stress s22 imposed on the grains [Pa]
     double inertial_number = 0;    ///< inertial number I of the flow [1]; 0: quasi-static limit
-    double liquid_content = 0;     ///< volume of liquid over volume of grains [1]; 0: dry
+    double liquid_content = 0;     ///< volume of liquid divided by volume of grains [1]; 0: dry
     std::optional<double> height;  ///< height of the sample at this condition [m]; empty: unknown
     std::optional<double> bead_volume;  ///< solid volume of the grains in the cell [m^3], if known
     double time = 0;  ///< time of the state since the study's first recording began [s]
@@ -34,22 +34,22 @@ struct Condition {
     bool operator==(const Condition&) const = default;
 };
 
-/// Part of a reading's error that is common to several readings, such as the error of one filling
-/// of the cell.
+/// Part of the error of a reading (measured state) that several readings have in common, such as
+/// the error of one filling of the cell.
 struct SharedError {
     /// Number that identifies what causes the error, such as one filling of the cell. Shared errors
     /// with equal numbers are fully correlated.
     std::size_t source = 0;
-    /// Standard errors that the shared error causes in (shear stress [Pa], solid fraction [1]).
-    /// They are increased if few fillings determine them.
+    /// Standard errors that the shared error causes in (shear stress [Pa], solid fraction [1]). The
+    /// standard errors are increased if they were estimated from few fillings.
     Eigen::Vector2d size = Eigen::Vector2d::Zero();
     /// True if the size of the shared error is known; false if it was estimated from replicates
     /// (readings at the same condition).
     bool known = false;
 };
 
-/// One measured state, the mean over a step of steady shear or a point of failure: shear stress
-/// [Pa] and solid fraction [1] at a condition, with their errors.
+/// One measured state: shear stress [Pa] and solid fraction [1] at one condition, with their
+/// errors. The state is either the mean over a step of steady shear, or a point of failure.
 struct Reading {
     Position origin;    ///< file, and first line in it, from which the reading was made
     int last_line = 0;  ///< last line of the file from which the reading was made; 0: `origin.line`
@@ -62,10 +62,10 @@ struct Reading {
     Eigen::Vector2d value = Eigen::Vector2d::Zero();
     /// Covariance of the errors of the reading's (shear stress [Pa], solid fraction [1]), all
     /// errors included. The part from the scatter between replicates (readings at the same
-    /// condition) is increased if they are few.
+    /// condition) is increased if the replicates are few.
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-    /// Part of the reading's `covariance` by which the scatter between replicates was increased
-    /// because replicates (readings at the same condition) are few.
+    /// Amount by which the reading's `covariance` was increased because the scatter between
+    /// replicates (readings at the same condition) was estimated from few replicates.
     Eigen::Matrix2d widened_by = Eigen::Matrix2d::Zero();
     /// Errors that this reading has in common with other readings, such as the error of one filling
     /// of the cell. They are contained in `covariance`.
@@ -91,16 +91,18 @@ struct Reading {
     int replicates = 1;
 
     /// Covariance of (shear stress [Pa], solid fraction [1]) without the increase for few
-    /// replicates. Statistical tests that allow for the number of replicates in another way use it.
+    /// replicates. It is for statistical tests that allow for the small number of replicates in
+    /// another way.
     Eigen::Matrix2d estimated_covariance() const { return covariance - widened_by; }
-    /// Stress ratio of the reading [1]: shear stress over normal stress.
+    /// Stress ratio of the reading [1]: shear stress divided by normal stress.
     double stress_ratio() const { return value(0) / condition.normal_stress; }
 };
 
 /// Rows of a file that were not used for a reading, with the reason.
 struct Excluded {
-    /// Kind of rows: any rows (a spike), rows of a step beside its plateau (a transient, a part of
-    /// a turn), a step that reaches no plateau, or a reading that was set aside.
+    /// What was left out: single rows, such as a spike (`rows`); rows of a step outside its steady
+    /// part, such as a transient (`beside_plateau`); a whole step without a steady part
+    /// (`step_without_plateau`); or a whole reading (`reading`).
     enum class Kind { rows, beside_plateau, step_without_plateau, reading };
     Position origin;     ///< file, and first line in it, of the rows that were left out
     int last_line = 0;   ///< last line of the rows that were left out
@@ -123,16 +125,17 @@ struct Doubt {
     bool set_aside = true;
 };
 
-/// Scatter between replicates (readings at the same condition) that the scatter within their
-/// recorded steps does not explain. Variances and mean squares are relative to the squared values
-/// of (stress ratio, solid fraction), so they are dimensionless.
+/// Scatter between replicates (readings at the same condition) in excess of the scatter within
+/// their recorded steps. Variances and mean squares are relative to the squared values of (stress
+/// ratio, solid fraction), so they are dimensionless.
 struct ReplicateScatter {
-    /// Scatter between repeated steps in a group of files that have conditions in common.
+    /// Scatter between steps that were repeated at the same condition, in a group of files with
+    /// common conditions.
     struct Group {
         std::vector<std::string> files;  ///< paths of the files in the group
         /// Covariance of the relative deviations of (stress ratio, solid fraction) between repeated
-        /// steps [1] at the normal stress `reference_stress`. The part that the scatter within each
-        /// step explains is subtracted.
+        /// steps [1] at the normal stress `reference_stress`, minus the part that follows from the
+        /// scatter within each step.
         Eigen::Matrix2d excess = Eigen::Matrix2d::Zero();
         /// Mean squares of the relative deviations of (stress ratio, solid fraction) between
         /// replicates [1], including the scatter within steps. Groups that share one estimate have
@@ -186,23 +189,24 @@ struct Measurements {
     /// Scatter between replicates (readings at the same condition), which the covariances of the
     /// readings contain.
     ReplicateScatter scatter;
-    /// Rows of the files and readings that were left out, with reasons.
+    /// Rows of files, and whole readings, that were left out, with the reasons.
     std::vector<Excluded> excluded;
     /// Messages about measured values that are probably wrong, most of which were set aside.
     std::vector<Doubt> doubts;
-    /// Faults that the rows of the recordings show, such as a wobble of the lid.
+    /// Faults found in the rows of the recordings, such as a wobble of the lid.
     std::vector<RecordingFinding> findings;
     /// Faults of whole files, such as a header that contradicts study.toml or measured values that
     /// do not follow their set points.
     std::vector<FileFinding> file_findings;
-    /// Messages for the user about the import, such as a torque whose sign was flipped.
+    /// Messages for the user about the conversion of files to readings, such as a torque whose sign
+    /// was flipped.
     std::vector<std::string> notes;
-    /// Message for the user on the weight of the grains, if it is neglected and not small; else
+    /// Message for the user if the weight of the grains is neglected although it is not small; else
     /// empty.
     std::optional<std::string> weight_note;
 };
 
-/// Returns the imposed condition of each reading, in the order of the readings.
+/// Returns the imposed condition of each reading (measured state), in the order of the readings.
 inline std::vector<Condition> conditions_of(const std::vector<Reading>& readings) {
     std::vector<Condition> conditions;
     for (const auto& reading : readings) {

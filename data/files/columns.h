@@ -15,10 +15,10 @@ namespace pendular {
 ///
 /// Header cells read `name [unit]`, `name (unit)` or `name in unit`; columns may be in any order. A
 /// column `name_sd [unit]` has standard deviations; if it states no unit, it has the unit of the
-/// column `name`. Two conventions are converted: `inertial_number_diameter_density`, shear rate a
-/// sqrt(density/s22) with grain diameter a and normal stress s22, is divided by sqrt(6/pi) and read
-/// as `inertial_number`; `rotational_speed`, in turns unless the unit says otherwise, is read as
-/// `angular_velocity`.
+/// column `name`. Two other conventions are converted. A column `inertial_number_diameter_density`
+/// contains the shear rate times a sqrt(density/s22), with grain diameter a and normal stress s22;
+/// it is divided by sqrt(6/pi) and read as `inertial_number`. A column `rotational_speed`, which
+/// counts turns if its unit has no angle (1/min), is read as `angular_velocity`.
 class Columns {
   public:
     /// Assigns the header cells to quantities. The table is not copied and must outlive this
@@ -49,8 +49,8 @@ class Columns {
     /// @throws InputError at the cell if its text is not a finite number, or is too large for a
     ///         measured value
     std::optional<double> value_if_any(const Row& row, std::string_view name) const;
-    /// Conversion of a column to SI units: a number x in cell `index` of a row, from 0, is the
-    /// value factor x + offset.
+    /// Conversion of the numbers in a column to SI units: a number x becomes factor x + offset. The
+    /// column has the index `index`, from 0.
     struct Conversion {
         std::size_t index;
         double factor, offset;
@@ -63,15 +63,15 @@ class Columns {
     /// @throws InputError at the cell if its text is not a positive number
     std::optional<double> deviation(const Row& row, std::string_view name) const;
 
-    /// Rounding step of a quantity in each row, in SI units, from the number of digits in the file.
-    /// One element per row; 0 if the column is missing or the cell is empty.
+    /// Rounding step of a quantity in each row, in SI units, deduced from the number of digits that
+    /// the file gives. One element per row; 0 if the column is missing or the cell is empty.
     std::vector<double> resolutions(std::string_view name) const;
 
     /// Position in the file (line and column) of the cell of a quantity in a row; if the table
     /// lacks the quantity's column, the line of the row.
     Position at(const Row& row, std::string_view name) const;
 
-    /// Indices, from 0, of the table's header cells that name no quantity of the program.
+    /// Indices, from 0, of the table's header cells whose names the program does not know.
     const std::vector<std::size_t>& unknown() const { return unknown_; }
     /// Returns the header cells that are not empty and whose columns are not used.
     /// @param used names of the used quantities such as "torque", with "_sd" for their standard
@@ -86,8 +86,9 @@ class Columns {
         bool deviation = false;
         double factor = 1;
         double offset = 0;
-        std::size_t index = 0;   ///< index of the column in the table, from 0
-        std::string wrong = {};  ///< error message about the column's unit; empty if there is none
+        std::size_t index = 0;  ///< index of the column in the table, from 0
+        /// Error message about the column's unit; empty if the unit is valid.
+        std::string wrong = {};
     };
 
     void add(std::size_t index);

@@ -22,7 +22,8 @@ struct Row {
     std::vector<Cell> cells;
 };
 
-/// Table of text cells from a file: a header and at least one row, each as long as the header.
+/// Table of text cells from a file: a header and at least one row. Each row has as many cells as
+/// the header.
 struct Table {
     std::string file;
     Row header;
@@ -38,16 +39,17 @@ struct Table {
     Position at_header(std::size_t cell) const { return at(header, cell); }
 };
 
-/// Largest number of cells (rows times columns) in one file, and in one line, that is read.
+/// Largest numbers of table cells that are read: `most_cells` from one file (rows times columns),
+/// and `most_cells_of_line` from one line.
 constexpr std::size_t most_cells = 20'000'000, most_cells_of_line = 2'000'000;
 
 /// Checks that a file does not have more than `most_cells` cells.
 /// @param cells number of cells (rows times columns) up to line `line`
-/// @throws InputError at the line if there are more
+/// @throws InputError at line `line` if `cells` exceeds `most_cells`
 void check_cell_count(std::size_t cells, const std::string& file, int line);
 
-/// Treatment of a quote inside a cell, as in the header `G"`: it is an error, or it is kept as a
-/// plain character.
+/// Treatment of a quotation mark inside a table cell, as in the header `G"`: `refused` reports an
+/// error, `kept` keeps the mark as a plain character.
 enum class InnerQuotes { refused, kept };
 
 /// Splits a line of a table into cells. A quote at the start of a cell opens a quoted cell, in
@@ -65,7 +67,7 @@ Row split_cells(std::string_view line, char delimiter, const Position& at, Inner
 ///         occurs twice, the header consists of numbers, or there are more than `most_cells` cells
 Table read_table(const std::filesystem::path& path);
 
-/// Returns the table in the lines of a text, by the rules of `read_table`.
+/// Parses the lines of a text as a table, by the rules of `read_table`, and returns the table.
 /// @param file path of the file, for error messages
 /// @throws InputError at file:line:column if there are no rows, a row differs in length from the
 ///         header, a quote is misplaced or not closed, a column name occurs twice, the header

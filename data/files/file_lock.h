@@ -10,7 +10,7 @@ namespace pendular {
 /// remains.
 class FileLock {
   public:
-    /// Makes a lock that this process does not have yet; the function `take` takes it.
+    /// Prepares a lock without taking it; the function `take` takes it.
     /// @param file file that represents the lock; it is created if it does not exist
     explicit FileLock(std::filesystem::path file) : file_(std::move(file)) {}
     FileLock(const FileLock&) = delete;
@@ -21,8 +21,8 @@ class FileLock {
     /// @return false if another process has the lock
     /// @throws std::runtime_error if the file cannot be written or locked, or is a symbolic link
     bool take();
-    /// Returns words for the process that has the lock, such as "process 123 (pendular add
-    /// my-study)", or "another process" if the system does not show which process it is.
+    /// Returns a description of the process that has the lock, such as "process 123 (pendular add
+    /// my-study)", or "another process" if the system does not reveal which process has it.
     std::string holder() const;
 
   private:

@@ -20,7 +20,7 @@ std::string json_text(const nlohmann::ordered_json& object, int indent = 2);
 /// Files without a key "format" are accepted.
 /// @param file path of the file, for the message
 /// @param advice end of the message, which says what to do
-/// @throws InputError if the version is another one
+/// @throws InputError if the file has another version of the formats
 void check_json_format(const nlohmann::ordered_json& object, const std::filesystem::path& file,
                        std::string_view advice);
 

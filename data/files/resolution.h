@@ -5,7 +5,7 @@
 
 namespace pendular {
 
-/// Precision to which the numbers in a column of a table are written.
+/// Numbers of digits with which the numbers in a column of a table are written.
 struct Digits {
     /// Largest number of significant digits among the numbers of the column, trailing zeros not
     /// counted.

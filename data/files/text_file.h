@@ -49,7 +49,7 @@ DecodedText decode_bytes(const std::string& bytes, const std::filesystem::path& 
                          const std::string& encoding = "");
 
 /// Returns the lines of a text without line ends (LF, CRLF or CR, also mixed) and byte-order mark.
-/// The lines are views of the text, which must outlive them.
+/// The lines are views of the text, which must outlive the lines.
 std::vector<std::string_view> split_lines(std::string_view text);
 
 }  // namespace pendular

@@ -20,7 +20,7 @@ bool is_archive(std::string_view bytes);
 /// @param bytes content of the file
 /// @param file path of the file, for error messages
 /// @param sheet name of the sheet; empty: the first one
-/// @throws InputError if the bytes are no workbook, have no such sheet, unpack to more than
+/// @throws InputError if the bytes are no workbook, lack the sheet `sheet`, unpack to more than
 ///         `largest_unpacked`, or have more than `most_cells` cells
 /// Source: ECMA-376, Office Open XML File Formats, part 1, section 18 (SpreadsheetML).
 std::string sheet_text(const std::string& bytes, const std::string& file, const std::string& sheet);

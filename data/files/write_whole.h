@@ -48,7 +48,7 @@ class PassingFolder {
 
 /// Checks that a path is not a symbolic link to a file outside of its folder, which would be
 /// overwritten.
-/// @throws InputError if the path is such a link
+/// @throws InputError if the path is a symbolic link to a file outside of its folder
 void refuse_link_out(const std::filesystem::path& path);
 
 }  // namespace pendular

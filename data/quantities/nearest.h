@@ -12,7 +12,7 @@ namespace pendular {
 /// Source: Damerau-Levenshtein distance, optimal string alignment.
 int edit_distance(std::string_view first, std::string_view second);
 
-/// Returns the known name that needs the fewest edits (`edit_distance`) to become a misspelt word.
+/// Returns the known name that differs from a misspelt word by the fewest edits (`edit_distance`).
 /// Empty if every name needs more edits than a third of the length of the word in bytes, at least
 /// one edit being allowed.
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> known);

@@ -21,8 +21,8 @@ struct Quantity {
 /// All physical quantities that the program reads, computes or displays; each name occurs once.
 std::span<const Quantity> quantities();
 
-/// Returns the quantity with a given `Quantity::name`. The program aborts if there is none, since
-/// only its source code calls this function with fixed names.
+/// Returns the quantity with a given `Quantity::name`. The program aborts if no quantity has this
+/// name: the names are constants in the source code, so a wrong one is a programming error.
 const Quantity& quantity(std::string_view name);
 
 /// Returns the quantity that a header cell of a table names, or null if the name is unknown. Case

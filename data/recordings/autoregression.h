@@ -6,7 +6,7 @@
 
 namespace pendular {
 
-/// Arithmetic mean of samples, in the unit of the samples; NaN if there are none.
+/// Arithmetic mean of samples, in the unit of the samples; NaN for an empty list.
 double plain_mean(std::span<const double> samples);
 
 /// Lagged covariances C(t) of two series of n samples, in the product of the units of the series.
@@ -20,7 +20,8 @@ class LaggedCovariances {
     /// @param first,second series of equal length, sampled at the same times
     LaggedCovariances(std::span<const double> first, std::span<const double> second);
 
-    /// Lag, as a number of samples, from which on a request causes all lags to be computed at once.
+    /// Smallest lag, as a number of samples, whose first request causes the covariances at all lags
+    /// to be computed at once, by Fourier transforms.
     static constexpr std::size_t lags_alone = 512;
 
     /// Covariance C(lag) of the two series, in the product of their units.
@@ -58,12 +59,12 @@ struct Autoregression {
     double spectrum_at_zero(double count) const;
     /// Spectral density of the series at a frequency in cycles per sample, in the squared unit of
     /// the series; for independent samples, it equals their variance.
-    ///     (variance of the innovation)/|1 - sum_j a_j exp(-2 pi i j frequency)|^2,   a_j:
-    ///     coefficients
+    ///     (variance of the innovation)/|1 - sum_j a_j exp(-2 pi i j frequency)|^2
+    /// The numbers a_j are the coefficients of the model.
     double spectrum(double frequency) const;
 };
 
-/// Autoregressive model that describes a series of n samples best by the Bayesian information
+/// Autoregressive model of a series of n samples, whose order is chosen by the Bayesian information
 /// criterion. Its order is at most 10 and at most n/10. The variance of the innovation is 0 if the
 /// series is constant.
 /// @param covariance lagged covariances of the series with itself

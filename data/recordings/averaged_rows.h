@@ -7,10 +7,10 @@
 
 namespace pendular {
 
-/// Adds the rows of a file to a recording and bounds the memory. Once the recording has `most`
-/// rows, neighbouring rows of the same interval (step of constant set points) are averaged in
-/// pairs, and each further row is the mean of twice as many rows of the file as before
-/// (`Recording::averaged_rows`).
+/// Adds the rows of a file to a recording and limits the memory that the recording takes. Once the
+/// recording has `most` rows, neighbouring rows of the same interval (step of constant set points)
+/// are averaged in pairs, and each further row is the mean of twice as many rows of the file as
+/// before (`Recording::averaged_rows`).
 class AveragedRows {
   public:
     /// Prepares to add rows to an empty recording, which must outlive this object.
@@ -19,12 +19,14 @@ class AveragedRows {
     AveragedRows(Recording& recording, std::vector<std::vector<double> Recording::*> columns,
                  std::size_t most);
 
-    /// Adds a row of the file: its line number from 1, and the value of each column in SI units.
+    /// Adds a row of the file.
+    /// @param line number of the row's line in the file, from 1
+    /// @param values value of each column in the row, in SI units
     /// @return false if averaging does not make the recording shorter, because nearly every row
     ///         belongs to another interval than the row before
     bool add(int line, const std::vector<double>& values);
-    /// Adds the mean of the last rows, which are too few for a complete mean. To be called after
-    /// the last row.
+    /// Adds the mean of the rows that remain at the end of the file, which are too few for a mean
+    /// of the usual number of rows. To be called after the last row.
     void finish();
 
   private:

@@ -7,21 +7,23 @@
 
 namespace pendular {
 
-/// Averages many readings in bins of similar conditions, so that statistical tests take no longer
-/// for many readings than for few. Returns one mean reading per bin, in the order of the first
-/// members of the bins. The position in the file is that of the first member. `most` or fewer
-/// readings are returned unchanged.
+/// Averages readings with similar conditions in bins, so that statistical tests take no longer for
+/// many readings than for few. Returns one mean reading per bin, in the order of the first members
+/// of the bins. The position in the file is that of the first member. `most` or fewer readings are
+/// returned unchanged.
 ///
 /// Readings are averaged only if they have equal liquid content and volume of grains, are all
 /// steady shear or all failure after the same preshear, and share the estimate of their scatter.
-/// Readings of different recordings are never averaged, since each recording has its own filling of
-/// the cell; readings of different tables only if more than `most`/2 such groups exist. Bins are
-/// divided where their conditions differ most, until there are `most` bins.
+/// Readings of different recordings are not averaged if their errors come only from the scatter
+/// within one run, since each recording has its own filling of the cell. Other readings of
+/// different files are averaged only if more than `most`/2 bins would be needed otherwise. Bins are
+/// divided where their conditions differ most, until the number of bins is `most`.
 ///
 /// Stress ratios and solid fractions are averaged at the means of 1/(normal stress) and of
-/// sqrt(inertial number), in which models are nearly linear: a spread w of these coordinates shifts
-/// the mean from the model by about its second derivative times w^2/2. Averaging reduces the
-/// independent errors of the readings, but not the errors that readings have in common.
+/// sqrt(inertial number), in which models are nearly linear. If a coordinate has the spread w in a
+/// bin, the mean differs from the model by about w^2/2 times the second derivative of the model.
+/// Averaging reduces the independent errors of the readings, but not the errors that readings have
+/// in common.
 /// @param most largest number of bins
 std::vector<Reading> binned_readings(const std::vector<Reading>& readings, std::size_t most);
 

@@ -25,22 +25,23 @@ struct Contradictions {
 };
 
 /// Compares the columns of a recording that measure the same quantity, removes the rows in which
-/// they contradict each other, and returns what was found. The pairs are shear stress and torque,
-/// normal stress and normal force, shear rate and angular velocity, converted with the radii of the
-/// cell. Messages about the contradictions are added to `result.doubts` and `result.notes`. If
-/// `choice.keep_implausible` is set, no row is removed.
+/// they contradict each other, and returns the removed rows. Compared are shear stress with torque,
+/// normal stress with normal force, and shear rate with angular velocity, converted with the radii
+/// of the cell. Messages about the contradictions are added to `result.doubts` and `result.notes`.
+/// If `choice.keep_implausible` is set, no row is removed.
 ///
-/// A row contradicts itself if its two values differ by more than 5 % and by more than the
-/// resolution of the columns. If the median ratio of two columns differs from 1 by more than 2 %,
-/// the instrument used another cell or formula, and the whole file is doubtful. A ratio of shear
+/// The two values in a row contradict each other if they differ by more than 5 % and by more than
+/// the resolution of the columns. If the median ratio of two columns differs from 1 by more than 2
+/// %, the instrument used another cell or formula, and the whole file is doubtful. A ratio of shear
 /// rates between 0.5 and 2 causes only a note, since instruments define the shear rate at different
 /// radii.
 Contradictions take_out_contradictions(Recording& recording, const AnnularCell& cell,
                                        const ImportSettings& choice, Measurements& result);
 
 /// Moves readings that are affected by contradictions between columns from `part.readings` to
-/// `part.excluded`. If the whole file is doubtful, all readings are moved; otherwise readings that
-/// lost more than 1 in 100 of their rows, since the remaining rows are a biased sample.
+/// `part.excluded`. If the whole file is doubtful, all readings are moved. Otherwise only readings
+/// that lost more than 1 in 100 of their rows are moved, since the remaining rows are a biased
+/// sample.
 void set_aside_contradicted(const Contradictions& contradictions, Measurements& part);
 
 }  // namespace pendular

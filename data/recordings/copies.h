@@ -16,9 +16,9 @@ namespace pendular {
 /// A row is a copy if torque, normal force and gap agree with an earlier row within half the
 /// resolution of the coarser column, and if the times of all copied rows differ from the earlier
 /// times by one constant. Copies must form runs of at least `shortest_step` rows with at least five
-/// different torques, since single rows of replicates agree by chance. This finds copies that were
-/// renamed, linked, reformatted, rounded, thinned out, cut or shifted in time, also within one
-/// recording whose time restarts.
+/// different torques, since single rows of replicates agree by chance. Copies are found even if the
+/// file was renamed, linked, reformatted, rounded, thinned out, cut or shifted in time, and also
+/// within one recording whose time restarts.
 class KnownRows {
   public:
     /// Removes copied rows from a recording. `result.excluded` lists the copied rows with the
@@ -54,9 +54,10 @@ class KnownRows {
 };
 
 /// Moves readings that repeat an earlier reading from `measurements.readings` to
-/// `measurements.excluded`. A reading is a repetition if its values, time and errors equal those of
-/// an earlier reading. A reading of another file is also a repetition if its values are equal and
-/// have more than six digits, which excludes chance.
+/// `measurements.excluded`. A reading is a repetition if its values, time and errors equal the
+/// values, time and errors of an earlier reading. If the two readings come from different files,
+/// equal values with more than six digits are enough, since chance hardly makes so many digits
+/// equal.
 void count_readings_once(Measurements& measurements);
 
 }  // namespace pendular

@@ -22,9 +22,10 @@ struct FileView {
     CellFromColumns cell;               ///< constants of the cell that follow from the columns
     StatedCell stated;                  ///< radii and constants of the cell in the file's header
     std::vector<FileFinding> findings;  ///< faults of the file, such as contradictory columns
-    std::vector<YieldLocus> loci;  ///< points of failure by preshear, with the lines through them
-    /// Quantities that steady shear needs and that no interval has, as words for the user, such as
-    /// "gap" or "torque or shear stress".
+    /// Points of failure after each preshear, with the fitted straight lines.
+    std::vector<YieldLocus> loci;
+    /// Names of quantities that are needed to evaluate steady shear but that no interval of the
+    /// file has, such as "gap" or "torque or shear stress".
     std::vector<std::string> missing;
 };
 

@@ -18,17 +18,17 @@ struct IntervalRole {
 };
 
 /// Returns the role of each interval of a file: "filling", "preshear", "unloading", "failure",
-/// "reloading", "steady" or "other". Roles that the user or the file states come first. Intervals
-/// without values of shear stress or of normal stress are "other".
+/// "reloading", "steady" or "other". Roles that the user or the file states take precedence.
+/// Intervals without values of shear stress or of normal stress are "other".
 ///
-/// A sheared interval is "steady" if the lid turns by more than 1 rad, or if no normal stress
-/// presses the sample (its shear stress reaches three times the normal stress). Otherwise it is
-/// "failure" if the sheared interval before it has a normal stress at least 5 % higher, if the file
-/// has only the intervals 4, 8, 12 and so on of a powder cell, or if the lid turns by less than 0.3
-/// rad, too little for steady shear. It is "preshear" if the next sheared interval at another
-/// normal stress has a lower one, and "steady" in all other cases. An interval without shear is
-/// "filling" before the first sheared interval; later, it is "unloading" if its normal stress is at
-/// least 5 % lower than that of the sheared interval before it, else "reloading".
+/// A sheared interval is "steady" if the lid turns by more than 1 rad, or if the sample is hardly
+/// loaded (its shear stress reaches three times the normal stress). Otherwise it is "failure" if
+/// the sheared interval before it has a normal stress at least 5 % higher, if the file has only the
+/// intervals 4, 8, 12 and so on of a powder cell, or if the lid turns by less than 0.3 rad, too
+/// little for steady shear. It is "preshear" if the next sheared interval at another normal stress
+/// has a lower one, and "steady" in all other cases. An interval without shear is "filling" before
+/// the first sheared interval; later, it is "unloading" if its normal stress is at least 5 % lower
+/// than that of the sheared interval before it, else "reloading".
 /// @param series columns of each interval, in the order of the file's blocks
 /// @param format settings of the user, with the roles that the user states
 std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<IntervalSeries>& series,

@@ -20,8 +20,8 @@ constexpr double loosest_solid_fraction = 0.4, densest_solid_fraction = 0.74;
 /// Source: Peyneau and Roux, Phys. Rev. E 78 (2008) 011307.
 constexpr double least_stress_ratio = 0.05;
 
-/// Largest plausible stress ratio [1] of grains at a reduced pressure P* [1], infinite for dry
-/// grains:
+/// Largest plausible stress ratio [1] of grains at a reduced pressure P* [1]. For dry grains, P* is
+/// infinite.
 ///     1.5 (1 + 1/P*)
 /// The stress ratio of dry grains stays below 1.5 (a slope of 56 degrees), even if they are angular
 /// or flow fast. Cohesion c adds c/s22 = c*/P* at a normal stress s22; the reduced cohesion c* is
@@ -29,21 +29,23 @@ constexpr double least_stress_ratio = 0.05;
 double greatest_stress_ratio(double reduced_pressure);
 
 /// Finds readings whose solid fraction, stress ratio, inertial number, reduced pressure or liquid
-/// content is impossible in steady shear, and adds messages about them to `measurements.doubts`.
-/// Unless the study keeps implausible readings, they are moved to `measurements.excluded`.
+/// content is impossible in steady shear, and adds messages about these readings to
+/// `measurements.doubts`. Unless the study keeps implausible readings, the readings are moved to
+/// `measurements.excluded`.
 void doubt_impossible_readings(Measurements& measurements, const Study& study);
 
-/// Adds a message to `part.doubts` if the torque or, else, the gap of a recording is the same in
-/// every row. If the torque is constant, all readings are moved to `part.excluded`, unless
-/// `choice.keep_implausible` is set. If the gap is constant, the readings stay, since the gap may
-/// have been measured coarsely. Recordings of less than `shortest_step` rows are not checked.
+/// Adds a message to `part.doubts` if the torque of a recording is the same in every row or, if the
+/// torque varies, the gap is. If the torque is constant, all readings are moved to `part.excluded`,
+/// unless `choice.keep_implausible` is set. If the gap is constant, the readings stay, since the
+/// gap may have been measured coarsely. Recordings of less than `shortest_step` rows are not
+/// checked.
 /// @param part readings of this recording
 void doubt_stuck_columns(const Recording& recording, Measurements& part,
                          const ImportSettings& choice);
 
 /// Adds a message to `part.doubts` if the solid fraction at the median gap of a recording is
-/// impossible. For recordings without a reading: a wrong gap or volume of grains may be the reason
-/// why no step became steady.
+/// impossible. This check is for recordings that gave no reading: a wrong gap or volume of grains
+/// may be the reason why no step became steady.
 void doubt_filling(const Recording& recording, const AnnularCell& cell, Measurements& part);
 
 /// Returns an entry for `Measurements::excluded` with the position of a reading's rows and the

@@ -13,9 +13,9 @@ namespace pendular {
 /// a liquid, liquid_content, unless the entry of study.toml gives it. Optional columns are height,
 /// bead_volume, time and standard deviations `NAME_sd`.
 ///
-/// Without a column bead_volume, the volume of the entry in study.toml is used, else that of the
-/// cell. Without a column height, the height is computed from this volume and the solid fraction,
-/// if the study has a cell.
+/// Without a column bead_volume, the volume of grains in the entry of study.toml is used, else the
+/// volume in [cell]. Without a column height, the height is computed from this volume and the solid
+/// fraction, if the study has a cell.
 ///
 /// Each reading has the covariance of (shear stress [Pa], solid fraction [1]). The standard
 /// deviation of a normal stress, times shear stress/normal stress, is added in quadrature to that

@@ -33,8 +33,8 @@ struct Recording {
     std::vector<double> normal_stress = {};
     /// Shear rate of each row [1/s], as the instrument computed it.
     std::vector<double> shear_rate = {};
-    /// Number of the step of constant set points to which each row belongs; empty if the file lacks
-    /// such a column.
+    /// Number of the step of constant set points to which each row belongs; empty if the file has
+    /// no column of step numbers.
     std::vector<double> interval;
     /// Header cells of the columns of the file that were not read.
     std::vector<std::string> unused_columns;
@@ -52,9 +52,9 @@ struct Step {
 
 /// Reads a recording from a file with the columns time, torque, normal force, gap and angular
 /// velocity in any common spelling, order and unit. Optional columns are the interval (number of
-/// the step) and the shear stress, normal stress and shear rate that the instrument computed.
-/// Without a torque column a shear stress is needed, without a normal force a normal stress; the
-/// missing column stays empty until `fill_from_stresses` computes it.
+/// the step) and the shear stress, normal stress and shear rate that the instrument computed. A
+/// file without torques must have shear stresses, and a file without normal forces must have normal
+/// stresses; the missing column stays empty until `fill_from_stresses` computes it.
 ///
 /// Exports of rheometers may have any layout that `read_blocks` knows. Intervals that lack a
 /// column, rows that lack a value, and intervals to which `format` gives another role than steady
@@ -71,15 +71,15 @@ Recording read_recording(const std::filesystem::path& path, const FileFormat& fo
 Recording recording_of(const BlockFile& file, const FileFormat& format);
 
 /// Computes the torque [N m] of a recording that has only shear stresses, and the normal force [N]
-/// of a recording that has only normal stresses. The formulas are the inverse of those by which the
-/// program computes stresses.
+/// of a recording that has only normal stresses. The formulas invert the functions `shear_stress`
+/// and `normal_stress`, with which the program computes stresses.
 void fill_from_stresses(Recording& recording, const AnnularCell& cell);
 
 /// Splits a recording into steps of constant set points, in the order of the rows. A step begins
 /// where the column interval changes; without this column, where the angular velocity or the normal
-/// force reaches a new level. A level lasts at least `shortest_step` rows and differs from the
-/// level before by more than 5 % and by more than the noise. Rows between two levels belong to the
-/// later step, as its transient.
+/// force changes to a new constant value. A constant value lasts at least `shortest_step` rows and
+/// differs from the preceding constant value by more than 5 % and by more than the noise. Rows
+/// between two constant values belong to the later step, as its transient.
 std::vector<Step> split_steps(const Recording& recording);
 
 /// Removes the rows whose element of `marked` is true from all columns of a recording.

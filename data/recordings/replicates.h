@@ -8,9 +8,9 @@
 namespace pendular {
 
 /// Estimates the scatter between replicates (readings at the same condition) and adds it to the
-/// covariances of (shear stress [Pa], solid fraction [1]) of all readings, as far as the readings'
-/// own errors do not explain it. Also sets `Reading::replicates` and adds messages to
-/// `measurements.doubts` and `measurements.notes`.
+/// covariances of (shear stress [Pa], solid fraction [1]) of all readings, minus the part that
+/// already follows from the readings' own errors. Also sets `Reading::replicates` and adds messages
+/// to `measurements.doubts` and `measurements.notes`.
 ///
 /// Logarithms of stress ratios and of solid fractions are compared, so that set points that differ
 /// by 2 % do not count as scatter. A two-way analysis of variance (conditions, files) separates the
@@ -19,10 +19,10 @@ namespace pendular {
 ///     value = condition (1 + filling + step),   sd(step) ~ (normal stress)^-exponent
 /// The scatter between steps is estimated for each cluster of files with common conditions, and
 /// shrunk towards the scatter of all clusters (`moderated`). Filling errors are pooled over all
-/// files and listed in `Reading::shared`; the prior for them, half of the scatter between steps,
-/// counts like one difference between files. Files or conditions far from their replicates are
-/// reported in `measurements.doubts`, left out of the pooling, and get an error as large as their
-/// distance (`set_far_replicates_apart`).
+/// files and listed in `Reading::shared`; the prior for the filling errors, half of the scatter
+/// between steps, counts like one difference between files. Files or conditions far from their
+/// replicates are reported in `measurements.doubts`, left out of the pooling, and get an error as
+/// large as their distance (`set_far_replicates_apart`).
 ///
 /// A variance with nu degrees of freedom is multiplied by (t/2)^2, with t Student's quantile for nu
 /// at the level of two standard deviations, so that two standard errors cover 95 % although the

@@ -8,8 +8,8 @@ namespace pendular {
 /// Median of a list of values, in the unit of the values; 0 if the list is empty.
 double median(std::vector<double> values);
 
-/// Estimate of the standard deviation of values that outliers hardly change, in the unit of the
-/// values: 1.4826 times the median absolute deviation from the median.
+/// Robust estimate of the standard deviation of values, in the unit of the values: 1.4826 times the
+/// median absolute deviation from the median.
 double robust_deviation(std::span<const double> values);
 
 /// Standard deviation of the noise between neighbouring samples of a series, in the unit of the

@@ -9,7 +9,8 @@ namespace pendular {
 /// Correlation [1] between the rounding errors of two measured values with the same mean, averaged
 /// over the position of the mean between two rounded values:
 ///     6/pi^2 sum_k exp(-(2 pi k scatter)^2)/k^2      (Fourier series of the rounding error)
-/// @param scatter standard deviation of the values before rounding, over the rounding step [1]
+/// @param scatter standard deviation of the values before rounding, divided by the rounding step
+///         [1]
 double rounding_correlation(double scatter);
 
 /// Sets `ReplicatedValue::rounding` [1] of the rounded values in a table: variance of the part of

@@ -4,7 +4,7 @@ namespace pendular {
 
 /// Converts the times in successive recordings to the time since the first recording began [s].
 /// Times that keep increasing from recording to recording are used as recorded. If the times
-/// restart, the recording counts as following the previous recording without a pause.
+/// restart in a recording, it is taken to follow the previous recording without a pause.
 class RunClock {
   public:
     /// Returns the offset [s] to add to the recorded times of the next step. To be called once for

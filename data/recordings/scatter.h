@@ -19,7 +19,7 @@ struct ReplicatedValue {
     /// Variance of the stress ratio or solid fraction that follows from the scatter within the
     /// recorded step of the reading, divided by the squared value [1].
     double within = 0;
-    /// Load of the reading: its normal stress over the reference stress of the study [1].
+    /// Load of the reading: its normal stress divided by the reference stress of the study [1].
     double load = 1;
     /// Variance of the part of the rounding error that differs between replicates, divided by the
     /// variance between repetitions of a step at load 1 [1].
@@ -34,8 +34,8 @@ struct ScatterSums {
     /// [1].
     double within = 0;
     double freedom_within = 0;  ///< degrees of freedom of the residual sum of squares `within`
-    /// Reduction of the sum of squares by the means of files, after those of conditions were
-    /// removed [1].
+    /// Reduction of the sum of squares of the scaled deviations that the means of files bring,
+    /// after the means of conditions were removed [1].
     double between = 0;
     double freedom_between = 0;  ///< degrees of freedom of the sum of squares `between`
     /// Squared norm of the design matrix of the files, after removal of the condition means.
@@ -55,25 +55,26 @@ struct ScatterSums {
 /// that are connected by common conditions. If conditions and files leave no degree of freedom, all
 /// scatter is attributed to steps.
 /// @param exponent load exponent of the scatter: standard deviation ~ load^-exponent [1]
-/// @param tell_files true: scatter is attributed to steps and files; false: to steps only
+/// @param tell_files true: the scatter is divided between steps and files; false: all scatter is
+///         attributed to steps
 /// Source: Searle, Casella and McCulloch, Variance Components (1992), chapter 5.
 ScatterSums analyse_scatter(const std::vector<ReplicatedValue>& values, double exponent,
                             bool tell_files = true);
 
-/// Dependence of the scatter between replicates on the load, the normal stress over a reference
-/// stress:
+/// Dependence of the scatter between replicates (readings at the same condition) on the load, which
+/// is the normal stress divided by a reference stress:
 ///     standard deviation ~ load^-value
 struct LoadExponent {
     double value = 0;           ///< most probable exponent of the load [1]
     double standard_error = 0;  ///< standard error of the load exponent [1]
     /// Difference of -2 log(likelihood times prior) between exponent 0 and the most probable
-    /// exponent [1]; large values speak against a constant relative scatter.
+    /// exponent [1]. If it is large, the relative scatter depends on the load.
     double evidence = 0;
 };
 
-/// Most probable exponent in standard deviation ~ load^-exponent [1] of the scatter between
-/// replicates, common to several sets of values with a variance of their own. Returns zeros for
-/// fewer than 10 degrees of freedom.
+/// Most probable exponent [1] with which the scatter between replicates depends on the load,
+/// standard deviation ~ load^-exponent. The exponent is common to all sets of values, but each set
+/// has a variance of its own. Returns zeros for fewer than 10 degrees of freedom.
 ///
 /// The prior of the exponent is normal with mean 0 and standard deviation 0.5, limited to the range
 /// from 0 to 1: errors of an instrument are constant or proportional to the load, so that relative

@@ -15,7 +15,7 @@ struct StatedValue {
     double value = 0;  ///< the number in the header, converted to SI units
     int line = 0;      ///< line of the number in the file, from 1
     std::string key;   ///< name of the number in the header of the file, such as "Inner radius"
-    std::string text;  ///< number and unit as the file writes them, such as "21 mm"
+    std::string text;  ///< number and unit with the spelling of the file, such as "21 mm"
 };
 
 /// Radii and constants of the annular cell in the header of a file; empty if the header lacks them.
@@ -34,7 +34,7 @@ struct StatedCell {
 StatedCell stated_cell(const BlockFile& file);
 
 /// Adds a finding for each constant of the cell in a file's header that differs by more than 5 %
-/// from the constant that the columns of the file show. Constants that the header lacks are
+/// from the constant that follows from the columns of the file. Constants that the header lacks are
 /// computed from its radii.
 void check_stated_cell(const StatedCell& stated, double stress_per_torque, double stress_per_force,
                        std::vector<FileFinding>& findings);

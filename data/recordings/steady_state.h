@@ -25,13 +25,14 @@ namespace pendular {
 ///
 /// The covariance of a reading is that of the means within the run, with autocorrelation and with
 /// the correlation of torque T and gap. It includes the error of the mean normal force F_N: a model
-/// predicts the shear stress at the measured mean normal stress, so the variance is that of the
-/// mean of T - (T/F) F_N, with T/F the ratio of the means. Fluctuations of the force that the
-/// torque follows cancel out; errors of the force alone add up. (T/F is the slope of a cohesionless
-/// material; with cohesion the slope is smaller, and this error a little too large.)
+/// predicts the shear stress at the measured mean normal stress, so the variance of the mean of T -
+/// r F_N is used, with r the ratio of mean torque to mean normal force. Fluctuations of the force
+/// that the torque follows cancel out; errors of the force alone add up. (r is the slope of a
+/// cohesionless material; with cohesion the slope is smaller, and this error a little too large.)
 ///
-/// @param liquid_content volume of liquid over volume of grains [1]
-/// @param clock converts the mean time of a steady part to the time of the reading
+/// @param liquid_content volume of liquid divided by volume of grains [1]
+/// @param clock converts the mean recorded time of a steady part to the time of the reading, which
+///         counts from the beginning of the study's first recording
 /// @throws InputError if the torque has both signs within a step
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
                               const GrainProperties& grains, double liquid_content, RunClock& clock,
@@ -45,7 +46,7 @@ Measurements reduce_steps(const std::vector<RecordedStep>& steps, const Recordin
 
 /// Converts each step of the first recording of a study to a reading, with the default settings of
 /// import and times that begin at 0.
-/// @param liquid_content volume of liquid over volume of grains [1]
+/// @param liquid_content volume of liquid divided by volume of grains [1]
 /// @throws InputError if the torque has both signs within a step
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
                               const GrainProperties& grains, double liquid_content);

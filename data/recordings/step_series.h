@@ -29,8 +29,8 @@ struct StepSeries {
 /// Converts the rows of a step to evenly spaced samples. All columns are interpolated linearly if
 /// any two neighbouring times are less than 0.5 or more than 1.5 times the median spacing apart. If
 /// the lid turns and the torque is mostly negative, the sign of the torque is changed.
-/// @throws InputError at the first row whose torque has the rarer sign, if the lid turns and the
-///         torque has both signs by more than noise
+/// @throws InputError if the lid turns and the torque is positive in some rows and negative in
+///         others by more than noise; the position is the first row whose torque has the rarer sign
 StepSeries step_series(const Recording& recording, const Step& step);
 
 /// Whether the lid turns: its mean angular velocity differs from 0 by more than 3 standard errors.

@@ -33,22 +33,22 @@ Mean mean_of_correlated(std::span<const double> samples);
 /// line is removed, and the mean is kept.
 std::vector<double> without_line(std::span<const double> samples);
 
-/// Covariance of the means of two series that were sampled together, in the product of their units:
-/// sum of the cross-covariances over the larger of the windows that `mean_of_correlated` uses for
-/// the two series. The correlation coefficient is limited to [-0.99, 0.99].
+/// Covariance of the means of two series that were sampled together, in the product of their units.
+/// The cross-covariances are summed over the larger of the two windows that `mean_of_correlated`
+/// uses for the series. The correlation coefficient is limited to [-0.99, 0.99].
 /// @throws std::invalid_argument if the series differ in length or are empty
 double covariance_of_means(std::span<const double> first, std::span<const double> second);
 
 /// Number of samples at the beginning of a series that belong to the transient; empty if the series
 /// does not become steady.
 ///
-/// It is the number d in the first half of the n samples that minimises the squared standard error
-/// s^2(d)/(n - d) of the n - d samples after it, with s^2(d) their variance, after averaging in
-/// batches of five (fewer below 200 samples). The series is not steady if the minimum is at the end
-/// of the first half, or if the two halves of the remaining samples differ by more than 4 standard
-/// errors (computed about the best line, so that a drift does not count as scatter). At most 1 % of
-/// steady series with an autocorrelation time 2 tau <= 3 samples and at least 50 samples are found
-/// not to be steady.
+/// The result is the number d in the first half of the n samples that minimises the squared
+/// standard error s^2(d)/(n - d) of the n - d samples after it, with s^2(d) their variance, after
+/// averaging in batches of five (fewer below 200 samples). The series is not steady if the minimum
+/// is at the end of the first half, or if the two halves of the remaining samples differ by more
+/// than 4 standard errors (computed about the best line, so that a drift does not count as
+/// scatter). At most 1 % of steady series with an autocorrelation time 2 tau <= 3 samples and at
+/// least 50 samples are found not to be steady.
 /// Source: White, Simulation 69 (1997) 323 (MSER-5).
 std::optional<std::size_t> end_of_transient(std::span<const double> samples);
 

@@ -38,7 +38,7 @@ struct PreshearPoint {
     /// Index of the first row of the last tenth of the preshear, from 0.
     std::size_t begin = 0;
     /// True if the shear stress of the preshear has reached a plateau: its mean over the last tenth
-    /// of the rows differs by at most 2 % from its mean over the tenth before.
+    /// of the rows differs by at most 2 % from its mean over the preceding tenth.
     bool plateau = true;
     /// Bulk density of the sample with liquid [kg/m^3], if the file states it.
     std::optional<double> bulk_density = {};
@@ -65,8 +65,8 @@ struct LinearYieldLocus {
     std::optional<double> major_principal_stress;
     /// Effective angle of internal friction [rad]; empty without a preshear.
     std::optional<double> effective_angle;
-    /// Flowability: major principal stress of the preshear over unconfined yield strength [1];
-    /// empty without a preshear.
+    /// Flowability: major principal stress of the preshear divided by unconfined yield strength
+    /// [1]; empty without a preshear.
     std::optional<double> flowability;
     std::string flow_class;  ///< class of flowability, such as "cohesive"; empty without a preshear
 };
@@ -88,7 +88,7 @@ LinearYieldLocus linear_yield_locus(const std::vector<double>& normal_stress,
                                     const std::vector<double>& shear_stress,
                                     const std::optional<PreshearPoint>& preshear);
 
-/// Points of failure after the same preshear, with the straight lines through them.
+/// Points of failure after the same preshear, with straight lines fitted to the points.
 struct YieldLocus {
     std::string test;  ///< name in the file of the test that the points of failure belong to
     /// Preshear before the first point of failure, if it was recorded.

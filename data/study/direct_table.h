@@ -10,14 +10,14 @@ namespace pendular {
 class StudyTable;
 
 /// Direct measurement of an effect's parameter without shearing grains, such as the torque of the
-/// empty cell, as stated in study.toml. Value and error are texts, since the effect, which is not
-/// known yet, determines their unit.
+/// empty cell, as stated in study.toml. Value and error are kept as texts, since their unit depends
+/// on the effect, which is looked up later.
 struct StatedDirect {
     std::string effect;  ///< name of the effect whose parameter is measured directly
     /// Measured value of the effect's parameter with its unit; empty if not measured yet.
     std::string value;
     std::string error;  ///< standard error of the measured value, with its unit
-    double cost = 1;    ///< cost of the direct measurement over the cost of a dry reading [1]
+    double cost = 1;    ///< cost of the direct measurement, relative to that of a dry reading [1]
     /// Positions of the values of the keys effect, value and error in study.toml.
     Position effect_position = {}, value_position = {}, error_position = {};
 };

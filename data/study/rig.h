@@ -23,8 +23,8 @@ struct Rig {
     std::optional<Span> inertial_number;
     /// Shear rates [1/s] to which the rig can be set; empty if it sets the inertial number.
     std::optional<Span> shear_rate;
-    /// Liquid contents (volume of liquid over volume of grains [1]) at which the rig can measure;
-    /// 0: dry.
+    /// Liquid contents (volume of liquid divided by volume of grains [1]) at which the rig can
+    /// measure; 0: dry.
     std::vector<double> liquid_contents = {0};
     /// Solid volumes of the grains [m^3] with which the cell can be filled; empty: only the volume
     /// in the study's cell.
@@ -32,12 +32,13 @@ struct Rig {
     int repeats = 5;  ///< largest number of further readings that the rig may take at one condition
     /// Largest total number of further readings that the rig may take, over all conditions.
     int readings = 12;
-    double wet_cost = 1;  ///< cost of a wet reading over the cost of a dry reading [1]
-    /// Cost of filling the cell with another amount of grains, over the cost of a dry reading [1].
+    double wet_cost = 1;  ///< cost of a wet reading, relative to the cost of a dry reading [1]
+    /// Cost of filling the cell with another amount of grains, relative to the cost of a dry
+    /// reading [1].
     double filling_cost = 0;
     /// Times [s] that the user may wait between the last reading and the next one.
     std::vector<double> waits = {0};
-    /// Cost of waiting for an hour between readings, over the cost of a dry reading [1].
+    /// Cost of waiting for an hour between readings, relative to the cost of a dry reading [1].
     double hour_cost = 1;
     /// Direct measurements of effect parameters, such as the torque of the empty cell, that the rig
     /// can make.

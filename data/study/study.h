@@ -25,7 +25,7 @@ struct Source {
     Kind kind = Kind::recording;
     std::string pattern;  ///< pattern of file paths, relative to the study's folder
     std::vector<std::filesystem::path> files;  ///< files that match the pattern, sorted by path
-    /// Volume of liquid over volume of grains [1], if the entry states it.
+    /// Volume of liquid divided by volume of grains [1], if the entry states it.
     std::optional<double> liquid_content;
     /// Solid volume of the grains in the cell [m^3], if the entry overrides the value in [cell].
     std::optional<double> bead_volume;
@@ -53,17 +53,18 @@ struct MeasuredStrength {
 
 /// Settings of the model: [model] in study.toml.
 struct ModelSettings {
-    /// Model of wet grains: "dem" (simulations), "rumpf" (law of dry grains with the cohesion by
-    /// Rumpf's formula) or "mohr-coulomb" (law of dry grains with constant cohesions fitted to
-    /// `strengths`).
+    /// Base model of wet grains: "dem" (simulations), "rumpf" (law of dry grains plus a cohesion
+    /// that follows from Rumpf's formula) or "mohr-coulomb" (law of dry grains plus constant
+    /// cohesions that are fitted to `strengths`).
     std::string base = "dem";
-    /// Stress ratios of the study's wet readings, needed if the base model is "mohr-coulomb". They
-    /// are not part of study.toml; `with_strengths` sets them.
+    /// Stress ratios of the study's wet readings, needed if the base model is "mohr-coulomb". The
+    /// strengths are not part of study.toml; the function `with_strengths` computes them.
     std::vector<MeasuredStrength> strengths = {};
     /// Names of the model's parameters to fit, such as "friction".
     std::vector<std::string> calibrate = {"friction"};
     std::string fit_to = "dry";  ///< readings to which the model is fitted: "dry" or "all"
-    /// Effects of the model, each once. The names may be unknown, since they are not checked here.
+    /// Effects of the model, each once. The names of the effects are not checked, so that a name
+    /// may be unknown.
     std::vector<ListedEffect> effects;
     /// Variant of the formula of the bridge force that the model uses.
     FormulaVariant bridge_force = FormulaVariant::derived;
@@ -129,7 +130,7 @@ std::vector<FilePattern> read_patterns(const std::filesystem::path& study);
 
 /// Returns a warning for the user if a liquid content is outside of the pendular range, in which
 /// the liquid forms separate bridges; empty inside this range and for dry grains.
-/// @param liquid_content volume of liquid over volume of grains [1]
+/// @param liquid_content volume of liquid divided by volume of grains [1]
 std::optional<std::string> pendular_range_warning(double liquid_content);
 
 }  // namespace pendular

@@ -104,7 +104,7 @@ class StudyTable {
     /// @throws InputError if the value is neither true nor false
     std::optional<bool> flag(std::string_view key) const;
     /// Text and position of a key's value, a text or a plain number; empty if the key is missing.
-    /// For a quantity whose unit is not known yet.
+    /// This function is for a quantity whose unit is not known yet.
     /// @throws InputError if the value is neither a text nor a number
     std::optional<Word> stated(std::string_view key) const;
     /// Text of a key that must be one of `words`; the first of `words` if the key is missing.

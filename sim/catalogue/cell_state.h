@@ -10,7 +10,7 @@ struct CellState {
     double normal_force = 0;      ///< normal force on the sample at mid-height [N]
     double height = 0;            ///< height of the sample in the cell [m]
     double angular_velocity = 0;  ///< angular velocity of the lid [rad/s]
-    double liquid_content = 0;    ///< liquid volume over grain volume in the cell [1]
+    double liquid_content = 0;    ///< liquid volume divided by grain volume in the cell [1]
     double bead_volume = 0;       ///< volume of the beads in the cell [m^3]
     double time = 0;              ///< time since the first recording began [s]
 

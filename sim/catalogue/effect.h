@@ -26,16 +26,17 @@ struct ChangeInstrument {
     enum class Where { grains, transducers } where = Where::grains;
 };
 
-/// Effect that changes properties of the study's grains or liquid, such as the contact angle,
-/// without new physics. The function `change` returns the condition with changed properties; a wet
+/// Effect that changes only the values of properties of the study's grains or liquid, such as the
+/// contact angle. The function `change` returns the condition with changed properties; a wet
 /// condition that it receives always has its `liquid` set.
 struct ChangeCondition {
     std::function<EffectiveCondition(EffectiveCondition, const Values&)> change;
 };
 
-/// Effect that replaces one approximation of the closures (analytical formulas for the strength of
-/// wet grains) and all approximations of lower levels: the model then uses the formula of `level`,
-/// unless its level is higher already.
+/// Effect that makes a model compute the strength of wet grains by a more accurate method: the
+/// formula (closure) or simulation of `level`. A model that already uses a higher level is not
+/// changed. The levels of `closures::Level` are ordered from the simplest formula to the
+/// simulation.
 struct ChangeClosure {
     closures::Level level = closures::Level::simulation;
 };
@@ -45,15 +46,15 @@ struct FlowPoint {
     double stress_ratio = 0, solid_fraction = 0;
 };
 
-/// Effect that the formulas of a user define directly as a change of the stress ratio and solid
-/// fraction at a condition, without a physical mechanism.
+/// Effect for which the user gives formulas of the stress ratio and solid fraction at a condition,
+/// without stating a physical mechanism.
 struct ChangeFlow {
     std::function<FlowPoint(FlowPoint, const Condition&, const Values&)> change;
 };
 
 /// Kind of change that an effect makes: to the instrument, the condition, the forces between grains
-/// (`dem::ChangePairs`), the grain sizes (`dem::ChangeSample`), a closure or the flow. Only effects
-/// on forces and grain sizes act inside a simulation.
+/// (`dem::ChangePairs`), the grain sizes (`dem::ChangeSample`), a closure (formula for the strength
+/// of wet grains) or the flow. Only effects on forces and grain sizes act inside a simulation.
 using Change = std::variant<ChangeInstrument, ChangeCondition, dem::ChangePairs, dem::ChangeSample,
                             ChangeClosure, ChangeFlow>;
 
@@ -72,19 +73,19 @@ struct Effect {
     std::vector<EffectParameter> parameters;
     Change change;
     Touches touches = Touches::all;
-    /// Whether the effect acts through the capillary forces between grains, so that its change of
-    /// stress ratio and solid fraction is proportional to 1/(reduced pressure). False for an effect
-    /// with forces of its own between wet grains, such as viscosity.
+    /// Whether the effect acts through the capillary forces between grains, so that the change of
+    /// stress ratio and solid fraction by the effect is proportional to 1/(reduced pressure). False
+    /// for an effect with forces of its own between wet grains, such as viscosity.
     bool fades_with_capillarity = false;
-    /// Property of the liquid that is the effect's parameter. If it is set, the effect acts in
-    /// every study with a liquid, with this value, without being listed. If it is null, the effect
-    /// acts only if the study lists it.
+    /// Property of the liquid that is the effect's parameter, such as its viscosity. If this member
+    /// is set, the effect acts in every study with a liquid, with the liquid's value, without being
+    /// listed. If it is null, the effect acts only if the study lists it.
     double Liquid::*given_by_liquid = nullptr;
-    /// Quantities of the condition or flow with which the effect's change of the readings
-    /// increases, such as "1/normal_stress" for a change that is largest at small normal stress.
+    /// Quantities with which the change of the readings by the effect increases, such as
+    /// "1/normal_stress" for a change that is largest at small normal stress.
     std::vector<std::string> acts_through;
     /// Instrument or method that measures the effect's parameter without shearing grains, such as
-    /// "a viscometer"; empty if there is none.
+    /// "a viscometer"; empty if none is known.
     std::string directly = {};
     std::vector<std::string> references;  ///< publications that describe the effect
 
@@ -95,11 +96,11 @@ struct Effect {
     bool of_grains() const;
     /// Whether the effect changes properties of the study's grains or liquid (`ChangeCondition`).
     bool of_condition() const { return std::holds_alternative<ChangeCondition>(change); }
-    /// Whether the effect replaces approximations of the closures, analytical formulas for the
-    /// strength of wet grains (`ChangeClosure`).
+    /// Whether the effect makes a model compute the strength of wet grains by a more accurate
+    /// formula (closure) or by simulation (`ChangeClosure`).
     bool of_closure() const { return std::holds_alternative<ChangeClosure>(change); }
-    /// Level of formulas for the strength of wet grains to which the effect raises a model; empty
-    /// for effects that change no closure.
+    /// Level of accuracy (`closures::Level`) to which the effect raises a model's formula (closure)
+    /// for the strength of wet grains; empty if the effect does not change this formula.
     std::optional<closures::Level> level() const {
         return of_closure() ? std::optional(std::get<ChangeClosure>(change).level) : std::nullopt;
     }
@@ -111,8 +112,9 @@ struct Effect {
     /// Neutral value of each parameter of the effect, at which the effect changes nothing, in SI
     /// units and in the order of `parameters`.
     std::vector<double> neutral() const;
-    /// Index in `parameters` of the parameter with a given name.
-    /// @throws std::invalid_argument if there is none; the message names the nearest name
+    /// Index, in the effect's list `parameters`, of the parameter with a given name.
+    /// @throws std::invalid_argument if the effect has no parameter with this name; the message
+    ///         suggests the nearest name
     std::size_t parameter(std::string_view parameter_name) const;
 };
 
@@ -130,22 +132,24 @@ struct ActiveEffect {
     Values by_name() const { return {effect->parameters, values}; }
 };
 
-/// Returns an effect's name and the names and values of its parameters, in the units of
-/// `printed_unit`, as text for messages, as in "torque-offset (torque 0.1 mN m)".
+/// Returns an effect as text for messages, such as "torque-offset (torque 0.1 mN m)": its name,
+/// then the names and values of its parameters, in the units of `printed_unit`.
 std::string to_string(const ActiveEffect& active);
 
 /// Whether an effect can change readings at a condition, by `Effect::touches`: some effects change
 /// only readings of dry grains, of wet grains, or at points of failure.
 bool touches(const Effect& effect, const Condition& condition);
 
-/// Returns those of the given effects that can change readings at a condition, in the same order.
+/// Returns the effects in a list that can change readings at a given condition, in the order of the
+/// list.
 std::vector<ActiveEffect> touching(const std::vector<ActiveEffect>& effects,
                                    const Condition& condition);
 
-/// Returns a condition as effects change it. Effects of type `ChangeCondition` are applied; effects
-/// on grains are added to `grain_effects`, in SI units and sorted by name. Ignored are effects on
-/// the instrument, on closures and on the flow, and effects that do not act at this condition, such
-/// as effects on wet grains at a dry condition.
+/// Applies effects to a condition and returns the changed condition. Effects of type
+/// `ChangeCondition` change the condition itself; effects on grains are added to its list
+/// `grain_effects`, in SI units and sorted by name. Other effects are ignored: effects on the
+/// instrument, on closures (formulas for the strength of wet grains) and on the flow, and effects
+/// that do not act at the condition, such as effects on wet grains at a dry condition.
 /// @param liquid liquid of a wet condition that has no liquid of its own
 EffectiveCondition changed_condition(EffectiveCondition condition,
                                      const std::vector<ActiveEffect>& effects,
@@ -156,11 +160,11 @@ EffectiveCondition changed_condition(EffectiveCondition condition,
 const std::vector<Effect>& built_in_effects();
 
 /// Returns the effect with a given name from a list of effects.
-/// @throws std::invalid_argument if there is none; the message names the nearest name
+/// @throws std::invalid_argument if no effect has this name; the message suggests the nearest name
 const Effect& effect_named(const std::vector<Effect>& effects, std::string_view name);
 
 /// Returns the built-in effect with a given name.
-/// @throws std::invalid_argument if there is none; the message names the nearest name
+/// @throws std::invalid_argument if no effect has this name; the message suggests the nearest name
 const Effect& built_in_effect(std::string_view name);
 
 /// Converts parameter values of an effect on grains from SI units to the reduced units of a

@@ -31,23 +31,25 @@ class EffectCatalogue {
     /// study.toml.
     const std::vector<Effect>& all() const { return effects_; }
     /// Returns the effect, built-in or user-defined, with a given name.
-    /// @throws std::invalid_argument if there is none; the message names the nearest name
+    /// @throws std::invalid_argument if no effect has this name; the message suggests the nearest
+    ///         name
     const Effect& find(std::string_view name) const;
     /// Whether an effect was defined by the user in study.toml rather than built in.
     bool is_written(const Effect& effect) const;
 
     /// Returns the effects of a study's model, which are in the list `effects` of [model] in
     /// study.toml, in the order of the list.
-    /// @throws InputError at a name that is unknown (the message names the nearest name), or whose
-    ///         effect does not apply to the study
+    /// @throws InputError at the name of an effect that is unknown (the message suggests the
+    ///         nearest name) or does not apply to the study
     std::vector<const Effect*> active(const Study& study) const;
 
   private:
     std::vector<Effect> effects_;
 };
 
-/// Level of formulas for the strength of wet grains that a study's model uses: the highest level of
-/// its base model and of the effects that it lists.
+/// Level of the formula for the strength of wet grains that a study's model uses: the highest of
+/// the levels of its base model and of its listed effects. The levels are ordered from the simplest
+/// formula to the simulation.
 closures::Level level_of(const Study& study);
 
 /// Reason why an effect does not apply to a study.
@@ -61,8 +63,8 @@ struct Obstacle {
 };
 
 /// Returns the reason why an effect does not apply to a study: the study has no readings that the
-/// effect changes, or lacks the liquid, cell, bead volume or base model that the effect needs.
-/// Returns an empty optional where the effect applies.
+/// effect changes, or it lacks the liquid, cell, bead volume or base model that the effect needs.
+/// Empty if the effect applies to the study.
 std::optional<Obstacle> obstacle(const Effect& effect, const Study& study);
 
 /// Returns the reason why an effect does not apply to a study, with a remedy, as a sentence for the

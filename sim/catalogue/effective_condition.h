@@ -8,13 +8,14 @@
 
 namespace pendular {
 
-/// Condition that is truly imposed on the grains if effects act, with the properties of grains and
-/// liquid as effects change them. Without effects it equals the stated condition.
+/// Condition that is truly imposed on the grains, with the properties of grains and liquid after
+/// all effects on them are applied. Without effects, it equals the condition that the study states.
 struct EffectiveCondition : Condition {
     EffectiveCondition() = default;
     EffectiveCondition(const Condition& imposed) : Condition(imposed) {}
 
-    /// Properties of the liquid as effects change them; empty: the study's liquid.
+    /// Properties of the liquid after effects are applied; empty: the properties of the study's
+    /// liquid.
     std::optional<Liquid> liquid;
     /// Friction coefficient between grains minus the friction coefficient of the study's model [1].
     double friction_difference = 0;
@@ -25,8 +26,8 @@ struct EffectiveCondition : Condition {
     bool operator==(const EffectiveCondition&) const = default;
 };
 
-/// Returns each condition in the form of an `EffectiveCondition` on which no effect acts, in the
-/// same order: the study's liquid and friction, and no effects on grains.
+/// Converts conditions to effective conditions on which no effects act, with the liquid and
+/// friction of the study, and returns them in the same order.
 inline std::vector<EffectiveCondition> without_effects(const std::vector<Condition>& conditions) {
     return {conditions.begin(), conditions.end()};
 }

@@ -14,16 +14,16 @@ class FormulaError : public std::runtime_error {
     using runtime_error::runtime_error;
 };
 
-/// Formula of variables, such as "torque + drag*angular_velocity", compiled once. It may contain +
-/// - * / ^, ( ), comparisons, && ||, CONDITION ? A : B, the constant pi and functions such as sin,
-/// exp, ln, sqrt, abs and min. Copies share the compiled formula.
+/// Formula with named variables, such as "torque + drag*angular_velocity", compiled once. It may
+/// contain the operators + - * / ^, ( ), comparisons, && ||, CONDITION ? A : B, the constant pi and
+/// functions such as sin, exp, ln, sqrt, abs and min. Copies share the compiled formula.
 class CompiledFormula {
   public:
     /// Compiles a formula.
     /// @param text the formula
     /// @param variables names of the variables that it may contain
-    /// @throws FormulaError for a syntax error, an assignment, or an unknown variable, naming the
-    ///         nearest one
+    /// @throws FormulaError for a syntax error, an assignment, or an unknown variable (the message
+    ///         suggests the nearest known variable)
     CompiledFormula(const std::string& text, const std::vector<std::string>& variables);
 
     /// Value of the formula, which may be infinite or NaN. Several threads may call this function
@@ -37,7 +37,7 @@ class CompiledFormula {
     bool uses(const std::string& variable) const;
 
     /// Names of the functions and constants that formulas can contain, such as "sin" and "pi". No
-    /// variable may have such a name.
+    /// variable may have one of these names.
     static std::vector<std::string> reserved_words();
 
   private:

@@ -16,10 +16,11 @@ struct FormulaUnits {
     std::vector<std::string> variables;
 };
 
-/// Checks the unit of a formula's last variable: the formula must give its result in every system
-/// of units of mass, length and time. Angles count as numbers. Returns the SI unit that the
-/// variable should have instead, or an empty text if no unit makes the dimension right; no value if
-/// the present unit is right or nothing could be checked.
+/// Checks whether the unit of a formula's last variable makes the formula dimensionally
+/// homogeneous, so that it holds in every system of units of mass, length and time. Angles count as
+/// numbers. If the unit is wrong, the function returns the SI unit that the variable should have
+/// instead, or an empty text if no unit makes the formula homogeneous. It returns an empty optional
+/// if the unit is right or nothing could be checked.
 /// @param text text of the formula; nothing is checked if it contains numbers that may have a
 ///         dimension (limits in comparisons, and all numbers except 0, 1 and powers)
 /// @param values values of the variables in SI units, one list for each of several typical states

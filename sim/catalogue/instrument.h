@@ -16,16 +16,16 @@ namespace pendular {
 class InstrumentMap {
   public:
     InstrumentMap() = default;
-    /// Combines those of the given effects that act on the instrument and whose parameters are not
-    /// all at their neutral values. Other effects are ignored.
+    /// Combines the effects in a list that act on the instrument and have a parameter that differs
+    /// from its neutral value (no effect). Other effects in the list are ignored.
     explicit InstrumentMap(const std::vector<ActiveEffect>& effects);
 
     /// True if no effect on the instrument acts, so that the instrument shows the true state of the
     /// cell.
     bool empty() const { return effects_.empty(); }
 
-    /// State of the cell that the instrument shows if `truth` is the true state. Without effects,
-    /// the true state is returned bit for bit.
+    /// State of the cell that the instrument shows if `truth` is the true state. If no effect acts
+    /// on the instrument, the true state is returned bit for bit.
     CellState show(CellState truth) const;
 
     /// True state of the cell if the instrument shows the state `shown`; the inverse of `show`.
@@ -33,18 +33,18 @@ class InstrumentMap {
     /// and volume of grains, until `show` returns the given values to a relative accuracy of 1e-11
     /// or better. Radii, grain properties and time do not change. Without effects, `shown` is
     /// returned bit for bit.
-    /// @throws std::domain_error if the instrument shows no state with positive normal force,
-    ///         height and volume of grains in this way; the message names the effects
+    /// @throws std::domain_error if no true state with positive normal force, height and volume of
+    ///         grains is shown as `shown`; the message names the effects
     CellState truth(const CellState& shown) const;
 
   private:
     std::vector<ActiveEffect> effects_;
 };
 
-/// Returns the state of the cell that the instrument showed for a reading: the inverse of the
-/// conversion of torque and gap to shear stress and solid fraction by `import`. If the condition
-/// has no volume of grains, the cell's is used; if it has no height, the height follows from the
-/// solid fraction. At inertial number 0 the lid is at rest.
+/// Returns the state of the cell that the instrument showed for a reading: converts shear stress
+/// and solid fraction back to torque and gap, as the import of recordings converted torque and gap
+/// to them. If the condition has no volume of grains, the volume in the cell is used; if it has no
+/// height, the height follows from the solid fraction. At inertial number 0 the lid is at rest.
 /// @param shown recorded condition
 /// @param shear_stress shear stress of the reading [Pa]
 /// @param solid_fraction solid fraction of the reading [1]
@@ -63,17 +63,17 @@ Condition true_condition(const Condition& shown, const CellState& truth, const I
 /// Returns the reading (shear stress [Pa], solid fraction [1]) that the instrument shows if
 /// `predicted` is the true reading. The true height follows from the predicted solid fraction and
 /// the true volume of grains. The torque and gap that the instrument shows are converted to a
-/// reading as `import` does, with the volume of grains that the instrument shows. If no effect
+/// reading like recorded values, with the volume of grains that the instrument shows. If no effect
 /// acts, the prediction is returned bit for bit.
 /// @param predicted true reading (shear stress [Pa], solid fraction [1])
 /// @param truth true normal force, angular velocity, liquid content and volume of grains
 Eigen::Vector2d shown_reading(const Eigen::Vector2d& predicted, CellState truth,
                               const InstrumentMap& map, const AnnularCell& cell);
 
-/// Returns the true state of the cell at which the instrument shows the requested normal stress,
-/// inertial number, liquid content and time. The gap follows from the true solid fraction; the
-/// angular velocity of the lid gives the requested inertial number at the gap that the instrument
-/// shows.
+/// Returns the true state of the cell at which the instrument shows a requested condition: normal
+/// stress, inertial number, liquid content and time. The gap follows from the true solid fraction;
+/// the angular velocity of the lid gives the requested inertial number at the gap that the
+/// instrument shows.
 /// @param asked requested condition
 /// @param flow true stress ratio and solid fraction of the grains [1]
 /// @throws std::domain_error if the instrument shows the requested values for no true state

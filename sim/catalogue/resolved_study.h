@@ -14,13 +14,14 @@ namespace pendular {
 class ResolvedStudy {
   public:
     /// Makes the study's catalogue of effects, and checks the effects that the study lists and its
-    /// direct measurements. The conversion is implicit, since a study has only one catalogue.
+    /// direct measurements. The conversion from `Study` is implicit, since a study determines its
+    /// catalogue.
     /// @throws InputError if an effect that the study defines or lists, or a direct measurement,
     ///         cannot be used
     ResolvedStudy(Study study);
-    /// Returns an edited copy of this study with the same catalogue of effects. Its listed effects
-    /// and direct measurements are checked. The edit must not change the effects that the user
-    /// defines in study.toml.
+    /// Returns an edited study with the catalogue of effects of this study, after checking the
+    /// effects that it lists and its direct measurements. The edit must not change the effects that
+    /// the user defines in study.toml.
     /// @param changed the edited study
     /// @throws InputError if an effect that `changed` lists, or a direct measurement, cannot be
     ///         used

@@ -5,10 +5,11 @@
 
 namespace pendular {
 
-/// Compiles the effect that a user defines in a table [[effect]] of study.toml. Each formula gives
-/// the value that a quantity, the key of the formula, has with the effect; all formulas read the
-/// values without the effect. A quantity without a formula is unchanged. Variables of the formulas
-/// are the effect's parameter and the following, in SI units, depending on what the effect changes:
+/// Compiles the effect that a user defines in a table [[effect]] of study.toml. The key of a
+/// formula is the name of a quantity. The formula gives the value of this quantity with the effect,
+/// from values of variables without the effect. A quantity without a formula is unchanged. The
+/// variables are the effect's parameter and further quantities in SI units, which depend on what
+/// the effect changes:
 ///     the instrument  torque, normal_force, height, angular_velocity, liquid_content,
 ///                     bead_volume, time, inner_radius, outer_radius, density, diameter,
 ///                     normal_stress (normal_force over the area of the annulus)

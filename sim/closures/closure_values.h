@@ -7,18 +7,19 @@
 namespace pendular::closures {
 
 /// Values of the closures (analytical formulas) of Badetti et al. (2018) for one state of wet
-/// grains. All are dimensionless. Z_c: contacts per grain, Z_d: bridges without contact per grain,
-/// F_d: their mean force, F0: pull-off force, a: grain diameter, c: cohesion.
+/// grains. All values are dimensionless.
 struct ClosureValues {
     /// Stress ratio of dry grains at the same friction and inertial number.
     double dry_stress_ratio = 0;
-    /// Stress ratio of the contact forces alone in wet grains (eq:coulombeff).
+    /// Stress ratio in wet grains of the stresses that contact forces alone transmit
+    /// (eq:coulombeff).
     double contact_stress_ratio = 0;
     /// Effective coordination number Z* = Z_c + Z_d F_d/F0 (eq:defzstar). Z_c: contacts per grain;
-    /// Z_d: bridges without contact per grain; F_d: their mean force; F0: pull-off force.
+    /// Z_d: distant bridges per grain (bridges between grains that do not touch); F_d: mean force
+    /// of distant bridges; F0: pull-off force.
     double effective_coordination = 0;
-    /// Approximate effective coordination number: contacts per grain plus half the number of
-    /// bridges without contact per grain.
+    /// Approximate effective coordination number: contacts per grain plus half the number per grain
+    /// of bridges between grains that do not touch.
     double approximate_coordination = 0;
     /// Reduced cohesion a^2 c/F0 from the approximate coordination number (eq:cohesion3), with
     /// cohesion c, grain diameter a and pull-off force F0.
@@ -33,7 +34,7 @@ struct ClosureValues {
     double strength2 = 0;
     /// Stress ratio of wet grains from the effective coordination number alone (eq:strength3).
     double strength3 = 0;
-    double saturation = 0;  ///< share of the pore volume of the grains that liquid fills
+    double saturation = 0;  ///< share of the pore volume between the grains that liquid fills [1]
 };
 
 /// Name, text and axis label of a member of `ClosureValues`.
@@ -74,12 +75,12 @@ inline constexpr std::array<ClosureQuantity, 10> closure_quantities = {{
 ///         and grain diameter a
 /// @param stress_ratio stress ratio of the state [1]
 /// @param dry_stress_ratio stress ratio of dry grains at the same friction and inertial number [1]
-/// @param liquid_content liquid volume over grain volume [1]
+/// @param liquid_content liquid volume divided by grain volume [1]
 ClosureValues closure_values(const State& state, const CapillaryStress& capillary,
                              double stress_ratio, double dry_stress_ratio, double liquid_content);
 
 /// Evaluates all closures (analytical formulas for strength, cohesion and coordination) with the
-/// structure and stresses that a simulation of wet grains found, averaged over its strain.
+/// structure and stresses of a simulation of wet grains, averaged over the simulation.
 /// @param dry_stress_ratio stress ratio of dry grains at the same friction and inertial number [1]
 ClosureValues closure_values(const dem::RunResult& run, double dry_stress_ratio);
 

@@ -8,46 +8,48 @@ namespace pendular::closures {
 
 /// Averages of a state of steady shear, from which the closures (analytical formulas) compute
 /// stresses: solid fraction, and properties of the contacts and of the distant pairs (pairs that a
-/// bridge joins without contact). All are dimensionless. A dry state has an infinite reduced
-/// pressure and no distant pairs.
+/// bridge joins without contact). All averages are dimensionless. A dry state has an infinite
+/// reduced pressure and no distant pairs.
 struct State {
     /// Reduced pressure a^2 s22/F0 [1], with grain diameter a, imposed normal stress s22 and
     /// pull-off force F0; infinite for dry grains.
     double reduced_pressure = std::numeric_limits<double>::infinity();
     double solid_fraction = 0;        ///< solid fraction of the state [1]
     double contact_coordination = 0;  ///< mean number of contacts per grain [1]
-    /// Mean number per grain of distant pairs [1], which a bridge joins without contact.
+    /// Mean number per grain of distant pairs [1]: pairs of grains that a bridge joins but that do
+    /// not touch.
     double distant_coordination = 0;
-    /// Mean elastic normal force of contacts over a^2 s22 [1], with grain diameter a and normal
-    /// stress s22.
+    /// Mean elastic normal force of contacts divided by a^2 s22 [1], with grain diameter a and
+    /// normal stress s22.
     double contact_force = 0;
-    /// Mean attractive force of distant pairs (a bridge without contact) over the pull-off force
-    /// [1].
+    /// Mean attractive force of distant pairs (joined by a bridge but not touching), divided by the
+    /// pull-off force [1].
     double distant_force = 0;
-    /// Mean product of force and gap of distant pairs (a bridge without contact), over pull-off
-    /// force times grain diameter [1].
+    /// Mean product of force and gap of distant pairs (joined by a bridge but not touching),
+    /// divided by pull-off force times grain diameter [1].
     double distant_force_gap = 0;
-    /// Mean distance between the centres of distant pairs (a bridge without contact) over the grain
-    /// diameter [1].
+    /// Mean distance between the centres of distant pairs (joined by a bridge but not touching),
+    /// divided by the grain diameter [1].
     double distant_length = 1;
     /// Mean of n1 n2 over contacts with direction n [1]; 1: flow, 2: velocity gradient.
     double fabric_12_contact = 0;
-    /// Mean of n1 n2 [1] over distant pairs (a bridge without contact), whose line of centres has
-    /// the direction n; 1: flow, 2: velocity gradient.
+    /// Mean of n1 n2 [1] over distant pairs (joined by a bridge but not touching), whose line of
+    /// centres has the direction n; 1: flow, 2: velocity gradient.
     double fabric_12_distant = 0;
-    /// Component 12 of the anisotropy of the force q(n) of distant pairs with direction n [1],
-    /// negative in steady shear: integral of q n1 n2 over the sphere, divided by 4 pi and the mean
-    /// of q. Direction 1 is the flow, 2 the velocity gradient.
+    /// Component 12 of the anisotropy of the force q(n) of distant pairs (joined by a bridge but
+    /// not touching) with direction n [1], negative in steady shear: integral of q n1 n2 over the
+    /// sphere, divided by 4 pi and the mean of q. Direction 1 is the flow, 2 the velocity gradient.
     double force_anisotropy_12_distant = 0;
     /// Component 12 of the anisotropy of the distance q(n) between the centres of distant pairs
-    /// with direction n [1]: integral of q n1 n2 over the sphere, divided by 4 pi and the mean of
-    /// q. Direction 1 is the flow, 2 the velocity gradient.
+    /// (joined by a bridge but not touching) with direction n [1]: integral of q n1 n2 over the
+    /// sphere, divided by 4 pi and the mean of q. Direction 1 is the flow, 2 the velocity gradient.
     double length_anisotropy_12_distant = 0;
 };
 
 /// Stresses of the bridge forces in units of F0/a^2 [1], with pull-off force F0 and grain diameter
 /// a. Compression is positive. Bridges attract, so that the normal stress is negative. The total
-/// shear stress is negative, so that a positive capillary shear stress reduces its magnitude.
+/// shear stress of the sample is negative, so that a positive capillary shear stress reduces the
+/// magnitude of the total.
 struct CapillaryStress {
     /// Normal stress of the bridge forces in units of F0/a^2 [1], with pull-off force F0 and grain
     /// diameter a; negative: attraction.

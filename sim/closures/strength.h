@@ -10,15 +10,15 @@ namespace pendular::closures {
 /// Stress ratio of the contact forces alone [1], without the capillary stresses.
 ///     |s12 - s12cap| / (s22 - s22cap)      s12, s22: shear and normal stress, cap: capillary
 /// If capillary forces load the contacts as external stresses do, the result equals the stress
-/// ratio of dry grains. It differs by 5 to 10 % at the smallest reduced pressure (0.5) for small
-/// friction and large bridges, and by less elsewhere.
+/// ratio of dry grains. The two stress ratios differ by 5 to 10 % at the smallest reduced pressure
+/// (0.5) for small friction and large bridges, and by less elsewhere.
 /// @param stress_ratio total stress ratio [1]
 /// Source: Badetti et al. (2018), eq:coulombeff.
 double contact_stress_ratio(double stress_ratio, const CapillaryStress& capillary,
                             double reduced_pressure);
 
-/// Stress ratio mu* of wet grains [1] from their capillary stresses s22cap (normal) and s12cap
-/// (shear), with the normal stress s22.
+/// Stress ratio mu* of wet grains [1] from the stress ratio mu*_0 of dry grains, the capillary
+/// stresses s22cap (normal) and s12cap (shear), and the normal stress s22.
 ///     mu* = mu*_0 (1 - s22cap/s22) - s12cap/s22
 /// At the smallest reduced pressure (0.5), small friction and large bridges, the error is 5 to 10
 /// %; it is smaller elsewhere.
@@ -32,7 +32,8 @@ double stress_ratio_from_stresses(double dry_stress_ratio, const CapillaryStress
 /// force F0. The capillary shear stress is neglected.
 ///     c* = mu*_0 Phi Z*/pi      mu*_0: stress ratio of dry grains, Phi: solid fraction,
 ///                               Z*: effective coordination number
-/// At friction 0.09, accurate for liquid contents of 0.03 and above, and too high below.
+/// At friction 0.09, the formula is accurate for liquid contents of 0.03 and above, and gives too
+/// large values for smaller ones.
 /// Source: Badetti et al. (2018), eq:cohesion3.
 double reduced_cohesion(double dry_stress_ratio, double solid_fraction,
                         double effective_coordination);
@@ -40,8 +41,8 @@ double reduced_cohesion(double dry_stress_ratio, double solid_fraction,
 /// Cohesion of wet grains [Pa] by Rumpf's formula.
 ///     c = mu*_0 Z Phi F0/(pi a^2)
 /// mu*_0: stress ratio of dry grains [1], Z: coordination number [1], Phi: solid fraction [1], F0:
-/// pull-off force [N], a: grain diameter [m]. At friction 0.09, accurate for liquid contents of
-/// 0.03 and above, and too high below.
+/// pull-off force [N], a: grain diameter [m]. At friction 0.09, the formula is accurate for liquid
+/// contents of 0.03 and above, and gives too large values for smaller ones.
 /// Source: Badetti et al. (2018), eq:Rumpf.
 double rumpf_cohesion(double dry_stress_ratio, double solid_fraction, double coordination,
                       double pull_off_force, double diameter);
@@ -50,8 +51,8 @@ double rumpf_cohesion(double dry_stress_ratio, double solid_fraction, double coo
 /// F0/a^2 [1] (F0: pull-off force, a: grain diameter).
 ///     c*_g = mu*_0 Phi Z*/pi - a^2 s12cap/F0
 /// mu*_0: stress ratio of dry grains, Phi: solid fraction, Z*: effective coordination number; all
-/// arguments are dimensionless. Satisfactory at small liquid contents, at which `reduced_cohesion`
-/// fails; elsewhere as accurate as `reduced_cohesion`.
+/// arguments are dimensionless. The formula is satisfactory also at small liquid contents, at which
+/// `reduced_cohesion` fails; elsewhere it is as accurate as `reduced_cohesion`.
 /// Source: Badetti et al. (2018), eq:cohgen.
 double generalised_cohesion(double dry_stress_ratio, double solid_fraction,
                             double effective_coordination, double capillary_shear_stress);
@@ -59,9 +60,10 @@ double generalised_cohesion(double dry_stress_ratio, double solid_fraction,
 /// Stress ratio mu* of wet grains [1] from the stress ratio mu*_0 of dry grains, a reduced cohesion
 /// c* and the reduced pressure P*.
 ///     mu* = mu*_0 + c*/P*
-/// With c* from `generalised_cohesion`, accurate for all P* >= 0.5 (eq:strength2). With c* from
-/// `reduced_cohesion`, too high by up to 20 to 30 %, most at small liquid content (eq:strength3).
-/// With c* from a straight-line (Mohr-Coulomb) fit, too high for P* <= 1 (eq:mohrcoulomb2).
+/// With c* from `generalised_cohesion`, mu* is accurate for all P* >= 0.5 (eq:strength2). With c*
+/// from `reduced_cohesion`, mu* is too high by up to 20 to 30 %, most at small liquid content
+/// (eq:strength3). With c* from a straight-line (Mohr-Coulomb) fit, mu* is too high for P* <= 1
+/// (eq:mohrcoulomb2).
 /// Source: Badetti et al. (2018), eq:strength2, eq:strength3, eq:mohrcoulomb2.
 double stress_ratio_from_cohesion(double dry_stress_ratio, double reduced_cohesion,
                                   double reduced_pressure);

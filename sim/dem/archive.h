@@ -24,8 +24,8 @@ void load(Archive& archive, Vector& v) {
 }
 
 /// Reads the bytes that `cereal::BinaryOutputArchive` wrote. In contrast to
-/// `cereal::BinaryInputArchive`, it throws an error for a number of elements that the remaining
-/// bytes cannot contain, instead of allocating memory.
+/// `cereal::BinaryInputArchive`, it throws an error, and allocates no memory, if the stated number
+/// of elements is larger than the remaining bytes can contain.
 class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyClassElision> {
   public:
     explicit ByteReader(std::string_view bytes) : InputArchive(this), bytes_(bytes) {}
@@ -86,8 +86,8 @@ void load(ByteReader& reader, std::vector<T, Allocator>& elements) {
     }
 }
 
-/// Returns the bytes of a state that has a member function `serialize`. The function `restore`
-/// reads them, only in a program with the same memory layout.
+/// Returns a state, which must have a member function `serialize`, as bytes. The function `restore`
+/// reads the bytes back, but only in a program with the same memory layout.
 template <typename State>
 std::string archived(const State& state) {
     std::ostringstream stream(std::ios::binary);

@@ -9,16 +9,16 @@
 
 namespace pendular::dem {
 
-/// Bins of a periodic cell with the grains in each bin, for the search of neighbours. The bins are
-/// sheared with the lattice of the cell and at least `range` [grain diameters] thick in every
-/// direction, so that all grains whose centres are closer than `range` are in the same or in
-/// adjacent bins.
+/// Division of a periodic cell into bins, with a list of the grains in each bin, for the search of
+/// neighbours. The bins are sheared with the lattice of the cell and at least `range` [grain
+/// diameters] thick in every direction, so that all grains whose centres are closer than `range`
+/// are in the same or in adjacent bins.
 class Bins {
   public:
     Bins(const Grains& grains, const Cell& cell, double range);
 
-    /// Whether there are at least three bins in every direction. With fewer, a neighbouring bin
-    /// would be searched twice.
+    /// Whether the cell has at least three bins in every direction. With fewer bins, a search would
+    /// visit a neighbouring bin twice.
     bool enough() const;
 
     /// Indices, along the three lattice vectors, of the bin that contains a position inside the
@@ -45,10 +45,11 @@ class Bins {
     std::vector<Entry> entries_;
 };
 
-/// Returns the indices of all grains, sorted by rows along the flow that are one diameter wide: row
-/// by row along the velocity gradient, then plane by plane along the vorticity. A loop over grains
-/// in this order reads memory at a few addresses that advance together, which processors prefetch:
-/// samples larger than the cache run a third faster than in the order of a Morton curve.
+/// Returns the indices of all grains in the order of rows along the flow that are one diameter
+/// wide. Rows follow one another along the velocity gradient, and planes of rows along the
+/// vorticity. A loop over grains in this order reads memory at a few addresses that advance
+/// together, so that the processor can prefetch the data. Samples larger than the cache run a third
+/// faster than in the order of a Morton curve.
 std::vector<std::int32_t> order_in_rows(const Grains& grains, const Cell& cell);
 
 }  // namespace pendular::dem

@@ -7,36 +7,41 @@
 
 namespace pendular::dem {
 
-/// Parameters of the liquid bridges that a user gives for a simulation. All are dimensionless.
+/// Parameters of the liquid bridges in a simulation, given by the user. All parameters are
+/// dimensionless.
 struct Wetting {
     /// Reduced pressure a^2 s22/F0 [1], with grain diameter a, imposed normal stress s22 and
     /// pull-off force F0.
     double reduced_pressure = 0;
-    double bridge_volume = 0;  ///< volume of one liquid bridge over the cubed grain diameter [1]
+    /// Volume of one liquid bridge divided by the cubed grain diameter [1].
+    double bridge_volume = 0;
     /// Formula of the bridge force: as derived, or as Badetti et al. (2018) print it.
     FormulaVariant bridge_force = FormulaVariant::derived;
 };
 
-/// Largest volume of one liquid bridge over the cubed grain diameter [1] at which bridges stay
-/// separate (pendular range): larger bridges between three grains in contact with each other merge.
+/// Largest volume of one liquid bridge divided by the cubed grain diameter [1] at which bridges
+/// stay separate (pendular range). Larger bridges merge where three grains touch each other.
 /// Source: Badetti et al. (2018), section 3.1.
 constexpr double largest_pendular_volume = 8e-3;
 
-/// Typical number of liquid bridges per grain [1], with and without contact, to begin a search
-/// with. At friction 0.09 the number is 7 to 8 over the pendular range, from the liquid contents
-/// and bridge volumes that Badetti et al. (2018) print.
+/// Typical number of liquid bridges per grain [1], as initial value of a search. Bridges of grains
+/// that touch and of grains that do not touch are counted. At friction 0.09 the number is 7 to 8 in
+/// the pendular range (separate bridges), computed from the liquid contents and bridge volumes in
+/// Badetti et al. (2018).
 constexpr double typical_coordination = 7.5;
 
-/// Liquid content [1] of a sample: volume of liquid over volume of grains.
+/// Liquid content [1] of a sample, the volume of liquid divided by the volume of grains, from the
+/// volume V0 of one bridge, the grain diameter a and the number Z of bridges per grain.
 ///     liquid content = 3 Z (V0/a^3)/pi
-/// @param bridge_volume volume V0 of one liquid bridge over the cubed grain diameter a^3 [1]
+/// @param bridge_volume volume V0 of one liquid bridge divided by the cubed grain diameter a^3 [1]
 /// @param coordination mean number Z of bridges per grain [1]
 /// Source: Badetti et al. (2018), eq:lcont.
 inline double liquid_content(double bridge_volume, double coordination) {
     return 3 * coordination * bridge_volume / std::numbers::pi;
 }
-/// Volume of one liquid bridge over the cubed grain diameter [1] in a sample with a given liquid
-/// content (volume of liquid over volume of grains [1]); the inverse of `liquid_content`.
+/// Volume of one liquid bridge divided by the cubed grain diameter [1], in a sample with a given
+/// liquid content. The inverse of `liquid_content`.
+/// @param liquid_content volume of liquid divided by volume of grains [1]
 /// @param coordination mean number of bridges per grain [1]
 inline double bridge_volume(double liquid_content, double coordination) {
     return std::numbers::pi * liquid_content / (3 * coordination);
@@ -51,8 +56,8 @@ inline double bridge_volume(double liquid_content, double coordination) {
 /// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105, with the grain radius in c; Badetti et
 /// al. (2018), eq:Maugis, print half of this c (FormulaVariant::as_printed).
 struct BridgeLaw {
-    /// Pull-off force F0 of a bridge over a^2 s22 [1] (a: grain diameter, s22: imposed normal
-    /// stress); 0: dry grains.
+    /// Pull-off force F0 of a bridge (its attraction in contact), divided by a^2 s22 [1] (a: grain
+    /// diameter, s22: imposed normal stress); 0: dry grains.
     double pull_off_force = 0;
     /// Gap V0^(1/3) at which a bridge of volume V0 breaks [grain diameters].
     double rupture_distance = 0;
@@ -79,9 +84,9 @@ struct BridgeLaw {
     /// @param gap gap between the grains, zero or more [grain diameters]
     double attraction(double gap) const { return pull_off_force * relative_force(gap); }
     /// Returns the bridge law between two grains of unequal diameters d1 and d2, in Derjaguin's
-    /// approximation: the pull-off force grows as d = 2 d1 d2/(d1 + d2), the constant c as 1/d; the
-    /// volume of the bridge stays.
-    /// @param diameter d over the mean grain diameter [1]
+    /// approximation: the pull-off force is proportional to d = 2 d1 d2/(d1 + d2), the constant c
+    /// in the attraction to 1/d. The volume of the bridge is unchanged.
+    /// @param diameter the diameter d, divided by the mean grain diameter [1]
     BridgeLaw of(double diameter) const {
         BridgeLaw law = *this;
         law.pull_off_force *= diameter;

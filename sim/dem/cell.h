@@ -8,9 +8,9 @@ namespace pendular::dem {
 
 /// Periodic cell of a sheared sample (Lees-Edwards boundary conditions), in grain diameters. Its
 /// lattice vectors are (length, 0, 0), (offset, height, 0) and (0, 0, width); direction 1 is the
-/// flow, 2 the velocity gradient, 3 the vorticity. The offset grows with the shear. It is reduced
-/// by whole lengths only when the neighbour list is rebuilt, so that the images in the list stay
-/// valid.
+/// flow, 2 the velocity gradient, 3 the vorticity. The offset grows with the shear. The offset is
+/// reduced by whole lengths only when the neighbour list is rebuilt, so that the periodic images in
+/// the list stay valid.
 struct Cell {
     double length = 0;
     double height = 0;
@@ -57,8 +57,8 @@ namespace image_code {
 constexpr int reach = 2;
 constexpr int per_direction = 2 * reach + 1;
 constexpr int count = per_direction * per_direction * per_direction;
-/// Code of a position far outside the cell, for placeholder pairs, which fill up the last batch of
-/// a list and must never touch.
+/// Image code of placeholder pairs, which fill up the last batch of a list of pairs. It stands for
+/// a position far outside the cell, so that the two grains of a placeholder never touch.
 constexpr int nowhere = count;
 
 constexpr int of(Image image) {

@@ -16,12 +16,12 @@ namespace pendular::dem {
 struct PairBatch {
     std::size_t size = 0;
     double time_step = 0;
-    /// Components of the unit vector from the first to the second centre of each pair.
+    /// Components [1] of the unit vector from the first to the second centre of each pair.
     const double *nx, *ny, *nz;
     /// Gap between the surfaces of each pair [grain diameters]; negative: overlap.
     const double* gap;
-    /// 2 d1 d2/(d1 + d2) of each pair, with the diameters d1 and d2 of its grains over the mean
-    /// diameter [1].
+    /// 2 d1 d2/(d1 + d2) of each pair, with the diameters d1 and d2 of its grains divided by the
+    /// mean diameter [1].
     const double* diameter;
     const double* normal_speed;  ///< rate at which the gap of each pair grows, in reduced units
     const double *rolling_x, *rolling_y,
@@ -63,21 +63,25 @@ struct PairContext {
 struct ChangePairs {
     using Stage = void (*)(const PairBatch&, const PairContext&);
 
-    /// Number of values that the effect keeps per pair (`PairBatch::contact_history`). They are
-    /// preserved when the neighbour lists are renewed. If the two grains of a pair swap, the values
-    /// change sign, as the components of the force on the second grain do.
+    /// Number of values that the effect keeps per pair (`PairBatch::contact_history`). The values
+    /// are preserved when the neighbour lists are renewed. If the two grains of a pair exchange
+    /// their places (first and second), the values change sign, as the components of the force on
+    /// the second grain do.
     std::size_t contact_history = 0;
-    /// True if the first value of the contact history is the volume of the pair's bridge over V0,
-    /// with any sign (V0: mean volume of a bridge as it forms). The liquid content of a sample is
-    /// then the sum of these volumes; without such an effect, each bridge has the volume V0.
+    /// True if the first value of the contact history is the volume of the pair's bridge divided by
+    /// V0, with any sign (V0: mean volume of newly formed bridges). The liquid content of a sample
+    /// is then computed from the sum of the bridge volumes. If the member is false for all effects,
+    /// each bridge has the volume V0.
     bool volume_in_history = false;
-    /// Returns the rate [1 per unit of shear strain] at which the volumes of the bridges of a grain
-    /// even out (`LiquidExchange`). Null: bridges exchange no liquid.
+    /// Function that returns the rate [1 per unit of shear strain] at which the volumes of the
+    /// bridges on a grain become equal by flow of liquid (`LiquidExchange`). Null: bridges exchange
+    /// no liquid.
     double (*exchange_rate)(const Values&) = nullptr;
-    /// True if the effect lets bridges form without contact, at any gap below the rupture distance.
+    /// True if the effect lets bridges form between grains that do not touch, at any gap below the
+    /// rupture distance.
     bool bridges_without_contact = false;
-    /// Returns the law of the liquid bridges as the effect changes it, given the law without the
-    /// effect. Called before a run. Null: unchanged.
+    /// Function that receives the law of the liquid bridges without the effect and returns the law
+    /// with the effect. Called before a run. Null: the effect does not change the law.
     BridgeLaw (*bridge_law)(BridgeLaw, const Values&) = nullptr;
     /// Function that changes `PairBatch::capillary`, the attraction of pairs with a bridge.
     Stage bridge = nullptr;
@@ -86,9 +90,10 @@ struct ChangePairs {
     /// Function that adds forces and torques of the effect between grains; they count as contact
     /// forces, not as capillary forces.
     Stage add = nullptr;
-    /// Returns the largest damping coefficient (force over relative velocity) of the forces that
-    /// `add` adds, divided by the mass of a grain, in reduced units (grain diameter, grain mass and
-    /// imposed normal stress are 1). It limits the time step. If null, the coefficient is 0.
+    /// Function that returns the largest damping coefficient (force divided by relative velocity)
+    /// of the forces that `add` adds, divided by the mass of a grain, in reduced units (grain
+    /// diameter, grain mass and imposed normal stress are 1). The coefficient limits the time step.
+    /// Null: the coefficient is 0.
     double (*damping_rate)(const BridgeLaw&, const Values&) = nullptr;
 };
 

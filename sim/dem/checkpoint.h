@@ -9,18 +9,18 @@
 
 namespace pendular::dem {
 
-/// Checkpoint file of a run, from which a later process can resume the run. The function `write`
-/// replaces the file as a whole and returns once it is on the disk, so that neither a crash nor a
-/// full disk destroys the previous checkpoint. While the object exists, no other process can use
-/// the file.
+/// Checkpoint file of a simulation run, from which a later process can resume the run. The function
+/// `write` replaces the file as a whole and returns once it is on the disk, so that neither a crash
+/// nor a full disk destroys the previous checkpoint. While the object exists, no other process can
+/// use the file.
 ///
 /// The file begins with lines of text: format, checksum, length, the parameters of the run (one per
 /// line) and an empty line. The state follows in binary.
 class Checkpoint {
   public:
-    /// Locks a checkpoint file, which need not exist, by means of the file FILE.lock in the same
-    /// folder.
-    /// @param every time between two checkpoints (`due`)
+    /// Locks the checkpoint file `file`, which need not exist yet, by means of a lock file with the
+    /// additional extension .lock in the same folder.
+    /// @param every time after which the next checkpoint is due (`due`)
     /// @throws InputError if another process uses the file, if it is not a regular file, or if its
     ///         folder cannot be written
     explicit Checkpoint(const std::filesystem::path& file,

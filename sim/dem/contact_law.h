@@ -8,8 +8,9 @@ namespace pendular::dem {
 /// Material parameters of the grains in reduced units (grain diameter, grain mass and imposed
 /// normal stress are 1).
 struct Material {
-    /// E/(1 - nu^2) over the imposed normal stress [1], with Young's modulus E and Poisson ratio
-    /// nu; equal to the stiffness number to the power 3/2.
+    /// Reduced elastic modulus of the grains [1]: E/(1 - nu^2) divided by the imposed normal
+    /// stress, with Young's modulus E and Poisson ratio nu. It equals the stiffness number to the
+    /// power 3/2.
     double modulus = 0;
     double poisson_ratio = 0.3;  ///< Poisson ratio nu of the grain material [1]
     double friction = 0;         ///< friction coefficient between grains [1]
@@ -31,8 +32,8 @@ inline double tangential_ratio(double poisson_ratio) {
 /// F_N is the elastic normal force, K_N and K_T are normal and tangential stiffness, E~ = E/(1 -
 /// nu^2) with Young's modulus E and Poisson ratio nu, zeta is the fraction of critical damping, and
 /// m the mass of a grain.
-/// Source: Badetti et al. (2018), section 2.2, and the works cited there for the simplified
-/// Hertz-Mindlin law.
+/// Source: Badetti et al. (2018), section 2.2, and the works that the section cites for the
+/// simplified Hertz-Mindlin law.
 struct Hertz {
     double root;              ///< square root of the overlap of the contact, in reduced units
     double elastic;           ///< elastic normal force of the contact, in reduced units
@@ -64,8 +65,8 @@ inline double coulomb_factor(double squared, double limit) {
 }
 
 /// Factor [1], at most 1, by which the tangential force of a contact is multiplied in a time step
-/// in which the contact unloads: tangential stiffness after the step over that before it. Without
-/// this factor a contact that opens would create elastic energy.
+/// in which the contact unloads: tangential stiffness after the step divided by tangential
+/// stiffness before the step. Without this factor a contact that opens would create elastic energy.
 /// @param root_new,root_old square root of the overlap after and before the step
 /// Source: Badetti et al. (2018), section 2.2 (simplified Hertz-Mindlin law).
 inline double unloading_factor(double root_new, double root_old) {
@@ -81,9 +82,9 @@ inline double tangential_energy(double squared, double stiffness) {
 }
 
 /// Energy that a contact loses by sliding in a time step, in units of a^3 s22 (a: grain diameter,
-/// s22: imposed normal stress). The tangential force p would exceed Coulomb's limit and is reduced
-/// to allowed p. The loss is the sliding displacement, (1 - allowed) p over the stiffness, times
-/// the mean of the force q before the step and the force allowed p after it.
+/// s22: imposed normal stress). A tangential force p that would exceed Coulomb's limit is reduced
+/// to `allowed` times p. The loss is the sliding displacement, (1 - allowed) p divided by the
+/// stiffness, times the mean of two forces: q before the step and (allowed p) after it.
 /// @param squared squared magnitude of p
 /// @param along scalar product of p and q
 /// @param allowed factor by which p is reduced [1]
@@ -95,7 +96,7 @@ inline double sliding_loss(double squared, double along, double allowed, double 
 /// Overlap [grain diameters] at which a Hertz contact of two equal grains has a given elastic
 /// normal force.
 /// @param force normal force in units of a^2 s22 (a: grain diameter, s22: imposed normal stress)
-/// @param modulus E/(1 - nu^2) over s22 [1], with Young's modulus E and Poisson ratio nu
+/// @param modulus E/(1 - nu^2) divided by s22 [1], with Young's modulus E and Poisson ratio nu
 inline double overlap_at(double force, double modulus) {
     return std::cbrt(3 * force / modulus * (3 * force / modulus));
 }

@@ -14,12 +14,12 @@
 
 namespace pendular::dem {
 
-/// Coordinate on which a field depends. A field is a quantity that a run measures as a function of
-/// a coordinate. `coordinates` lists the name, unit and meaning of each coordinate.
+/// Coordinate on which a field depends (a field is a quantity that a run measures as a function of
+/// one coordinate). The array `coordinates` lists the name, unit and meaning of each coordinate.
 enum class Coordinate { height, angle, relative_force, gap };
 
 /// Field: quantity that a run measures as a function of one coordinate, such as a velocity profile.
-/// `fields` lists the name, unit and meaning of each field.
+/// The array `fields` lists the name, unit and meaning of each field.
 enum class Field {
     velocity,
     solid_fraction,
@@ -81,8 +81,8 @@ constexpr const FieldAbout& about(Field which) {
 constexpr const CoordinateAbout& about(Coordinate which) {
     return coordinates[static_cast<std::size_t>(which)];
 }
-/// Whether a field is a profile over the height of the sample rather than a distribution over pairs
-/// of grains.
+/// Whether a field is a profile along the height of the sample rather than a distribution over
+/// pairs of grains.
 constexpr bool is_profile(Field which) {
     return about(which).coordinate == Coordinate::height;
 }
@@ -103,22 +103,22 @@ struct Bins1d {
     }
 };
 
-/// Bins of a coordinate, in its unit. Height: one bin per grain diameter, from 0 to 1. Angle: bins
-/// of 5 degrees from 0 to 180. Relative force: bins of 0.2 from 0 to 8. Gap: 30 bins from 0 to the
-/// rupture distance of bridges or, if this is 0, to 1.
+/// Bins for a coordinate of a field (`Coordinate`), in the unit of the coordinate. Height: one bin
+/// per grain diameter, from 0 to 1. Angle: bins of 5 degrees from 0 to 180. Relative force: bins of
+/// 0.2 from 0 to 8. Gap: 30 bins from 0 to the rupture distance of bridges or, if this is 0, to 1.
 /// @param grains number of grains in the sample
 /// @param rupture_distance gap at which bridges break [grain diameters]
 Bins1d bins_of(Coordinate coordinate, int grains, double rupture_distance);
 
-/// Field (quantity as a function of a coordinate) of a run: average with standard error in each
-/// bin; NaN if a bin has no data.
+/// Time averages of a field (quantity as a function of one coordinate) in a run: a mean with its
+/// standard error for each bin of the coordinate. The mean is NaN if a bin has no data.
 struct BinnedMeans {
     std::vector<double> at;  ///< middle of each bin of the coordinate, in the coordinate's unit
     std::vector<Mean> means;
 };
 
-/// Sums over several states of a sample for one field (quantity as a function of a coordinate). The
-/// value of the field in a bin is `sum` over `weight`.
+/// Sums over several states of a sample for one field (quantity as a function of one coordinate).
+/// The value of the field in a bin is `sum` divided by `weight`.
 struct BinnedSums {
     std::vector<double> sum, weight;
 
@@ -144,8 +144,8 @@ class MotionProfile {
     /// mean velocity along the flow at the height x2.
     /// Source: Badetti et al. (2018), eq:defdelta.
     double localization(double height, double shear_rate) const;
-    /// Mean velocity of the grains along the flow in each bin of height, with the imposed flow,
-    /// divided by shear rate times height of the cell [1].
+    /// Mean velocity of the grains along the flow, including the imposed flow, in each bin of
+    /// height, divided by (shear rate times height of the cell) [1].
     BinnedSums velocity(double height, double shear_rate) const;
     /// Variance of one component of the grains' velocities in each bin of height, averaged over the
     /// three components and divided by the squared product of grain diameter and shear rate [1].
@@ -169,12 +169,13 @@ class MotionProfile {
     std::vector<Bin> bins_;
 };
 
-/// Adds the profile of the solid fraction over the height of the sample, in one state, to `sums`.
-/// Each sphere is cut at the faces of the bins.
+/// Adds the profile of the solid fraction along the height of the sample, in one state, to `sums`.
+/// Each sphere is cut at the boundaries of the bins.
 void add_solid_fraction(const Grains& grains, const Cell& cell, BinnedSums& sums);
 
-/// Adds the distributions of directions, forces and gaps of contacts and of bridges without
-/// contact, in one state, to `sums`. These are all fields that are no profiles over the height.
+/// Adds the distributions of directions, forces and gaps, in one state, to `sums`: all fields other
+/// than profiles along the height. The distributions are over contacts and over bridges between
+/// grains that do not touch.
 /// @param near pairs of the narrow neighbour list
 /// @param distant other pairs that a bridge may join
 void add_distributions(const Grains& grains, const Cell& cell, const Pairs& near,

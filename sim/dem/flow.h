@@ -10,11 +10,12 @@ namespace pendular::dem {
 struct Flow {
     /// Imposed shear rate dv1/dx2; in reduced units it equals the inertial number.
     double shear_rate = 0;
-    /// Rate of change of the cell's height over the height, in reduced units.
+    /// Rate of change of the cell's height divided by the height, in reduced units.
     double height_rate = 0;
-    /// Rate of change of the cell's length along the flow over this length, in reduced units.
+    /// Rate of change of the cell's length along the flow divided by this length, in reduced units.
     double length_rate = 0;
-    /// Rate of change of the cell's width along the vorticity over the width, in reduced units.
+    /// Rate of change of the cell's width along the vorticity divided by the width, in reduced
+    /// units.
     double width_rate = 0;
 
     template <typename Archive>

@@ -14,8 +14,8 @@
 
 namespace pendular::dem {
 
-/// Physical effect on the forces between grains or on grain sizes, with its parameter values in a
-/// run. The objects that `change` and `parameters` refer to must outlive the run.
+/// Physical effect on the forces between grains or on the grain sizes, with its parameter values in
+/// a run. The objects to which `change` and `parameters` refer must outlive the run.
 struct GrainEffect {
     std::variant<const ChangePairs*, const ChangeSample*> change;
     std::span<const EffectParameter> parameters;
@@ -29,7 +29,7 @@ class GrainEffects {
     explicit GrainEffects(const std::vector<GrainEffect>& on);
 
     /// True if any effect of the run changes or adds forces between grains, or lets bridges form
-    /// without contact.
+    /// between grains that do not touch.
     bool changes_forces() const { return changes_forces_; }
     /// True if any effect of the run changes the forces between grains or the grain sizes.
     bool changes_pairs() const { return changes_forces_ || !samples_.empty(); }
@@ -38,8 +38,8 @@ class GrainEffects {
     bool bridges_without_contact() const { return bridges_without_contact_; }
     BridgeLaw changed(BridgeLaw law) const;
     double damping_rate(const BridgeLaw& law) const;
-    /// Rate at which the volumes of the bridges of a grain even out [1 per unit of shear strain];
-    /// 0: bridges exchange no liquid.
+    /// Rate [1 per unit of shear strain] at which the volumes of the bridges on a grain become
+    /// equal by flow of liquid; 0: bridges exchange no liquid.
     double exchange_rate() const;
     /// Random diameters of `count` grains, divided by their mean [1]; empty if no effect changes
     /// sizes.
@@ -56,13 +56,14 @@ class GrainEffects {
         stage(&ChangePairs::add, batch, material, bridges);
     }
     bool changes_bridges() const { return changes_bridges_; }
-    /// Index of the value of the contact history that is the volume of a pair's bridge over the
-    /// mean volume V0 of a bridge as it forms; empty if each bridge has the volume V0.
+    /// Index, among the values of the contact history (values that effects keep for each pair), of
+    /// the volume of a pair's bridge divided by the mean volume V0 of newly formed bridges. Empty
+    /// if each bridge has the volume V0.
     std::optional<std::size_t> volume_in_history() const { return volume_in_history_; }
-    /// Attraction of two grains at rest by a liquid bridge, with the changes by these effects, in
-    /// units of a^2 s22 (a: grain diameter, s22: imposed normal stress).
+    /// Attraction of two grains at rest by a liquid bridge, including the changes by all effects of
+    /// the run, in units of a^2 s22 (a: grain diameter, s22: imposed normal stress).
     /// @param gap gap between the surfaces; negative: overlap [grain diameters]
-    /// @param diameter 2 d1 d2/(d1 + d2) of the diameters d1 and d2 of the grains, over the mean
+    /// @param diameter 2 d1 d2/(d1 + d2) of the grain diameters d1 and d2, in units of the mean
     ///         grain diameter [1]
     /// @param history values that the effects keep for the pair (`contact_history`); empty: the
     ///         attraction by a bridge of the mean volume

@@ -18,8 +18,8 @@ namespace pendular::dem {
 /// are needed per pair.
 struct Grains {
     struct Motion {
-        /// Centre of the grain [mean grain diameters]; inside the cell when the neighbour list was
-        /// built.
+        /// Centre of the grain [mean grain diameters]. It was inside the cell when the neighbour
+        /// list was built, but may have left the cell since.
         Vector position;
         /// Velocity of the grain without the imposed flow, half a time step before `position`, in
         /// reduced units.
@@ -43,9 +43,9 @@ struct Grains {
     /// Displacement of each grain, without the imposed flow, since the narrow neighbour list was
     /// made [mean grain diameters].
     std::vector<Vector> displacement;
-    /// Original index of each grain, since grains are renumbered when they mix.
+    /// Original index of each grain. It is kept here because grains are renumbered when they mix.
     std::vector<std::int32_t> number;
-    /// Diameter of each grain over the mean diameter [1]; empty: all are 1.
+    /// Diameter of each grain divided by the mean diameter [1]; empty: all are 1.
     std::vector<double> diameters;
 
     explicit Grains(std::size_t count = 0)
@@ -101,8 +101,8 @@ struct Grains {
 };
 
 /// Moment of inertia of a sphere of unit mass and unit diameter about its centre, (2/5)(1/2)^2, in
-/// units of (grain mass) (grain diameter)^2. That of other grains grows with the fifth power of the
-/// diameter.
+/// units of (grain mass) (grain diameter)^2. The moment of inertia of other grains grows with the
+/// fifth power of the diameter.
 constexpr double moment_of_inertia = 0.1;
 
 }  // namespace pendular::dem

@@ -22,7 +22,7 @@ struct MotionSums {
     /// Sum of m d^2 omega^2 over the grains, with mass m, diameter d and angular velocity omega.
     double angular_velocity = 0;
     /// Largest squared displacement of a grain, without the imposed flow, since the narrow
-    /// neighbour list was made.
+    /// neighbour list was made [squared grain diameters].
     double largest_squared = 0;
     MotionSums& operator+=(const MotionSums& other);
     /// Kinetic energy of the grains in the sums, from their velocities without the imposed flow and
@@ -36,10 +36,10 @@ struct MotionSums {
 };
 
 /// Advances velocities and positions of a range of grains by one leapfrog step, sets their net
-/// forces and torques to zero, and returns sums over these grains.
+/// forces and torques to zero, and returns sums over the grains of the range.
 ///     dv/dt = f/m - L v,   dx/dt = v + L x
-/// x and v are position and velocity without the imposed flow, f/m net force over mass, L the
-/// imposed velocity gradient.
+/// x is the position, v the velocity without the imposed flow, f the net force on a grain, m its
+/// mass, t the time, and L the imposed velocity gradient.
 /// @param range index of the first grain, and of the grain after the last
 /// @param net_forces net force and torque on each grain
 /// @param time_step length of the step in reduced units

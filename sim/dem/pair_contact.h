@@ -13,7 +13,8 @@
 // branch, nor call a function that has no vector instruction.
 namespace pendular::dem {
 
-/// Vector of three numbers, which the compiler keeps in SIMD lanes in a loop over pairs of grains.
+/// Vector of three numbers. In a loop over pairs of grains, the compiler keeps the vectors of
+/// several pairs in SIMD lanes.
 struct Xyz {
     double x, y, z;
 
@@ -43,8 +44,9 @@ struct PairMotion {
     /// Velocity of the second grain's centre minus that of the first, without the imposed flow, in
     /// reduced units.
     Xyz velocity;
-    /// Sum of the angular velocities of the two grains. For unequal grains, each is weighted with
-    /// the distance from its centre to the contact point, over half the distance of the centres.
+    /// Sum of the angular velocities of the two grains. For unequal grains, each angular velocity
+    /// is weighted with the distance from the grain's centre to the contact point, divided by half
+    /// the distance between the centres.
     Xyz angular_velocity;
 };
 
@@ -52,7 +54,7 @@ struct PairMotion {
 /// (grain diameter, grain mass and imposed normal stress are 1).
 struct ContactKinematics {
     double distance;  ///< distance between the centres of the two grains [grain diameters]
-    Xyz normal;       ///< unit vector from the centre of the first grain to that of the second
+    Xyz normal;       ///< unit vector from the centre of the first to that of the second grain [1]
     /// Rate at which the distance between the grains' centres grows, in reduced units.
     double normal_speed;
     /// Tangential velocity of the second grain's surface relative to the first grain's at the
@@ -81,16 +83,16 @@ struct ContactKinematics {
 /// reduced units (grain diameter, grain mass and imposed normal stress are 1). Unequal spheres of
 /// the diameters d1 and d2 are as stiff as equal spheres of the diameter 2 d1 d2/(d1 + d2).
 /// @param overlap overlap of the grains [grain diameters]
-/// @param modulus E/(1 - nu^2) over the imposed normal stress [1], with Young's modulus E and
+/// @param modulus E/(1 - nu^2) divided by the imposed normal stress [1], with Young's modulus E and
 ///         Poisson ratio nu
 [[gnu::always_inline]] inline Hertz hertz_contact(double overlap, const PairSizes& sizes,
                                                   double modulus) {
     return Hertz::at(overlap, modulus * std::sqrt(sizes.diameter));
 }
 
-/// Tangential stiffness of a contact: tangential force over sliding displacement, in units of a s22
-/// (a: grain diameter, s22: imposed normal stress).
-/// @param root square root of (overlap over grain diameter) [1]
+/// Tangential stiffness of a contact (tangential force divided by tangential displacement), in
+/// units of a s22 (a: grain diameter, s22: imposed normal stress).
+/// @param root square root of (overlap divided by grain diameter) [1]
 [[gnu::always_inline]] inline double tangential_stiffness(double root, const PairSizes& sizes,
                                                           const Material& material) {
     const double modulus = material.modulus * std::sqrt(sizes.diameter);
@@ -108,11 +110,11 @@ struct ContactKinematics {
 
 /// Normal forces of a pair of grains, and the quantities on which its tangential force depends, in
 /// reduced units (grain diameter, grain mass and imposed normal stress are 1). All forces are zero
-/// for a pair without contact and bridge.
+/// for a pair with neither contact nor bridge.
 struct NormalForces {
     double overlap;  ///< overlap of the two grains [grain diameters]; 0 without contact
     double gap;      ///< gap between the surfaces of the two grains [grain diameters]; 0 in contact
-    double root;     ///< square root of the two grains' `overlap` over the grain diameter [1]
+    double root;     ///< square root of (`overlap` divided by the grain diameter) [1]
     double elastic;  ///< elastic normal force of the contact, a repulsion, in reduced units
     /// Viscous normal force of the contact, in reduced units; positive for repulsion.
     double viscous;
@@ -128,9 +130,9 @@ struct NormalForces {
     double total() const { return elastic + viscous - capillary; }
 };
 
-/// Returns elastic and viscous normal force, tangential stiffness and Coulomb limit of a pair of
-/// grains without bridge, in reduced units (grain diameter, grain mass and imposed normal stress
-/// are 1). All are zero without contact.
+/// Returns the forces of a contact between two grains, without the force of a bridge: elastic and
+/// viscous normal force, tangential stiffness and Coulomb limit, in reduced units (grain diameter,
+/// grain mass and imposed normal stress are 1). All are zero if the grains do not touch.
 [[gnu::always_inline]] inline NormalForces contact_forces(const ContactKinematics& kinematics,
                                                           const PairSizes& sizes,
                                                           const Material& material) {
@@ -147,8 +149,8 @@ struct NormalForces {
             .coulomb_limit = material.friction * hertz.elastic};
 }
 
-/// Sets whether a liquid bridge joins two grains, `forces.joined`, and its attraction,
-/// `forces.capillary`, in units of a^2 s22 (a: grain diameter, s22: imposed normal stress).
+/// Sets `forces.joined` (whether a liquid bridge joins two grains) and `forces.capillary` (the
+/// attraction by the bridge), in units of a^2 s22 (a: grain diameter, s22: imposed normal stress).
 /// @param before 1 if a bridge joined the grains before the time step, else 0
 [[gnu::always_inline]] inline void add_bridge(NormalForces& forces, double before,
                                               const PairSizes& sizes, const BridgeLaw& bridges) {
@@ -157,8 +159,9 @@ struct NormalForces {
 }
 
 /// Potential energy of a bridge between two grains, zero at the gap at which the bridge breaks, in
-/// units of a^3 s22 (a: grain diameter, s22: imposed normal stress). In contact it decreases
-/// linearly with the overlap, since the attraction is then the pull-off force.
+/// units of a^3 s22 (a: grain diameter, s22: imposed normal stress). While the grains touch, the
+/// energy decreases linearly with the overlap, since the attraction is then the constant pull-off
+/// force.
 [[gnu::always_inline]] inline double bridge_energy(const NormalForces& forces,
                                                    const PairSizes& sizes,
                                                    const BridgeLaw& bridges) {
@@ -178,12 +181,12 @@ struct TangentialStep {
     double unloading;
 
     /// Advances the tangential force of a contact by one time step. The force rotates with the pair
-    /// and about its normal, and its component along the new normal is removed. It is scaled down
-    /// if the contact unloads, increases against the sliding velocity, and is limited by Coulomb's
-    /// law.
+    /// and about its normal, and its component along the new normal is removed. The force is scaled
+    /// down if the contact unloads, grows in the direction opposite to the sliding velocity, and is
+    /// limited by Coulomb's law.
     /// @param force tangential force on the second grain before the step
-    /// @param old_root,old_stiffness square root of the overlap and tangential stiffness before the
-    ///         step
+    /// @param old_root,old_stiffness before the step: square root of the overlap, tangential
+    ///         stiffness
     /// @param dt length of the step
     [[gnu::always_inline]] static TangentialStep of(const Xyz& force,
                                                     const ContactKinematics& kinematics,
@@ -206,8 +209,9 @@ struct TangentialStep {
     }
 };
 
-/// Torque on each of two equal grains by their tangential contact force, in units of a^3 s22 (a:
-/// grain diameter, s22: imposed normal stress). The torque on both grains is the same.
+/// Torque that the tangential contact force of two equal grains exerts on each grain, in units of
+/// a^3 s22 (a: grain diameter, s22: imposed normal stress). The torques on the two grains are
+/// equal.
 /// @param tangential tangential force on the second grain; its opposite acts on the first
 [[gnu::always_inline]] inline Xyz contact_torque(const ContactKinematics& kinematics,
                                                  const Xyz& tangential) {

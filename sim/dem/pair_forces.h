@@ -23,9 +23,9 @@ struct PairNeeds {
 /// energies of these pairs.
 ///
 /// Pairs are processed in batches through vector lanes. The instruction set is chosen when the
-/// program runs, and does not change the result; nor does an unnecessary part of the loop in
-/// `needs`. The energies do not include forces and torques that an effect adds, nor bridges whose
-/// force an effect changes.
+/// program runs, and does not change the result. Neither does a part of the loop that `needs`
+/// requests unnecessarily. The energies include neither the work of forces and torques that an
+/// effect adds nor the energy of bridges whose force an effect changes.
 /// @param stretch range of `pairs`, in whole batches
 PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,
                      const PairNeeds& needs, std::vector<Grains::ForceAndTorque>& net_force);

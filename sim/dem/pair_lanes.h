@@ -29,13 +29,13 @@ struct alignas(64) XyzLanes {
 /// Relative positions and velocities of the pairs in a batch, and the forces and torques on their
 /// grains, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
 struct Batch {
-    /// Vector from the first to the second grain of each pair, their relative velocity and their
-    /// weighted sum of angular velocities, as in `PairMotion`, in reduced units.
+    /// For each pair: vector from the first to the second grain, relative velocity, and weighted
+    /// sum of the angular velocities, as in `PairMotion`, in reduced units.
     XyzLanes separation, velocity, angular_velocity;
     XyzLanes force;   ///< force on the second grain of each pair, in reduced units
     XyzLanes torque;  ///< torque on the second grain of each pair, in reduced units
-    /// Torque on the first grain of each pair, if it differs from `torque`, the torque on the
-    /// second (`Torques::separate`).
+    /// Torque on the first grain of each pair, in reduced units. It is used only if it differs from
+    /// the torque on the second grain, `torque` (`Torques::separate`).
     XyzLanes first_torque;
 
     [[gnu::always_inline]] PairMotion motion(std::size_t k) const {
@@ -60,8 +60,8 @@ struct alignas(64) SizeLanes {
 };
 
 /// Sums of virials and energies over pairs of grains, and the largest overlap (see `PairSums`).
-/// Each lane has a sum of its own, so that the order of summation, and with it the rounding, does
-/// not depend on the width of the vector unit.
+/// Each lane (position of a pair in its batch) has a sum of its own, so that the order of
+/// summation, and with it the rounding, does not depend on the width of the vector unit.
 struct alignas(64) LaneSums {
     Lane virial_11{}, virial_22{}, virial_33{}, virial_12{}, largest_overlap{};
     /// Sums of the stored and lost energies of the pairs, as in `PairEnergy`.
@@ -76,8 +76,8 @@ struct alignas(64) LaneSums {
     PairSums total(EnergyAccounting accounting) const;
 };
 
-/// Displacement from the periodic cell to each of its images [grain diameters], indexed by the code
-/// of the image (`image_code`).
+/// Displacement [grain diameters] from the periodic cell to each of its periodic images, indexed by
+/// the code of the image (`image_code`).
 using Shifts = std::array<Vector, image_code::count + 1>;
 
 inline Shifts image_shifts(const Cell& cell) {
@@ -89,8 +89,8 @@ inline Shifts image_shifts(const Cell& cell) {
     return shifts;
 }
 
-/// Transposes four vectors of four components: component k of vector i becomes component i of
-/// vector k.
+/// Transposes four vectors of four components: component k of input vector i becomes component i of
+/// output vector k.
 [[gnu::always_inline]] inline void transpose(const Vector::Lanes (&in)[4],
                                              Vector::Lanes (&out)[4]) {
     const auto even01 = __builtin_shufflevector(in[0], in[1], 0, 4, 2, 6);
@@ -184,8 +184,8 @@ template <Gathered part>
 /// Torques that the pairs of a batch exert on their grains.
 enum class Torques {
     none,      ///< no torques, for pairs that cannot touch
-    shared,    ///< equal torques on both grains, `Batch::torque`
-    separate,  ///< different torques, `Batch::first_torque` and `Batch::torque`
+    shared,    ///< equal torques on both grains of a pair, in `Batch::torque`
+    separate,  ///< different torques on the grains: `first_torque` and `torque`
 };
 
 /// Adds the forces and torques of the pairs in a batch to the net force and torque on each grain.

@@ -28,9 +28,9 @@ struct PairEnergy {
     /// Energy lost in the time step when liquid bridges form: their potential energy falls abruptly
     /// below zero.
     double bridges = 0;
-    /// Energy lost in the time step by the tangential springs of contacts without sliding. Their
-    /// stiffness changes with the overlap while they are loaded, and the component of the
-    /// tangential force along the new normal is removed.
+    /// Energy lost in the time step by the tangential springs of contacts without sliding. It is
+    /// lost because the stiffness of a loaded spring changes with the overlap, and because the
+    /// component of the tangential force along the new normal is removed.
     double unloading = 0;
 
     PairEnergy& operator+=(const PairEnergy& other);
@@ -54,8 +54,8 @@ struct PairSums {
     PairSums& operator+=(const PairSums& other);
 };
 
-/// Whether the stored and lost energies (`PairEnergy`) are also summed when forces are computed,
-/// which nearly doubles the time of a step.
+/// Whether the stored and lost energies (`PairEnergy`) are also summed when forces are computed.
+/// Summing nearly doubles the computing time of a step.
 enum class EnergyAccounting { off, on };
 
 class GrainEffects;
@@ -73,8 +73,8 @@ struct PairLaws {
     const GrainEffects* effects = nullptr;
 };
 
-/// Range of pairs in a neighbour list, in whole batches: index of the first pair, and of the pair
-/// after the last one.
+/// Range of pairs in a neighbour list: index of the first pair, and index after the last pair. The
+/// range consists of whole batches (`PairList::batch` pairs).
 using Stretch = std::pair<std::size_t, std::size_t>;
 
 }  // namespace pendular::dem

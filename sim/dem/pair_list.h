@@ -35,7 +35,7 @@ struct Pairs : Neighbours {
     /// Components of the tangential force on the second grain of each pair, in units of a^2 s22 (a:
     /// grain diameter, s22: imposed normal stress).
     std::vector<double> sx, sy, sz;
-    /// Square root of (overlap over grain diameter) of each pair in the last time step [1]; 0
+    /// Square root of (overlap divided by grain diameter) of each pair in the last time step [1]; 0
     /// without contact.
     std::vector<double> root;
     std::vector<double> bridge;  ///< 1 for each pair of grains that a liquid bridge joins, else 0
@@ -70,17 +70,19 @@ struct Pairs : Neighbours {
 struct ListWants {
     std::size_t contact_history = 0;  ///< number of values that effects keep for each pair
     /// Whether the distant list must contain all pairs that a liquid bridge could join, rather than
-    /// only the pairs that one joins. Needed if bridges form without contact.
+    /// only the pairs that are joined. This is needed if bridges can form between grains that do
+    /// not touch.
     bool all_in_reach = false;
 };
 
 /// Neighbour lists of a sample. The wide list contains all pairs that may come close or be joined
 /// by a bridge. The narrow list contains the pairs of the wide list that touch or may touch soon,
-/// so that the force loop examines few other pairs. The distant list contains the remaining pairs
-/// of the wide list that a bridge joins.
+/// so that the force loop examines few pairs that do not touch. The distant list contains the
+/// remaining pairs of the wide list that a bridge joins.
 ///
-/// A list stays valid while no pair outside it can have come too close. Two grains that were
-/// further apart than 1 + skin when the list was made stay further apart than a distance d while
+/// A list stays valid while no pair outside it can have come too close. Two grains whose centres
+/// were further apart than 1 + skin when the list was made stay further apart than a distance d
+/// while
 ///     (1 + skin - 2 u (1 + g)) (1 - g) > d,
 /// where 1 is the largest grain diameter, u the largest displacement of a grain without the imposed
 /// flow, and g the affine strain (shear plus changes of the cell's edges) since the list was made.
@@ -98,7 +100,7 @@ class PairList {
 
     /// Makes empty neighbour lists.
     /// @param rupture_distance gap at which liquid bridges break [grain diameters]; 0: no bridges
-    /// @param parts number of threads that renew the lists; it does not change them
+    /// @param parts number of threads that renew the lists; the lists do not depend on this number
     /// @param wants data that the physical effects of the run need
     explicit PairList(double rupture_distance = 0, int parts = 1, const ListWants& wants = {});
 
@@ -114,17 +116,17 @@ class PairList {
     void update(Grains& grains, Cell& cell, double affine_strain, double largest_squared);
 
     /// Renews the wide, narrow and distant list now and keeps the contact history of their pairs.
-    /// Grains are moved into the cell by whole lattice vectors, and renumbered if shear has mixed
-    /// them.
+    /// Grains are moved into the cell by whole lattice vectors. They are renumbered if shear has
+    /// mixed them.
     void rebuild(Grains& grains, Cell& cell);
 
     Pairs& narrow() { return narrow_; }
     const Pairs& narrow() const { return narrow_; }
-    /// Number of real pairs in the narrow neighbour list, which precede the placeholder pairs of
-    /// the last batch.
+    /// Number of real pairs in the narrow neighbour list. The real pairs precede the placeholder
+    /// pairs, which fill up the last batch.
     std::size_t live() const { return live_; }
-    /// Distant list: pairs without contact that a bridge joined, or could join, when the list was
-    /// made. While the list is valid, none of them comes into contact.
+    /// Distant list: pairs of grains that did not touch when the list was made and that a bridge
+    /// joined, or could join. While the list is valid, no pair in it comes into contact.
     Pairs& distant() { return distant_; }
     const Pairs& distant() const { return distant_; }
     std::size_t live_distant() const { return live_distant_; }
@@ -132,8 +134,8 @@ class PairList {
     /// Number of times that the narrow and the distant neighbour list were renewed.
     std::size_t renewals() const { return renewals_; }
 
-    /// Saves or loads the neighbour lists. They can be loaded only into an object that was made
-    /// with the same rupture distance.
+    /// Saves or loads the neighbour lists. The lists can be loaded only into an object that was
+    /// made with the same rupture distance of bridges.
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(wide_, narrow_, distant_, live_, live_distant_, moved_, wide_strain_,
@@ -151,12 +153,13 @@ class PairList {
     double reach_ = narrow_skin;
     int parts_;
     ListWants wants_;
-    double largest_ = 1;  ///< largest diameter of a grain in the sample over the mean diameter [1]
+    /// Largest diameter of a grain in the sample divided by the mean diameter [1].
+    double largest_ = 1;
     Neighbours wide_;
     Pairs narrow_, distant_;
     std::size_t live_ = 0, live_distant_ = 0;
-    /// Displacement of each grain, without the imposed flow, between the making of the wide and of
-    /// the narrow list.
+    /// Displacement of each grain [grain diameters], without the imposed flow, from the time when
+    /// the wide list was made to the time when the narrow list was made.
     std::vector<Vector> moved_;
     double wide_strain_ = 0, narrow_strain_ = 0, strain_since_renumbered_ = 1e9;
     std::size_t wide_rebuilds_ = 0, renewals_ = 0;
@@ -168,11 +171,12 @@ class PairList {
 /// Returns all pairs of grains, periodic images included, whose surfaces are closer than `gap`
 /// [grain diameters]. All centres must be inside the cell. The search uses bins that are sheared
 /// with the lattice (`Bins`); in a sample that is too small for bins, all pairs are tested.
-/// @param parts number of threads; it does not change the result
+/// @param parts number of threads; the result does not depend on this number
 Neighbours find_pairs(const Grains& grains, const Cell& cell, double gap, int parts = 1);
 
 /// Returns all pairs of grains, periodic images included, whose surfaces are closer than `gap`
-/// [grain diameters], by testing every pair. It is slow; small samples and tests use it.
+/// [grain diameters], by testing every pair. This function is slow; it is used for small samples
+/// and in tests.
 Neighbours find_pairs_by_brute_force(const Grains& grains, const Cell& cell, double gap);
 
 }  // namespace pendular::dem

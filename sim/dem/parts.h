@@ -22,8 +22,8 @@ void in_parts(int parts, const Work& work) {
 }
 
 /// Divides `count` items into `parts` ranges of nearly equal size, and returns range number `part`,
-/// from 0: index of its first item, and of the item after its last one. Ranges begin at multiples
-/// of `grain` items.
+/// from 0, as two indices: the first item, and the item after the last. Each range begins at a
+/// multiple of `grain` items (this parameter has nothing to do with the grains of a sample).
 inline std::pair<std::size_t, std::size_t> range_of(int part, int parts, std::size_t count,
                                                     std::size_t grain = 1) {
     const std::size_t grains = (count + grain - 1) / grain;

@@ -20,16 +20,16 @@ namespace pendular::dem {
 class Checkpoint;
 class GrainEffects;
 
-/// Averages of one simulation run over its steady part, with standard errors that include the
-/// autocorrelation of the averages over blocks of strain.
+/// Averages of one simulation run over its steady part, with standard errors. The standard errors
+/// allow for the autocorrelation of the averages over successive blocks of strain.
 struct RunResult {
     RunParameters parameters;
     int threads = 1;  ///< number of threads that the run used
     /// Time average of each observable of the run, with its standard error, in the order of
     /// `Observable`.
     std::array<Mean, observable_count> means;
-    /// Time average of each field (quantity as a function of a coordinate) of the run, in the order
-    /// of `Field`. Fields of bridges are empty in dry runs.
+    /// Time average of each field (quantity as a function of one coordinate) of the run, in the
+    /// order of `Field`. Fields of bridges are empty in dry runs.
     std::array<BinnedMeans, field_count> fields;
     /// Covariance of the run's mean stress ratio and mean solid fraction [1].
     double covariance = 0;
@@ -50,7 +50,8 @@ struct RunResult {
     /// Positions and velocities of the grains at the end of the run, from which another run can
     /// start.
     StoredSample final_state;
-    std::string failure;  ///< reason why the run failed (set by `run_all`); empty: success
+    /// Reason why the run failed, set by `run_one` and `run_all`; empty: success.
+    std::string failure;
 
     const Mean& operator[](Observable which) const {
         return means[static_cast<std::size_t>(which)];
@@ -63,17 +64,17 @@ struct RunResult {
     }
 };
 
-/// Version of the solver. It increases only if runs with equal parameters give results that differ
-/// by more than rounding.
+/// Version of the solver. It is increased when a change of the solver changes the results of runs
+/// with equal parameters by more than rounding.
 constexpr int physics_version = 1;
 
-/// Callback for the progress of a run, called about once per strain of 0.02.
+/// Callback for the progress of a run, called about once per shear strain of 0.02.
 /// @param done shear strain so far [1]
 /// @param expected expected total shear strain [1]
 using Progress = std::function<void(double done, double expected)>;
 
-/// Callback that receives the states of a run: when the flow begins or a checkpoint resumes the
-/// run, and at the end of every block of strain of about 0.02.
+/// Callback that receives the states of a run. It is called when the flow begins, when a checkpoint
+/// resumes the run, and after every shear strain of about 0.02 (a block).
 /// @param strain shear strain since the flow began [1]
 using Observer = std::function<void(const ShearCell& sample, double strain)>;
 
@@ -86,8 +87,8 @@ struct RunOptions {
     std::vector<Observer> observers;
     /// State from which the run starts; needed if `RunParameters::start` is not 0.
     const StoredSample* start = nullptr;
-    /// Checkpoint file. If it exists, the run resumes from it. The run writes it when it is due
-    /// (`Checkpoint::due`) and when the run is stopped. Null: no checkpoints.
+    /// Checkpoint file. If it exists, the run resumes from it. The run writes the file when a
+    /// checkpoint is due (`Checkpoint::due`) and when the run is stopped. Null: no checkpoints.
     Checkpoint* checkpoint = nullptr;
     /// Parameters of the run as lines "name = value". They are stored in the checkpoint, so that a
     /// run with other parameters cannot resume from it.
@@ -95,8 +96,8 @@ struct RunOptions {
 };
 constexpr int most_threads = 1024;
 
-/// Solid fraction [1] above which a sample of equal grains counts as crystallised, after correction
-/// to rigid grains (`rigidity_shift`).
+/// Solid fraction [1] above which a sample of equal grains counts as crystallised. The solid
+/// fraction is first corrected to that of rigid grains (`rigidity_shift`).
 constexpr double crystal_solid_fraction = 0.645;
 
 /// Localization of the shear [1] (0: uniform, 1: infinitely thin shear band) above which a flow
@@ -120,7 +121,7 @@ RunResult run(const RunParameters& parameters, const GrainEffects& effects,
 ///     1.23 x 3 solid_fraction mean_overlap
 /// The factor 1.23 +- 0.15 was measured in dry samples with friction 0.12 at stiffness numbers
 /// between 300 and 4000.
-/// @param mean_overlap mean overlap of contacts over the grain diameter [1]
+/// @param mean_overlap mean overlap of contacts divided by the grain diameter [1]
 double rigidity_shift(double solid_fraction, double mean_overlap);
 constexpr double rigidity_factor = 1.23;
 constexpr double rigidity_factor_error = 0.15;

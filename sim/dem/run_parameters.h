@@ -14,11 +14,11 @@ namespace pendular::dem {
 class GrainEffects;
 
 /// Largest inertial number [1] that can be simulated: in faster flows the sample is too dilute for
-/// the height servo to keep the normal stress.
+/// the servo that adjusts the height of the cell to keep the normal stress.
 constexpr double largest_inertial_number = 0.5;
 
-/// Standard error of the average of one observable, in the observable's unit, at which a run may
-/// stop.
+/// Requested precision of a run: standard error of the average of one observable, in the
+/// observable's unit. The run may stop once the standard error is that small.
 struct Precision {
     Observable which = Observable::stress_ratio;
     double standard_error = 0;
@@ -44,11 +44,11 @@ struct RunParameters {
     int grains = 2000;
     double strain = 10;  ///< shear strain over which the run is averaged, without transient [1]
     std::uint64_t seed = 1;
-    /// Fingerprint of the run whose final state is the initial state of this run; 0: the run starts
-    /// from grains at random positions without contact.
+    /// Fingerprint (hash, function `fingerprint`) of the run whose final state is the initial state
+    /// of this run; 0: the run starts from grains at random positions without contact.
     std::uint64_t start = 0;
-    /// Standard errors at which averaging may end before `strain`, once all of them are reached.
-    /// Empty: averaging never ends before `strain`.
+    /// Standard errors of observables. Averaging may end before the shear strain `strain` once all
+    /// these standard errors are reached. Empty: averaging never ends before `strain`.
     std::vector<Precision> precision = {};
     /// Effects on grains that act in the run, with parameter values in reduced units (grain
     /// diameter, grain mass and imposed normal stress are 1). The solver does not read this list:
@@ -56,7 +56,7 @@ struct RunParameters {
     std::vector<EffectValues> effects = {};
 };
 
-/// Checks, before any computation, that a run can be simulated with these effects on grains.
+/// Checks, before any computation, that a run with given effects on grains can be simulated.
 /// @throws std::invalid_argument if a parameter is out of range; the message names the parameter
 void check_run_parameters(const RunParameters& parameters, const GrainEffects& effects);
 

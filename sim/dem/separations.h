@@ -10,9 +10,9 @@
 
 namespace pendular::dem {
 
-/// Calls visit(k, r) for each pair k of a list, except placeholders. r is the vector from the
-/// centre of the first grain to the centre of the periodic image of the second grain [grain
-/// diameters].
+/// Calls visit(k, r) for each pair k of a neighbour list, except the placeholder pairs that fill up
+/// its last batch. r is the vector from the centre of the first grain to the centre of the periodic
+/// image of the second grain [grain diameters].
 template <typename Visit>
 void for_each_pair(const Grains& grains, const Cell& cell, const Pairs& pairs, const Visit& visit) {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -29,7 +29,7 @@ void for_each_pair(const Grains& grains, const Cell& cell, const Pairs& pairs, c
 /// Elastic normal force and normal stiffness of the contact of pair k, from its overlap in the last
 /// time step, in reduced units (grain diameter, grain mass and imposed normal stress are 1). Both
 /// are zero without contact.
-/// @param modulus E/(1 - nu^2) over the imposed normal stress [1], with Young's modulus E and
+/// @param modulus E/(1 - nu^2) divided by the imposed normal stress [1], with Young's modulus E and
 ///         Poisson ratio nu
 inline Hertz contact_of(const Grains& grains, const Pairs& pairs, std::size_t k, double modulus) {
     const PairSizes sizes = grains.sizes(static_cast<std::size_t>(pairs.first[k]),

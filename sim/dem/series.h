@@ -22,11 +22,11 @@ constexpr double block_strain = 0.02;
 struct Block {
     double strain = 0;
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0, solid_fraction = 0, localization = 0;
-    /// Mean volume of a liquid bridge over the mean volume V0 of a bridge as it forms [1]; 1
+    /// Mean volume of a liquid bridge divided by the mean volume V0 of newly formed bridges [1]; 1
     /// without bridges.
     double bridge_volume = 0;
-    /// Power that each mechanism dissipates in the block per volume, divided by the shear rate and
-    /// the imposed normal stress [1]. Its stored energies are 0.
+    /// Power per volume that each mechanism dissipates in the block, divided by the shear rate and
+    /// the imposed normal stress [1]. The members for stored energies are 0.
     PairEnergy dissipation;
     Structure structure;
     FieldSums fields;
@@ -39,8 +39,8 @@ struct Block {
     }
 };
 
-/// Block of a run (a strain of `block_strain`) whose averages are being summed step by step, so
-/// that a run can be stopped between any two steps and resumed there.
+/// Block of a run (a shear strain of `block_strain`) that is not complete yet. Its averages are
+/// summed step by step, so that the run can be stopped and resumed between any two steps.
 class OpenBlock {
   public:
     OpenBlock() = default;
@@ -50,16 +50,16 @@ class OpenBlock {
     /// Shear strain of the sample when the block began [1].
     double begin() const { return begin_; }
     /// Advances the sample by one time step and adds its stress and solid fraction to the sums of
-    /// the current block of time steps that are averaged together. Dissipation,
-    /// velocities and the contact network are added after some of the steps only.
+    /// the block. Dissipation, velocities and the observables of contacts and bridges are added
+    /// after some of the steps only.
     void step(ShearCell& sample);
     /// Whether a run should check now for stop requests and due checkpoints: every 16 steps, right
     /// after the step in which the velocities of all grains were added.
     static bool pauses(const ShearCell& sample);
     /// Ends the block and returns its averages: stresses and solid fraction over all its steps,
-    /// other quantities over some steps. Profiles of solid fraction and distributions over pairs
-    /// come from the last state only, since more states would slow down a fast run by several per
-    /// cent.
+    /// other quantities over some steps. Profiles of solid fraction and distributions over pairs of
+    /// grains come from the last state only, since evaluating more states would slow down a fast
+    /// run by several per cent.
     /// @param sample state at the end of the block
     Block close(const ShearCell& sample);
 
@@ -104,8 +104,9 @@ class Series {
         return result;
     }
     /// Returns a time series of the ratio of two quantities: one value per block, from block `from`
-    /// on (counted from 0). The mean of the values is the mean of `numerator(block)` over the mean
-    /// of `denominator(block)`; their scatter is the scatter of this ratio to first order.
+    /// on (counted from 0). The mean of the values is the mean of `numerator(block)` divided by the
+    /// mean of `denominator(block)`. The scatter of the values is, to first order, the scatter of
+    /// this ratio.
     template <typename Numerator, typename Denominator>
     std::vector<double> ratio(std::size_t from, Numerator numerator,
                               Denominator denominator) const {
@@ -130,14 +131,14 @@ class Series {
     std::vector<double> structure(std::size_t from, double Structure::*which) const {
         return values(from, [&](const Block& b) { return b.structure.*which; });
     }
-    /// Averages, with standard errors, of the field `which` (a quantity as a function of a
-    /// coordinate) in each bin, over the blocks from number `from` on, counted from 0. An average
-    /// is the mean of the blocks' sums over the mean of their weights; NaN if a bin has no data.
+    /// Averages, with standard errors, of the field `which` (a quantity as a function of one
+    /// coordinate) in each bin. Averaged are the blocks from number `from` on, counted from 0: the
+    /// mean of the blocks' sums is divided by the mean of their weights. NaN if a bin has no data.
     BinnedMeans field(std::size_t from, Field which, const Bins1d& bins) const;
     /// Number of blocks at the start of a run that averages must leave out, since the flow is not
-    /// yet steady; empty if the flow is not steady so far. Stress ratio, solid fraction and, if
-    /// `wet`, the number of bridges without contact per grain, which becomes steady last, are
-    /// examined.
+    /// yet steady; empty if the flow is not steady so far. The function examines stress ratio,
+    /// solid fraction and, if `wet` is true, the number per grain of bridges between grains that do
+    /// not touch, which becomes steady last.
     std::optional<std::size_t> transient(bool wet) const;
     Trace trace() const;
 

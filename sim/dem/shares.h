@@ -9,12 +9,12 @@
 
 namespace pendular::dem {
 
-/// Work of one thread on a part of the grains in a time step, as ranges of indices: of near pairs
-/// (grains that may touch), of distant pairs (grains that a bridge may join), both in multiples of
-/// the number of pairs that vector instructions process together, and of the grains that occur in
-/// no later pair. Pairs are sorted
-/// by their first grain, which has the lower number. The grains of a section can therefore move as
-/// soon as its pairs are done, while they are still in the cache.
+/// Part of the work of one thread in a time step, as ranges of indices: a range of near pairs
+/// (grains that may touch), a range of distant pairs (grains that a bridge may join), and the range
+/// of the grains that occur in no later pair. Both ranges of pairs consist of whole batches
+/// (`PairList::batch` pairs). Pairs are sorted by their first grain, which has the lower number.
+/// The grains of a section can therefore be moved as soon as its pairs are done, while the data of
+/// the grains are still in the cache.
 struct Section {
     using Range = std::pair<std::size_t, std::size_t>;
     Range grains, near, distant;
@@ -22,7 +22,7 @@ struct Section {
 
 /// Work of one thread in each time step while the neighbour lists are valid. The thread sums the
 /// forces of its pairs in its own array and moves its grains. Since grains are numbered in rows,
-/// few of its grains interact with grains of other threads.
+/// few grains of one thread interact with grains of other threads.
 struct Share {
     std::vector<Section> sections;
     /// Indices of the grains of other threads on which pairs of this thread exert forces, in
@@ -35,8 +35,8 @@ struct Share {
 };
 
 /// Divides the pairs and grains of a sample among `parts` threads, and returns one share per
-/// thread. Each share has the same number of pairs of the narrow neighbour list, up to whole
-/// batches.
+/// thread. All shares have the same number of pairs of the narrow neighbour list, except that each
+/// share consists of whole batches.
 /// @param grains number of grains in the sample
 std::vector<Share> shares_of(const PairList& pairs, std::size_t grains, int parts);
 

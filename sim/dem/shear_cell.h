@@ -34,9 +34,10 @@ struct Sample {
 };
 
 /// Returns a sample of `count` grains at rest, at random positions without contact, at solid
-/// fraction 0.3. The cell is tall; it becomes a cube once the sample is compressed and flows.
+/// fraction 0.3. The cell is tall; it becomes approximately a cube once the sample is compressed
+/// and flows.
 /// @param seed seed of the random positions
-/// @param diameters diameters of the grains over their mean [1]; empty: all are 1
+/// @param diameters diameters of the grains divided by their mean [1]; empty: all are 1
 /// @throws std::invalid_argument for fewer than 64 grains
 Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diameters = {});
 
@@ -47,12 +48,14 @@ Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diam
 ///
 /// Height servo, of first order: (dH/dt)/H = (s22 - 1)/(B t0), with cell height H, normal stress
 /// s22, t0 = sqrt(m/(a s22)), the time in which a grain of mass m moves its own diameter a, and B =
-/// 0.05 times the stiffness number, well below the modulus of the packing. The normal stress then
-/// returns to its imposed value within a fraction of t0 at every stiffness, without tuning. Since
-/// ln H is bounded, the time average of s22 is exactly 1.
+/// 0.05 times the stiffness number, well below the modulus of the packing. The servo is implicit in
+/// the viscous part of s22, which follows dH/dt within one time step. The normal stress returns to
+/// its imposed value within a fraction of t0 at every stiffness, without tuning. Since ln H is
+/// bounded, the time average of s22 is exactly 1.
 ///
-/// Time step: a fixed fraction of sqrt(m/K_N), with the normal stiffness K_N of the stiffest
-/// contact, updated as this stiffness changes; smaller if the damping is more than critical.
+/// Time step: a fixed fraction of sqrt(m/K_N), with grain mass m and normal stiffness K_N of the
+/// stiffest contact. The time step is updated as this stiffness changes, and is smaller if the
+/// damping is more than critical.
 class ShearCell {
   public:
     /// Begins with `count` grains at random positions without contact (`random_gas`). Liquid
@@ -93,7 +96,7 @@ class ShearCell {
     const Cell& cell() const { return cell_; }
     const PairList& pairs() const { return pairs_; }
     const Material& material() const { return material_; }
-    /// Law of the liquid bridges, as the effects on grains change it.
+    /// Law of the liquid bridges, including the changes by effects on grains.
     const BridgeLaw& bridges() const { return bridges_; }
     const GrainEffects& effects() const { return effects_; }
     /// Mean stress of the sample in the last time step, divided by the imposed normal stress [1],
@@ -114,7 +117,7 @@ class ShearCell {
     double solid_fraction() const;
 
     /// Sets the imposed velocity gradient. While the servo that keeps the normal stress is on, it
-    /// changes the rate of height change.
+    /// continues to adjust the rate of change of the height (`Flow::height_rate`).
     void set_flow(const Flow& flow) { flow_ = flow; }
     /// Switches on or off the servo that keeps the normal stress at its imposed value by changing
     /// the height of the cell.
@@ -125,8 +128,8 @@ class ShearCell {
     /// of the stiffest contact, in place of `time_step_fraction`; for tests of convergence.
     void set_time_step_fraction(double fraction) { fraction_ = fraction; }
 
-    /// Saves or loads the state of the simulation. It can be loaded only into a ShearCell with the
-    /// same number of grains, laws and number of parts.
+    /// Saves or loads the state of the simulation. The state can be loaded only into a ShearCell
+    /// with the same number of grains, the same laws and the same number of threads (parts).
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(grains_, cell_, pairs_, flow_, stress_, motion_, servo_, bridging_, fraction_,
@@ -145,7 +148,7 @@ class ShearCell {
     PairSums sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces,
                         const PairLaws& laws, MotionSums* moved = nullptr);
     /// Adds the forces that other threads summed for the grains of thread `part` to the net forces
-    /// on these grains, and sets the sums of the other threads to zero.
+    /// on these grains, and sets the added sums of the other threads to zero.
     void collect_net_forces(int part);
     std::vector<Grains::ForceAndTorque>& net_forces_of(int part);
     std::vector<Grains::ForceAndTorque> all_net_forces();
@@ -165,7 +168,8 @@ class ShearCell {
     int parts_ = 1;
     std::vector<Share> shares_;
     std::size_t shares_made_at_ = 0;  ///< value of PairList::renewals when `shares_` were made
-    /// For each thread after the first, the net forces on the grains that this thread summed.
+    /// For each thread after the first: net force and torque on each grain, as far as this thread
+    /// summed them.
     std::vector<std::vector<Grains::ForceAndTorque>> other_net_forces_;
     Stress stress_;
     PairEnergy energy_;

@@ -9,16 +9,16 @@
 
 namespace pendular::dem {
 
-/// Pair of grains in contact or joined by a bridge, which is drawn as a line. Forces are in units
-/// of a^2 s22, with grain diameter a and imposed normal stress s22.
+/// Pair of grains in contact or joined by a bridge, which other programs draw as a line between the
+/// centres. Forces are in units of a^2 s22, with grain diameter a and imposed normal stress s22.
 struct DrawnPair {
     /// Centres of the two grains of the pair [grain diameters]; `to` may be a periodic image
     /// outside the cell.
     Vector from, to;
-    /// Elastic normal force of the contact over a^2 s22 [1] (a: grain diameter, s22: imposed normal
-    /// stress); 0 without contact.
+    /// Elastic normal force of the contact divided by a^2 s22 [1] (a: grain diameter, s22: imposed
+    /// normal stress); 0 if the grains do not touch.
     double normal_force = 0;
-    /// Attraction of the pair by its liquid bridge over a^2 s22 [1] (a: grain diameter, s22:
+    /// Attraction of the pair by its liquid bridge divided by a^2 s22 [1] (a: grain diameter, s22:
     /// imposed normal stress).
     double bridge_force = 0;
     bool touching = false;
@@ -61,8 +61,9 @@ std::string pairs_vtp(const Snapshot& snapshot);
 /// Writes snapshots of a run into a folder, at shear strains 0, `every`, 2 `every` and so on. The
 /// file `beads.dump` has all frames. For ParaView, `snapshots.pvd` lists `vtk/beads_NNNNN.vtp` and
 /// `vtk/pairs_NNNNN.vtp` with the strain as time. Each file is complete or absent: the dump is
-/// written as `.beads.dump.part` and renamed when the object is destroyed, after a complete or a
-/// stopped run. If a checkpoint resumes the run, frames made after that checkpoint are made again.
+/// written as `.beads.dump.part` and renamed when the object is destroyed, whether the run is
+/// complete or was stopped. If a checkpoint resumes the run, frames made after that checkpoint are
+/// made again.
 class Snapshots {
   public:
     Snapshots(std::filesystem::path folder, double every);

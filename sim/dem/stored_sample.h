@@ -8,10 +8,10 @@
 
 namespace pendular::dem {
 
-/// Final state of a run in single precision, from which another run can start. Only a checkpoint
-/// continues a run bit for bit. The contact history is not stored: it forms again over a sliding
-/// distance of about one overlap, a small part of any transient. Samples of unequal grains are not
-/// stored; `grains` is then empty.
+/// Final state of a run in single precision, from which another run can start. A run is continued
+/// bit for bit only from a checkpoint. The contact history (tangential forces and other values of
+/// each pair) is not stored: it forms again over a sliding distance of about one overlap, a small
+/// part of any transient. Samples of unequal grains are not stored; `grains` is then empty.
 struct StoredSample {
     Cell cell;
     /// Position, velocity without the imposed flow, and angular velocity of each grain, three

@@ -12,11 +12,11 @@
 namespace pendular::dem {
 
 /// Observables of the networks of contacts and bridges in one state, or their means over several
-/// states. There is one member for each STRUCTURE_OBSERVABLE of data/quantities/observables.def.
-/// Reduced units: grain diameter and imposed normal stress are 1; forces of bridges are divided by
-/// the pull-off force; capillary stresses are divided by the imposed normal stress and negative for
-/// attraction. "Distant" pairs are joined by a bridge without contact. In dry states the members
-/// about bridges are zero.
+/// states. Each STRUCTURE_OBSERVABLE of data/quantities/observables.def is a member. Reduced units:
+/// grain diameter and imposed normal stress are 1; forces of bridges are divided by the pull-off
+/// force; capillary stresses are divided by the imposed normal stress and negative for attraction.
+/// "Distant" pairs are joined by a bridge but do not touch. In dry states the members about bridges
+/// are zero.
 struct Structure {
 #define STRUCTURE_OBSERVABLE(name, ...) double name = 0;
 #include "data/quantities/observables.def"
@@ -42,11 +42,12 @@ struct Structure {
 /// `effects`.
 ///
 /// The bond order of contacts with directions n is
-///     Q6 = [4 pi/13 sum_m |<Y_6m(n)>|^2]^(1/2) = [<<P6(n . n')>>]^(1/2),
-/// which is 0 for random directions (up to 1/sqrt(number of contacts)), 0.575 in an fcc lattice and
-/// 0.485 in hcp. The 12 component of the anisotropy of a quantity q(n) that depends on direction is
-/// (1/4 pi <q>) times the integral of q(n) n1 n2 over the sphere (Badetti et al., eq:deffl12); it
-/// comes from a least-squares fit of spherical harmonics of order 0 and 2 to the q of all pairs.
+///     Q6 = [4 pi/13 sum_m |<Y_6m(n)>|^2]^(1/2) = [<<P6(n . n')>>]^(1/2)
+/// It is 0 for random directions (up to 1/sqrt(number of contacts)), 0.575 in an fcc lattice and
+/// 0.485 in an hcp lattice. The 12 component of the anisotropy of a quantity q(n) that depends on
+/// direction is the integral of q(n) n1 n2 over the sphere, divided by 4 pi and the mean <q>
+/// (Badetti et al. (2018), eq:deffl12). The component is computed from a least-squares fit of
+/// spherical harmonics of order 0 and 2 to the q of all pairs.
 /// @param near pairs of the narrow neighbour list
 /// @param distant other pairs that a bridge may join
 /// Source: Steinhardt, Nelson, Ronchetti, Phys. Rev. B 28 (1983) 784.
@@ -54,8 +55,8 @@ Structure structure_of(const Grains& grains, const Cell& cell, const Pairs& near
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges,
                        const GrainEffects& effects = {});
 
-/// Mean volume of the liquid bridges of a sample over the mean volume V0 of a bridge as it forms
-/// [1]; 1 if no effect makes them unequal, or without bridges.
+/// Mean volume of the liquid bridges of a sample divided by the mean volume V0 of newly formed
+/// bridges [1]; 1 if all bridges have the volume V0, or if the sample has no bridges.
 double mean_bridge_volume(const PairList& pairs, const GrainEffects& effects);
 
 }  // namespace pendular::dem

@@ -15,8 +15,8 @@ struct alignas(32) Vector {
     constexpr explicit Vector(Lanes all) : lanes(all) {}
 
     double operator[](std::size_t k) const { return lanes[k]; }
-    /// Writable reference to component k, from 0. It moves the vector from its register to memory,
-    /// which assigning to `lanes` does not.
+    /// Writable reference to component k, from 0. Its use moves the vector from its register to
+    /// memory; an assignment to `lanes` does not.
     double& operator[](std::size_t k) { return reinterpret_cast<double*>(&lanes)[k]; }
 
     Vector& operator+=(const Vector& other) {

@@ -25,7 +25,7 @@ struct LabPlan {
     std::vector<double> dry_normal_stresses = {300, 1000, 3000};
     /// Normal stresses in wet recordings [Pa].
     std::vector<double> wet_normal_stresses = {300, 600, 1000, 3000};
-    /// Liquid volume over grain volume in the wet recordings [1]; empty: dry recordings only.
+    /// Liquid volume divided by grain volume in the wet recordings [1]; empty: dry recordings only.
     std::vector<double> liquid_contents = {0.007, 0.03};
     /// Inertial numbers in all recordings [1].
     std::vector<double> inertial_numbers = {3e-3, 3e-2};
@@ -37,21 +37,24 @@ struct LabPlan {
     std::uint64_t seed = 1;
 };
 
-/// Recording that a virtual laboratory is to simulate: one replicate of all steps of constant set
+/// Recording that a virtual laboratory is to simulate: one pass through all steps of constant set
 /// points at one liquid content.
 struct PlannedRecording {
-    std::string file;           ///< name of the recording's file, as in "wet_0.03_1.csv"
-    double liquid_content = 0;  ///< liquid volume over grain volume in the recording [1]; 0: dry
-    int replicate = 1;  ///< number of the recording among those of the same liquid content, from 1
+    std::string file;  ///< name of the recording's file, as in "wet_0.03_1.csv"
+    /// Liquid volume divided by grain volume in the recording [1]; 0: dry.
+    double liquid_content = 0;
+    /// Number of the recording among all recordings of its liquid content, from 1.
+    int replicate = 1;
     std::uint64_t seed = 0;  ///< seed of the instrument's noise in the recording
     /// Requested condition and time of each step of the recording.
     std::vector<Condition> conditions;
 };
 
-/// Returns all recordings of a plan, in the order of measurement: dry recordings first, then those
-/// of each liquid content. They follow one another without a pause. The time of a step of constant
-/// set points is the mean time of its part after the start-up transient [s]; effects on the
-/// grains that depend on time have their value at this time throughout the step.
+/// Returns all recordings of a plan, in the order of measurement: first the dry recordings, then
+/// the recordings of each liquid content. The recordings follow one another without a pause. The
+/// time of a step of constant set points is the mean time of its part after the start-up transient
+/// [s]; effects on the grains that depend on time keep the strength that they have at this mean
+/// time throughout the step.
 std::vector<PlannedRecording> recordings_of(const LabPlan& plan);
 
 /// Returns the true condition of the grains, in SI units, at which the instrument shows the
@@ -60,51 +63,53 @@ std::vector<PlannedRecording> recordings_of(const LabPlan& plan);
 ///
 /// The height of the sample, which is unknown before the simulation, follows from a typical solid
 /// fraction of 0.6. True heights differ by up to 4 %, which shifts the simulated condition by about
-/// 0.1 %. The recording is made with the simulated height, so that it shows the true state exactly
-/// at the requested set points (`shown_over_time`).
+/// 0.1 %. The recording is made with the simulated height, so that the recorded set points equal
+/// the requested ones exactly (`shown_over_time`).
 /// @param asked requested condition
-/// @throws InputError if no true state is shown as the requested condition
+/// @throws InputError if there is no true state that the instrument shows as the requested
+///         condition
 EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked);
 
-/// Returns the function that gives the state of the cell that the instrument shows, without noise,
-/// at a time [s] since the first recording began. The true state is constant:
-/// the one that is shown as the requested condition at the condition's time. The effects on the
-/// instrument may change with time, as those of a lid that wobbles.
+/// Returns a function of the time [s] since the first recording began: the state of the cell that
+/// the instrument shows at that time, without noise. The true state is constant. It is the state
+/// that the instrument shows as the requested condition at the time of this condition. The effects
+/// on the instrument may change with time, as a wobble of the lid does.
 /// @param asked requested condition
 /// @param flow true stress ratio and solid fraction of the grains [1]
-/// @throws InputError if no true state is shown as the requested condition
+/// @throws InputError if there is no true state that the instrument shows as the requested
+///         condition
 std::function<CellState(double)> shown_over_time(const LabPlan& plan, const Condition& asked,
                                                  const FlowPoint& flow);
 
-/// Returns the reason why no virtual laboratory can have an effect, for messages that begin with
-/// the name of the effect; empty where it can have the effect. Effects on closures and on
-/// predictions act on models alone.
+/// Returns the reason why an effect cannot act in a virtual laboratory, for messages that begin
+/// with the name of the effect; empty if the effect can act. Effects on closures (formulas for the
+/// strength of wet grains) and on predictions act on models only.
 std::string why_no_lab_has(const Effect& effect);
 
 /// Checks that a plan can be simulated and recorded, and that any two values planned for one
 /// quantity (dry or wet normal stress, liquid content, inertial number) differ by at least 5 %.
-/// @throws InputError where the plan fails a check, naming the mistake
+/// @throws InputError if the plan fails a check; the message names the mistake
 void check_plan(const LabPlan& plan);
 
-/// Returns the requested condition of each step of a recording, in the order of measurement,
-/// without times.
-/// @param liquid_content liquid volume over grain volume of the recording [1]
+/// Returns the requested condition of each step of a planned recording, in the order of
+/// measurement. The times of the conditions are not set.
+/// @param liquid_content liquid volume divided by grain volume of the recording [1]
 std::vector<Condition> conditions_of(const LabPlan& plan, double liquid_content);
 
-/// Returns the liquid contents (liquid volume over grain volume [1]) for which a plan has
-/// recordings: 0 (dry), then the values of `plan.liquid_contents`.
+/// Returns the liquid contents (liquid volume divided by grain volume [1]) of a plan's recordings:
+/// 0 (dry), then the values of `plan.liquid_contents`.
 std::vector<double> contents_of(const LabPlan& plan);
 
-/// Returns the parameters, in reduced units, of the run that simulates an imposed condition. The
-/// caller sets its seed.
-/// @param bridge_volume volume of a liquid bridge over the cubed grain diameter [1], for wet
+/// Returns the parameters, in reduced units, of the simulation run at an imposed condition. The
+/// caller must set the seed of the run.
+/// @param bridge_volume volume of a liquid bridge divided by the cubed grain diameter [1], for wet
 ///         conditions
 dem::RunParameters run_at(const LabPlan& plan, const EffectiveCondition& condition,
                           double bridge_volume);
 
-/// Returns the parameters, in reduced units, of a pilot run at an imposed condition: a smaller and
-/// shorter run that measures the liquid content at a given bridge volume.
-/// @param bridge_volume volume of a liquid bridge over the cubed grain diameter [1]
+/// Returns the parameters, in reduced units, of a pilot run at an imposed condition. A pilot run is
+/// a smaller and shorter simulation that measures the liquid content at a given bridge volume.
+/// @param bridge_volume volume of a liquid bridge divided by the cubed grain diameter [1]
 dem::RunParameters pilot_at(const LabPlan& plan, const EffectiveCondition& condition,
                             double bridge_volume);
 

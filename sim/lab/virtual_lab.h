@@ -18,11 +18,14 @@ struct LabStep {
     dem::RunResult run;          ///< simulation of the step at its true condition
 };
 
-/// One simulated recording: a replicate of all steps of constant set points at one liquid content.
+/// One simulated recording: one pass through all steps of constant set points at one liquid
+/// content.
 struct LabRecording {
-    std::string file;           ///< name of the recording's file, as in "wet_0.03_1.csv"
-    double liquid_content = 0;  ///< liquid volume over grain volume in the recording [1]; 0: dry
-    int replicate = 1;  ///< number of the recording among those of the same liquid content, from 1
+    std::string file;  ///< name of the recording's file, as in "wet_0.03_1.csv"
+    /// Liquid volume divided by grain volume in the recording [1]; 0: dry.
+    double liquid_content = 0;
+    /// Number of the recording among all recordings of its liquid content, from 1.
+    int replicate = 1;
     std::uint64_t seed = 0;  ///< seed of the instrument's noise in the recording
     std::vector<LabStep> steps;
 };
@@ -33,7 +36,7 @@ struct LabResult {
     std::vector<LabRecording> recordings;
     /// Number of short simulations made to find the volumes of liquid bridges.
     std::size_t pilots = 0;
-    /// Messages for the user on the simulations, such as repeated runs.
+    /// Messages for the user about the simulations, for example about repeated runs.
     std::vector<std::string> notes;
 };
 
@@ -42,10 +45,11 @@ struct LabResult {
 using AnnouncePhase = std::function<void(const std::string&)>;
 
 /// Simulates each step of each planned recording by a run with a seed of its own, and returns the
-/// recordings in the order of the plan. The runs have 1.5 times as many grains as `plan.fidelity`,
-/// and other seeds than those of a calibration with the same user's seed (`SeedDomain`). Short runs
-/// first determine the bridge volumes that give the liquid contents. A run that fails, crystallises
-/// or is not steady is repeated with another seed, at most three times.
+/// recordings in the order of the plan. The runs have 1.5 times as many grains as `plan.fidelity`
+/// prescribes. Their seeds differ from the seeds of a calibration, even if the user states the same
+/// seed for both (`SeedDomain`). Short runs first determine the bridge volumes that give the liquid
+/// contents. A run that fails, crystallises or is not steady is repeated with another seed, at most
+/// three times.
 /// @param workers threads, store and progress callback for the runs
 /// @throws InputError if `check_plan` does not accept the plan
 /// @throws dem::SimulationError if no run of a step can be used
@@ -53,9 +57,9 @@ using AnnouncePhase = std::function<void(const std::string&)>;
 LabResult simulate_lab(const LabPlan& plan, const Workers& workers,
                        const AnnouncePhase& announce = {});
 
-/// Returns the typical relative standard error of an observable in the simulations of all steps
-/// [1]: the median of standard error over mean. The median is used since few independent samples
-/// determine the error of a single run.
+/// Returns the typical relative standard error [1] of an observable in the simulations of all
+/// steps: the median of (standard error divided by mean). The median is used since the error of a
+/// single run is estimated from few independent samples.
 double typical_error(const LabResult& result, dem::Observable which);
 
 }  // namespace pendular

@@ -34,8 +34,9 @@ namespace pendular {
 ///         many
 std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file);
 
-/// Divides runs into groups of about equal expected computing time, and returns one of the groups,
-/// with its longest run first. The division does not depend on which runs were already carried out.
+/// Divides the runs of a campaign (list of simulations) into groups of about equal expected
+/// computing time, and returns one of the groups, with its longest run first. The division does not
+/// depend on which runs were already carried out.
 /// @param share number of the group, from 1
 /// @param shares number of groups
 std::vector<dem::RunParameters> share_of(const std::vector<dem::RunParameters>& runs, int share,

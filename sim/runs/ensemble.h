@@ -31,7 +31,8 @@ struct Workers {
     /// Callback that receives the progress; called from one thread at a time.
     EnsembleReport report;
     /// Store (SQLite file of runs) to which every run is added when it ends, with its time series
-    /// and final state, which the returned results then lack. Null: no store.
+    /// and final state. The results that are returned to the caller then lack time series and final
+    /// state. Null: no store.
     RunStore* store = nullptr;
     /// Whether a run that the store already contains is read from it instead of being simulated
     /// again.
@@ -41,7 +42,7 @@ struct Workers {
 /// Carries out independent simulations in parallel, one thread each, the longest first. Returns the
 /// results in the order of `runs`; they do not depend on the number of threads. If a simulation
 /// fails, its result has only its parameters and `RunResult::failure`. A run that is read from a
-/// store has no profiles. Any other error ends all runs.
+/// store has no profiles. An error other than the failure of a simulation ends all runs.
 /// @throws std::invalid_argument for a run that cannot be simulated
 /// @throws dem::Interrupted if a stop is requested
 /// @throws InputError, std::runtime_error if the store cannot be read or written
@@ -66,8 +67,9 @@ double expected_cost(const dem::RunParameters& run);
 
 /// Returns the expected wall time [s] of `runs` on `threads` threads, one run per thread; empty if
 /// no measured run succeeded. The time of a run is its `expected_cost` times the median time per
-/// cost of the measured runs that are alike (wet or dry, with or without effects) or, if there are
-/// none, of all measured runs. The result is at least the time of the longest run.
+/// cost of similar measured runs (both wet or both dry, both with or both without effects). If no
+/// measured run is similar, the median of all measured runs is used. The result is at least the
+/// time of the longest run.
 /// @param measured runs that were already carried out
 std::optional<double> expected_seconds(const std::vector<dem::RunParameters>& runs,
                                        const std::vector<dem::RunResult>& measured, int threads);

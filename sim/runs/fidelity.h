@@ -6,8 +6,9 @@
 
 namespace pendular {
 
-/// Named set of simulation settings, which exchange accuracy for computing time: number of grains,
-/// stiffness, lowest inertial number, and strain over which the runs of a study are averaged.
+/// Named set of simulation settings that balance accuracy against computing time: number of grains,
+/// stiffness number, lowest inertial number, and strain over which the simulations of a study are
+/// averaged.
 struct Fidelity {
     std::string name;  ///< name of the set of simulation settings: "quick", "standard" or "paper"
     int grains = 0;    ///< number of grains in each simulation

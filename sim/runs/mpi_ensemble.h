@@ -6,8 +6,8 @@
 
 namespace pendular {
 
-/// MPI processes of this program, of which rank 0 distributes simulations to the other ranks. The
-/// constructor initialises MPI, and the destructor finalises it.
+/// MPI processes of this program. The process of rank 0 distributes simulations to the other ranks.
+/// The constructor initialises MPI, and the destructor finalises it.
 class MpiProcesses {
   public:
     /// Whether mpirun, mpiexec or srun started this process with MPI. The function reads only
@@ -35,7 +35,7 @@ class MpiProcesses {
     void manage(const std::vector<dem::RunParameters>& runs, const Workers& workers) const;
 
     /// Carries out the simulations that rank 0 sends and returns each result to rank 0, until rank
-    /// 0 reports that there are no more. Called on all ranks other than 0.
+    /// 0 reports that no simulations are left. Called on all ranks other than 0.
     /// @throws dem::Interrupted if a stop is requested
     void work(const std::stop_token& stop) const;
 

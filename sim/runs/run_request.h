@@ -11,8 +11,8 @@
 
 namespace pendular {
 
-/// Returns effects on grains in the form that the solver uses. Effects at their neutral values are
-/// left out.
+/// Returns effects on grains in the form that the solver uses. Effects whose parameters all have
+/// their neutral values (no effect) are left out.
 /// @param effects names of the effects, with parameter values in reduced units (grain diameter,
 ///         grain mass and imposed normal stress are 1)
 /// @param wet whether the run has liquid bridges
@@ -25,7 +25,7 @@ dem::GrainEffects grain_effects(const std::vector<EffectValues>& effects, bool w
 std::string effects_text(const std::vector<EffectValues>& effects);
 /// Returns the effects on grains and parameter values that a text describes, sorted by name of the
 /// effect; the inverse of `effects_text`.
-/// @throws std::invalid_argument for a text of another form or with an unknown name
+/// @throws std::invalid_argument if the text has another form or contains an unknown name
 std::vector<EffectValues> effects_from(const std::string& text);
 
 /// Checks, before any computation, that a run with its effects on grains can be simulated.

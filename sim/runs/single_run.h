@@ -18,7 +18,8 @@ struct RunScale {
 
     /// Returns the grains, liquid and normal stress with which values of a given run are converted.
     /// The normal stress of a wet run follows from its reduced pressure P*: s22 = P* F0/a^2 [Pa],
-    /// with pull-off force F0 and grain diameter a. That of a dry run is `normal_stress`.
+    /// with pull-off force F0 and grain diameter a. The normal stress of a dry run is
+    /// `normal_stress`.
     RunScale of(const dem::RunParameters& run) const;
 };
 
@@ -30,8 +31,9 @@ std::string why_no_run_has(const Effect& effect);
 /// to reduced units only if grains, liquid and normal stress are known (`RunScale`).
 bool needs_scale(const Effect& effect);
 
-/// Returns the parameters of a run as effects change them. Effects of type `ChangeCondition` change
-/// friction and reduced pressure; effects on grains are added to `run.effects` in reduced units.
+/// Applies effects to the parameters of a run and returns the changed parameters. Effects of type
+/// `ChangeCondition` change friction and reduced pressure; effects on grains are added to
+/// `run.effects` in reduced units.
 /// @param effects effects with parameter values in SI units
 /// @param scale grains, liquid and normal stress with which SI units are converted to the reduced
 ///         units of the run (grain diameter, grain mass and normal stress are 1)

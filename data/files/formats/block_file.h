@@ -13,7 +13,8 @@
 
 namespace pendular {
 
-/// Column of an interval, with the name and unit in the file and the quantity it is read as.
+/// Column of an interval (step of a rheometer's test): its name and unit in the file, and the
+/// quantity that the program reads from it.
 struct BlockColumn {
     std::string name;  ///< name of the column in the file: "Contrainte de Cisaillement"
     std::string unit;  ///< unit of the column in the file, such as "Pa"; empty if none
@@ -96,8 +97,8 @@ struct BlockFile {
     void add_fact(Fact fact);
 };
 
-/// Lines of a file from which a layout is read. The lines are views of a text that must outlive
-/// them.
+/// Lines of a file of measurements. The lines refer to a text that they do not copy, which must
+/// outlive this object.
 struct SourceLines {
     std::string file;
     std::vector<std::string_view> lines;
@@ -113,7 +114,8 @@ bool is_blank(const Row& row);
 
 /// Returns the delimiter (tab, semicolon or comma) that splits the lines from `begin` to `end` - 1
 /// most consistently: most lines have as many cells as the line before. At most 1000 lines are
-/// examined; if two delimiters are equal, the earlier one in this list is returned.
+/// examined; if two delimiters are equally consistent, the earlier one in the order tab, semicolon,
+/// comma is returned.
 char consistent_delimiter(const SourceLines& source, std::size_t begin, std::size_t end);
 
 /// Returns the whole number from 1 to a billion that a cell states, such as the number of an
@@ -124,11 +126,11 @@ int count_of(const std::string& cell);
 std::string bare_unit(std::string_view cell);
 
 /// Sets the columns and the header of an interval from the names and units in the file. If several
-/// columns have one quantity, the column with the most specific name is used ("Time" rather than
-/// "Run time"), or else the first one.
+/// columns contain the same quantity, the column with the most specific name is used ("Time" rather
+/// than "Run time"). If their names are equally specific, the first column is used.
 /// @param file file to which the interval belongs; its number of intervals is increased
 /// @param header row whose cells have the positions of the columns in the file
-/// @param details further words on each column, such as "Constant component"; may be shorter than
+/// @param details further text on each column, such as "Constant component"; may be shorter than
 ///         the list of columns
 /// @throws InputError for more than 1000 columns, `most_intervals` intervals or `most_header_cells`
 ///         header cells, and for an unknown unit of a known quantity
@@ -136,18 +138,18 @@ void set_columns(BlockFile& file, Block& block, Row header, const std::vector<st
                  const std::vector<std::string>& units,
                  const std::vector<std::string>& details = {});
 
-/// Adds a row to an interval. A row that ends before a used column in which the row before has a
-/// value counts as cut off, and is listed in `file.skipped`. Other missing cells at its end, and
-/// cells such as "---" and "***", become empty.
+/// Adds a row to an interval. A row is left out as cut off, and listed in `file.skipped`, if it
+/// ends before a used column in which the preceding row has a value. Other missing cells at the end
+/// of the row, and cells such as "---" and "***", become empty.
 /// @param file file to which the interval belongs; its number of cells is increased
 /// @throws InputError if the row has more cells than the interval has columns, and they are not
 ///         empty, or if the file has more than `most_cells` cells
 void add_row(BlockFile& file, Block& block, Row row);
 
-/// Lists a line of a file as left out, in `file.skipped`. If the line before was left out for the
-/// same reason, its range is extended.
+/// Adds a line of a file to `file.skipped`, the list of lines that are left out. If the preceding
+/// line was left out for the same reason, the range of lines in its entry is extended.
 /// @param reason reason for the user
-/// @param points whether the line counts as a point that the interval declares
+/// @param points whether the line is one of the points (rows) whose number the file declares
 void skip_line(BlockFile& file, int line, const char* reason, bool points = true);
 
 /// Increases the number of intervals of a file by one and checks the limits.

@@ -10,8 +10,8 @@ namespace pendular {
 /// Style in which a file writes numbers.
 struct NumberStyle {
     char decimal = '.';  ///< decimal mark of the file's numbers, '.' or ','
-    /// True if the file's numbers must be rewritten before `parse_number` can read them, because
-    /// they have a decimal comma or thousands separators.
+    /// True if the file's numbers have a decimal comma or thousands separators, so that they must
+    /// be rewritten before `parse_number` can read them.
     bool rewrite = false;
 };
 
@@ -31,7 +31,7 @@ class NumberStyleFinder {
     NumberStyle style(const std::string& decimal) const;
 
   private:
-    /// Cell that is an example of a style of numbers: the first one in the file.
+    /// First cell of a file in which a given style of numbers, such as a decimal comma, occurs.
     struct Example {
         std::string text;
         Position at;

@@ -8,8 +8,8 @@
 
 namespace pendular {
 
-/// Index, from 0, of the first line of a file, from line index `from` on, that has more than blanks
-/// and delimiters; the number of lines if there is none.
+/// Index, from 0, of the first line of a file, at or after the line with index `from`, that
+/// contains more than blanks and delimiters. If no line does, the result is the number of lines.
 std::size_t first_filled_line(const SourceLines& source, std::size_t from);
 
 /// Names and units of the columns of a table, one element per column.
@@ -21,8 +21,8 @@ struct NamesAndUnits {
 NamesAndUnits stated_columns(const FileFormat& format);
 
 /// Reads intervals that follow each other in one table, and adds them to `file.blocks`. An interval
-/// begins after a row of two whole numbers, its number and its number of points, or where a counter
-/// of points in the first column restarts.
+/// begins after a row of two whole numbers (number of the interval and number of its points), or at
+/// a row in which a counter of points in the first column restarts.
 /// @param begin index of the line of the first row, from 0
 /// @param header row whose cells have the positions of the columns
 void read_stacked_rows(const SourceLines& source, std::size_t begin, const Row& header,

@@ -11,7 +11,7 @@ namespace pendular {
 
 /// Trend of a series and curvature of the trend, with standard errors that include autocorrelation.
 /// The series is fitted by
-///     mean + change x/2 + bend (3 x^2 - 1)/2,   x from -1 to 1
+///     mean + change x/2 + bend (3 x^2 - 1)/2,   x from -1 (first sample) to 1 (last)
 struct Course {
     double mean = 0;  ///< mean of the fitted series, in the unit of the series
     /// Change of the fitted trend from the first to the last sample, in the unit of the series.
@@ -26,9 +26,9 @@ struct Course {
     /// three.
     double freedom = 1;
 
-    /// Distance, in the unit of the series, between the last sample and the level that the series
-    /// approaches exponentially. It follows from the fitted means of the three thirds of the
-    /// series; 0 if the series approaches no level.
+    /// Distance, in the unit of the series, between the last sample and the constant value that the
+    /// series approaches exponentially. The distance follows from the fitted means of the three
+    /// thirds of the series; it is 0 if the series approaches no constant value.
     double distance_at_end() const;
 };
 
@@ -36,9 +36,10 @@ struct Course {
 /// samples, and for samples without noise.
 std::optional<Course> course_of(std::span<const double> samples);
 
-/// Tests for each step whether torque or gap still approaches its level at the end of the step: a
-/// trend over the second half of the step that bends towards a level at least 0.5 % away. Returns
-/// one entry for each test with its p value, significant or not.
+/// Tests for each step whether torque or gap still approaches its steady value at the end of the
+/// step. This is so if its trend over the second half of the step bends towards a constant value
+/// that is at least 0.5 % away. Returns one entry for each test with its p value, significant or
+/// not.
 std::vector<RecordingFinding> run_in_tests(const std::string& file,
                                            const std::vector<RecordedStep>& steps);
 
@@ -57,10 +58,10 @@ std::vector<StepTrend> step_trends(const std::string& file, const std::vector<Re
 
 /// Tests whether torque or gap drifts in one direction through the steps of a study. Returns at
 /// most one test for each column, with its p value. The tested value is the weighted mean of the
-/// relative changes over the second halves of the steps; its standard error is the larger of that
-/// from within and that from between steps. At least three steps are needed, and a drift has the
-/// same direction in at least three of four steps.
-/// @param unfinished steps that are left out, since torque or gap still approaches its level
+/// relative changes over the second halves of the steps; its standard error is the larger of two
+/// estimates, from the scatter within steps and from the scatter between steps. At least three
+/// steps are needed. A drift must have the same direction in at least three of four steps.
+/// @param unfinished steps that are left out, since torque or gap still approaches its steady value
 std::vector<RecordingFinding> drift_tests(const std::vector<StepTrend>& trends,
                                           const std::vector<RecordingFinding>& unfinished);
 

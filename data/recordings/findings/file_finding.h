@@ -23,7 +23,8 @@ struct FileFinding {
 void add_line(std::vector<std::pair<int, int>>& lines, int line);
 
 /// Returns ranges of lines as text, such as "12-15, 20".
-/// @param most largest number of ranges in the text, which ends with the number of the others
+/// @param most largest number of ranges that are written; the text ends with the number of further
+///         ranges
 std::string text_of_lines(const std::vector<std::pair<int, int>>& lines, std::size_t most = 8);
 
 /// Returns a finding as text: its lines, what is wrong, and what is done about it, such as "Lines

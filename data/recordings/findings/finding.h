@@ -7,22 +7,22 @@
 
 namespace pendular {
 
-/// Fault that the rows of recordings show, such as a wobble of the lid. The result of a test for
-/// such a fault has this type too, whether significant or not.
+/// Fault found in the rows of recordings, such as a wobble of the lid. The result of a test for a
+/// fault, whether significant or not, has this type too.
 struct RecordingFinding {
-    /// Kind of fault that the rows of recordings can show.
+    /// Kind of fault that can be found in the rows of recordings.
     enum class Kind {
         saturation,  ///< torque or force is limited by the largest value that the instrument gives
-        level_change,      ///< from one recording on, repeated conditions give other values
+        level_change,      ///< from one recording on, readings at repeated conditions differ
         wobble,            ///< a column varies periodically with the rotation angle of the lid
         stick_slip,        ///< the torque rises slowly and drops suddenly, again and again
         drift,             ///< a column changes in one direction through the steps of a study
-        unfinished_run_in  ///< a column still approaches its level at the end of a step
+        unfinished_run_in  ///< a column still approaches its steady value as a step ends
     };
     Kind kind = Kind::wobble;
     std::string quantity = {};  ///< name of the faulty column: "torque", "normal_force" or "height"
-    /// Paths of the recordings with the fault, in the order of measurement. After a level change,
-    /// these are all recordings from the change on.
+    /// Paths of the recordings with the fault, in the order of measurement. For a level change,
+    /// `files` lists all recordings from the change on.
     std::vector<std::string> files = {};
     /// Number of the faulty step in its file, from 1; 0: the fault concerns several steps or files.
     int step = 0;
@@ -31,8 +31,8 @@ struct RecordingFinding {
     std::size_t count = 1;
     /// Size of the fault, in the SI unit of the faulty column. Saturation: largest value; wobble:
     /// amplitude; stick-slip: median drop; drift: change over a whole step; level change: change of
-    /// the column; unfinished run-in: distance from the level at the end of the step. Drift and
-    /// level change: negative for a decrease.
+    /// the column; unfinished run-in: distance from the steady value at the end of the step. Drifts
+    /// and level changes are negative for a decrease.
     double size = 0;
     /// Standard error of the fault's size `size`, in the SI unit of the column; 0: not estimated.
     double size_error = 0;
@@ -50,8 +50,7 @@ struct RecordingFinding {
     /// True for a level change of the column that a common offset describes better than a common
     /// factor.
     bool offset = false;
-    /// True if the readings with this fault were moved to the excluded ones or corrected during
-    /// import.
+    /// True if the readings with this fault were excluded or corrected when the recording was read.
     bool corrected = false;
 };
 
@@ -61,7 +60,7 @@ std::string_view to_string(RecordingFinding::Kind kind);
 /// Returns sentences for the user about findings, the most serious kinds first. Findings of one
 /// kind, quantity and period are combined in a sentence with the number of steps and files, the
 /// first position, the usual size with its unit and in per cent, and the smallest p value.
-/// @param all true: one sentence for each finding instead
+/// @param all true: findings are not combined, and each has a sentence of its own
 std::vector<std::string> sentences(const std::vector<RecordingFinding>& findings, bool all = false);
 
 }  // namespace pendular

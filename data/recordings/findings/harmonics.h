@@ -23,13 +23,13 @@ std::vector<double> rotation_angle(const StepSeries& series);
 /// Fits the periodic parts of a series with one and two periods per turn of the lid by least
 /// squares:
 ///     a + b t + sum_q (c_q cos(q angle) + s_q sin(q angle)),   q = 1, 2,   t: time
-/// The squared amplitude c^2 + s^2 is compared with the noise at its frequency, which is the
-/// spectrum of the best autoregressive model of the residuals, times the mean ratio of the
-/// residuals' power to this spectrum at up to K = 20 neighbouring frequencies:
+/// For each q, the squared amplitude c^2 + s^2 is compared with the noise at its frequency. The
+/// noise is the spectrum of the best autoregressive model of the residuals, times the mean ratio of
+/// the residuals' power to this spectrum at up to K = 20 neighbouring frequencies. The p value is
 ///     p = (1 + F/K)^-K,   F = (c s) C^-1 (c s)'/(2 noise),
-/// with the covariance C of c and s for independent noise of variance 1; F = n (c^2 + s^2)/(4
-/// noise) over whole turns of n samples. Empty for less than one and a half turns, less than eight
-/// samples a turn, less than 40 samples, and a series without noise.
+/// with the covariance matrix C of c and s for independent noise of variance 1. Over whole turns of
+/// n samples, F = n (c^2 + s^2)/(4 noise). The result is empty for less than one and a half turns,
+/// less than eight samples a turn, less than 40 samples, and a series without noise.
 /// @param angle rotation angle of the lid at each sample [rad]
 std::vector<Harmonic> harmonics(std::span<const double> samples, std::span<const double> angle);
 
@@ -47,8 +47,9 @@ struct PeriodicColumn {
 std::vector<PeriodicColumn> periodic_columns(const StepSeries& series);
 
 /// Number of samples to leave out at the beginning of a steady series so that a whole number of
-/// turns of the lid remains. 0 unless a wobble biases the mean: a periodic part of torque, force or
-/// gap with p < 0.001 and an amplitude above the standard error of the mean.
+/// turns of the lid remains. The result is 0 unless a wobble of the lid biases the mean. It does so
+/// if a periodic part of torque, force or gap has p < 0.001 and an amplitude above the standard
+/// error of the mean.
 /// @param columns periodic parts of the series, from `periodic_columns`
 std::size_t whole_turns_begin(const StepSeries& steady, const std::vector<PeriodicColumn>& columns);
 

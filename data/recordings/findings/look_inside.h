@@ -11,19 +11,19 @@
 
 namespace pendular {
 
-/// Searches the rows of all recordings of a study for faults that the steady means do not show,
-/// such as a wobble. All tests are collected before the findings are requested, since the number of
-/// tests determines which of them are significant.
+/// Searches the rows of all recordings of a study for faults that the means of steady shear do not
+/// reveal, such as a wobble of the lid. All recordings must be tested before the findings are
+/// requested, since the number of tests determines which findings are significant.
 class InsideRecordings {
   public:
-    /// Tests the steps of one recording for wobble, stick-slip, drift and run-in. Steps with a
-    /// smaller strain than `least_strain` [1] are left out, since steps such as consolidation and
-    /// shear to failure are meant to change.
+    /// Tests the steps of one recording for wobble, stick-slip, drift and an unfinished approach to
+    /// the steady state. Steps with a shear strain below `least_strain` [1] are left out:
+    /// consolidation, for example, and shear to failure are not steady.
     /// @param file path of the recording
     void look_at(const std::string& file, std::vector<RecordedStep> steps, const AnnularCell& cell,
                  double least_strain);
-    /// Returns the findings that remain significant where the number of tests is allowed for
-    /// (`significant_findings`); findings of one kind follow one another.
+    /// Returns the findings that remain significant after a correction for the number of tests
+    /// (`significant_findings`). Findings of one kind follow one another.
     /// @param from_recordings readings of the study that were made from recordings
     /// @param cell cell of the study, with which shear stresses are converted to torques
     std::vector<RecordingFinding> findings(const std::vector<Reading>& from_recordings,

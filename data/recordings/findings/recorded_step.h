@@ -10,7 +10,8 @@
 
 namespace pendular {
 
-/// One step of a recording, without spikes, with the end of its transient.
+/// One step of constant set points in a recording: its samples without spikes, and where its
+/// transient ends.
 struct RecordedStep {
     Step rows;                        ///< rows of the recording that form the step
     int number = 0;                   ///< number of the step in its file, from 1

@@ -16,20 +16,22 @@ struct Saturation {
     std::string quantity;  ///< name of the saturated column: "torque" or "normal_force"
     double limit = 0;  ///< largest magnitude of the column that the instrument records [N m or N]
     std::set<int> lines;  ///< line numbers in the file of the saturated rows
-    /// p value [1]: probability that a recording without saturation has rows like these.
+    /// p value of the saturation [1]: probability that an unlimited column reaches its largest
+    /// value in the same way by chance.
     double p = 1;
 };
 
 /// Finds the columns of a recording, torque (by magnitude) or normal force, that are cut off at
 /// their largest value. Rows are saturated if they are within half the resolution or within 2e-4 of
 /// the largest value. A column is saturated in any of these cases, the first two at p < 1e-4:
-/// - More separate runs of rows reach the largest value than reach values just below it. Ordinary
-/// noise has fewer, since values become rarer towards the largest one; the p value is binomial.
+/// - More separate runs of rows reach the largest value than values just below it. In ordinary
+/// noise fewer runs do, since values become rarer towards the largest value. The p value is
+/// binomial.
 /// - The torque stays at the largest value from row to row, while other rows of the recording
 /// differ from their neighbours.
 /// - The torques of at least three steps with the largest forces agree within 0.5 %, while the
-/// force increases by at least 20 % from each to the next. Smooth peaks do not count: rows beside a
-/// saturated run must be clearly lower.
+/// force increases by at least 20 % from each to the next. Smooth peaks do not count: the rows
+/// beside a saturated run must be clearly lower than the run.
 std::vector<Saturation> saturations(const Recording& recording,
                                     const std::vector<RecordedStep>& steps);
 

@@ -9,12 +9,12 @@
 
 namespace pendular {
 
-/// Sudden drops of a series that rises slowly between them, as the torque does in stick-slip.
+/// Sudden drops of a series that rises slowly between the drops, as the torque does in stick-slip.
 struct Slips {
     double drop = 0;     ///< median size of a sudden drop, in the unit of the series
     double samples = 0;  ///< mean number of samples from one sudden drop to the next
-    /// p value [1]: probability that noise with equally frequent sudden rises and drops has such an
-    /// excess of drops.
+    /// p value of the excess of sudden drops over sudden rises [1]: probability that noise, in
+    /// which both are equally frequent, has an excess at least as large.
     double p = 1;
 };
 

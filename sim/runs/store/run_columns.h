@@ -10,11 +10,11 @@
 
 namespace pendular {
 
-/// Cell of a table of simulation runs: empty, a number or a text.
+/// Content of one cell in a table of simulation runs: empty, a number or a text.
 using RunCell = std::variant<std::monostate, std::int64_t, double, std::string>;
 
-/// Column of a table of simulation runs, in a store (SQLite file of runs) or a CSV file, with
-/// functions that convert between a run and its cell.
+/// Column of a table of simulation runs, in a store (SQLite file of runs) or a CSV file. Its
+/// functions convert between a run and the cell of this column.
 struct RunColumn {
     enum class Type { integer, real, text };
     std::string name;
@@ -28,9 +28,9 @@ struct RunColumn {
 };
 
 /// All columns of a table of simulation runs: the inputs of a run, its outcome, and each observable
-/// with its standard error (NAME_stderr) and the strain over which it decorrelates
-/// (NAME_correlation_strain). Observables of bridges are empty for dry runs; all observables are
-/// empty for failed runs. Profiles and distributions have no columns.
+/// with its standard error (NAME_stderr) and the shear strain [1] over which its fluctuations
+/// decorrelate (NAME_correlation_strain). Observables of bridges are empty for dry runs; all
+/// observables are empty for failed runs. Profiles and distributions have no columns.
 const std::vector<RunColumn>& run_columns();
 
 }  // namespace pendular

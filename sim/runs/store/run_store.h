@@ -46,28 +46,29 @@ class RunStore {
 
     const std::filesystem::path& file() const { return file_; }
 
-    /// Returns the stored run with these parameters, this number of threads and the present version
-    /// of the solver, without trace and final state; empty if there is none.
+    /// Returns the stored run with given parameters, a given number of threads and the present
+    /// version of the solver, without its time series (trace) and final state; empty if the store
+    /// has no run like this.
     std::optional<dem::RunResult> find(const dem::RunParameters& parameters, int threads = 1) const;
-    /// Adds a run with its trace and final state.
+    /// Adds a run with its time series (trace) and final state.
     /// @return false, and nothing is changed, if the store already has a run with equal parameters,
     ///         number of threads and version of the solver
     bool add(const dem::RunResult& run, int physics_version = dem::physics_version);
 
     /// Returns the stored run with the parameters nearest to `parameters`, with its final state;
-    /// empty if there is none. Only runs that succeeded, are steady and not crystallised, have the
-    /// same number of grains, and are dry or wet as `parameters` is, are considered. The squared
-    /// distance is
+    /// empty if no run qualifies. A run qualifies if it succeeded, has a stored final state, is
+    /// steady and not crystallised, has the same number of grains, and is dry or wet like
+    /// `parameters`. The squared distance between the parameters of two runs is
     ///     (d friction/0.1)^2 + (d ln I)^2 + (d ln kappa)^2 + (d ln P*)^2 + (d ln V0)^2
     /// with differences d, inertial number I, stiffness number kappa, reduced pressure P* and
-    /// bridge volume V0; the last two terms are for wet runs only.
+    /// bridge volume V0. The last two terms count for wet runs only.
     std::optional<StoredRun> nearest(const dem::RunParameters& parameters) const;
 
     /// Number of runs in the store, including failed runs and runs of all versions of the solver.
     std::size_t size() const;
     /// Returns the stored runs that satisfy an SQL condition on the columns, such as "friction =
-    /// 0.09 AND reduced_pressure IS NULL", in the order in which they were added. They have no
-    /// trace and final state. An empty condition selects all runs.
+    /// 0.09 AND reduced_pressure IS NULL", in the order in which they were added. The returned runs
+    /// lack time series (trace) and final state. An empty condition selects all runs.
     /// @throws InputError for a condition that SQLite does not understand
     std::vector<StoredRun> select(const std::string& condition = "") const;
     /// Numbers (`StoredRun::id`) of the runs that satisfy an SQL condition on the columns, such as

@@ -28,8 +28,8 @@ std::string run_fingerprint(const StoredRun& stored);
 std::vector<StoredRun> read_runs(const std::filesystem::path& file);
 
 /// Path of the atlas, a CSV file of the simulation runs that come with the program: the environment
-/// variable PENDULAR_ATLAS, else the installed file, else the file in the repository. Empty if
-/// there is none.
+/// variable PENDULAR_ATLAS, else the installed file, else the file in the repository. Empty if no
+/// such file exists.
 std::filesystem::path atlas_file();
 
 }  // namespace pendular

@@ -28,7 +28,7 @@ constexpr const char* store_in_memory = ":memory:";
 std::unique_ptr<SQLite::Database> open_store_file(const std::filesystem::path& file,
                                                   bool must_exist);
 
-/// Throws an error with advice for the user in place of an error of SQLite.
+/// Replaces an error of SQLite by an error with advice for the user, and throws it.
 /// @throws InputError if the file cannot be opened or is not a valid store
 /// @throws std::runtime_error for any other error
 [[noreturn]] void explain(const std::filesystem::path& file, const SQLite::Exception& error);
