@@ -28,8 +28,8 @@ struct LadderStep {
     std::string effect = {};
     /// Names of all effects of the model after this step.
     std::vector<std::string> effects;
-    /// Alternatives to the added effect: sets of effects each of which, in its place, explained the
-    /// readings equally well when the effect was added.
+    /// Alternatives to the added effect: sets of effects each of which explained the readings
+    /// equally well, instead of the added effect, when that effect was added.
     std::vector<std::vector<std::string>> rivals = {};
     /// Fitted parameters of the model of this step, friction first.
     std::vector<LadderParameter> parameters;
@@ -46,13 +46,15 @@ struct LadderStep {
     std::optional<std::array<double, 2>> left_out_percent;
 
     double chi2_per_dof() const { return chi2 / dof; }
-    /// Returns the fitted parameter with this name; null where the model has none.
+    /// Returns the fitted parameter with this name; null if the model has no parameter of this
+    /// name.
     const LadderParameter* find(const std::string& name) const;
 };
 
-/// Sequence of a study's models in the order of time, each with one effect more or fewer than the
-/// model before. The first step has `change` "start". A later "start" begins a new sequence: there,
-/// the model differs from the model before by more than one added or dropped effect.
+/// Sequence of a study's models (ladder) in the order of time, each with one effect more or fewer
+/// than the model before. The first step has `change` "start". A later step with "start" begins a
+/// new sequence, since its model differs from the model before by more than one added or dropped
+/// effect.
 using Ladder = std::vector<LadderStep>;
 
 /// Returns the ladder step that describes the model of a finished calibration, with `change`
@@ -62,16 +64,16 @@ using Ladder = std::vector<LadderStep>;
 LadderStep ladder_step_of(const Calibration& calibration, const Comparison& comparison,
                           const std::optional<LeftOut>& left_out);
 
-/// Appends a step to a ladder: `after`, the model after an effect was added or dropped. Where the
-/// last step of the ladder does not describe `before`, the model before the change, `before` is
-/// appended first, with `change` "start". The last step describes that model if effects and degrees
-/// of freedom are equal and chi2 differs by at most 5 % of chi2 + dof, as new runs may cause. The
-/// appended steps are numbered.
+/// Appends a step to a ladder (the sequence of a study's models): `after`, the model after an
+/// effect was added or dropped. If the last step of the ladder does not describe `before`, the
+/// model before this change, `before` is appended first, with `change` "start". The last step
+/// describes `before` if effects and degrees of freedom are equal and chi2 differs by at most 5 %
+/// of chi2 + dof, as new runs may cause. The appended steps are numbered.
 void add_step(Ladder& ladder, LadderStep before, LadderStep after);
 
-/// Whether chance can explain the reduction of chi2 from one ladder step to another, by a
-/// likelihood ratio test at 5 % significance. The number of additional parameters counts as at
-/// least one, since a switch has none.
+/// Whether chance can explain the reduction of chi2 from one ladder step (model of a study) to
+/// another, by a likelihood ratio test at 5 % significance. The number of additional parameters
+/// counts as at least one, since an effect that is a switch (on or off) has none.
 bool fell_by_chance(const LadderStep& from, const LadderStep& to);
 
 }  // namespace pendular

@@ -26,9 +26,9 @@ struct LeftOut {
 /// Returns the cross-validation errors of a finished calibration. Each fitted condition, with all
 /// its replicates, is predicted by the model refitted to the other conditions; refits start from
 /// the optimum and need no new runs. Readings that the calibration did not fit are predicted at its
-/// fitted parameters, so that every fit of a study is judged on the same readings. Empty where
-/// fewer than two conditions are fitted, and where constant cohesions were fitted to wet readings
-/// beforehand (base = "mohr-coulomb").
+/// fitted parameters, so that every fit of a study is judged on the same readings. Empty if fewer
+/// than two conditions are fitted, or if constant cohesions were fitted to wet readings beforehand
+/// (base = "mohr-coulomb").
 std::optional<LeftOut> left_out_errors(const std::shared_ptr<const Predictor>& model,
                                        const Calibration& calibration);
 

@@ -10,15 +10,16 @@
 
 namespace pendular {
 
-/// Name of a rival that adds no effect to the study's model.
+/// Name of the rival model that adds no effect to the study's model.
 inline constexpr const char* present_model = "the model as it is";
 
 /// Rival model: one of several models of a study among which measurements are to decide, with its
 /// fitted parameters.
 struct Rival {
-    /// Name of the rival model: the effects added to the study's model, or "the model as it is".
+    /// Name of the rival model: the effects that it adds to the study's model or, if it adds none,
+    /// "the model as it is".
     std::string name;
-    /// Predictor of readings by the rival model.
+    /// The rival model itself, as a predictor of readings.
     std::shared_ptr<const Predictor> model;
     /// Fitted parameters of the rival model, in the order of `model->parameters()`.
     Eigen::VectorXd parameters;
@@ -30,11 +31,12 @@ struct Rival {
 /// measurement of one parameter without shearing grains. The unit of costs is the cost of one dry
 /// reading.
 struct Point {
-    Condition condition = {};  ///< condition of the reading; unused where `direct` is given
+    Condition condition = {};  ///< condition of the reading; unused if `direct` is given
     /// Direct measurement of a parameter, without shearing grains; empty: the point is a reading of
     /// steady shear.
     std::optional<DirectMeasurement> direct = {};
-    /// Cost of another filling of the cell, where the point needs one [cost of a dry reading].
+    /// Cost of refilling the cell before the first reading at the point, if the point has another
+    /// filling than the study [cost of a dry reading].
     double first_cost = 0;
     /// Waiting time between the study's last reading and the measurement at the point [s].
     double wait = 0;

@@ -20,25 +20,27 @@ namespace pendular {
 struct SuspectMeasurement {
     /// Name of the part of the measurement, as in "the readings of dry_1.csv".
     std::string name;
-    /// Changes of the measured values by each kind of error at amplitude 1, entries x kinds, in the
-    /// units of the readings. An entry is one observable of one reading, or a direct measurement.
+    /// Change of the measured values by each kind of error of this part of the measurement, at
+    /// amplitude 1 of the error. A row for each measured value (two for each reading, one for each
+    /// direct measurement, in its unit), a column for each kind of error.
     Eigen::MatrixXd columns;
     /// Quantity that each kind of error changes, as in "shear stress"; empty if `name` names the
     /// quantity.
     std::vector<std::string> quantities = {};
-    /// Smallest amplitude of interest to the user, for each kind of error of this part of the
+    /// Smallest amplitude of interest to the user, of each kind of error of this part of the
     /// measurement [1].
     double smallest_of_interest = 1;
     /// Group to which the part belongs in tables, such as "files"; may be empty.
     std::string group = {};
 };
 
-/// Input of a diagnosis: readings and direct measurements with their errors, conditions and suspect
-/// measurements. An entry is one observable of one reading, or a direct measurement.
+/// Input of a diagnosis: readings and direct measurements with their errors, conditions, and
+/// suspect measurements (parts of the measurement that may be wrong). An entry is one observable of
+/// one reading, or a direct measurement.
 struct Evidence {
     Measured measured;  ///< measured values with their errors
-    /// Uncertainty of the sizes of the errors of the measured values, which few replicates
-    /// determine.
+    /// How uncertain the standard errors of the measured values are, since they are estimated from
+    /// few replicates (repeated measurements).
     ErrorKnowledge errors;
     bool errors_assumed = false;  ///< whether errors of some readings are assumed, not measured
     /// Groups of entries, as indices. A group contains the values of one observable at one
@@ -48,52 +50,56 @@ struct Evidence {
 };
 
 /// Refitted model of a diagnosis: the study's model with further effects, or with an error of a
-/// suspect measurement, fitted to the readings, and the result of the tests whether it fits.
+/// suspect measurement (part of the measurement that may be wrong), fitted to the readings, and the
+/// result of the tests whether it fits.
 struct Explanation {
     /// Effects added to the study's model, as indices into ModelSpace::candidates().
     EffectSet chosen;
-    /// Suspect measurement whose error is fitted too, as index into Evidence::suspects; empty where
-    /// the model has no error of a suspect measurement.
+    /// Suspect measurement (part of the measurement that may be wrong) whose error is fitted too,
+    /// as index into Evidence::suspects; empty if the model contains no error of measurement.
     std::optional<std::size_t> suspect;
     /// Fit of the refitted model to the readings.
     Fit fit;
     /// Chi2 of all measured values in the fit of the refitted model.
     double chi2 = 0;
     double lack_of_fit_p = 0;  ///< p value of the test for lack of fit of the conditions' means [1]
-    /// p value [1] of the most significant effect or suspect measurement that the model does not
-    /// contain, corrected for the number of tests; 1 where it was not tested.
+    /// p value [1] of the most significant effect or suspect measurement (part of the measurement
+    /// that may be wrong) that the model does not contain, corrected for the number of tests; 1 if
+    /// this was not tested.
     double further_p = 1;
     /// Whether the model fits: neither p value is significant, and the fit converged.
     bool accepted = false;
 };
 
 /// Result of a diagnosis for one candidate (effect not in the model): its score test (test without
-/// a refit) and, where the model was refitted with it, the reduction of chi2.
+/// a refit) and, if the model was refitted with the candidate, the reduction of chi2.
 struct Finding {
     /// Candidate effect that was tested, as index into ModelSpace::candidates().
     std::size_t candidate = 0;
-    /// Score test of the candidate on the residuals of the study's model.
+    /// Score test (test without a refit) of the candidate effect on the residuals of the study's
+    /// model.
     ScoreTest test;
-    /// Value of the candidate's parameter, estimated by the score test [its unit]; for a switch,
-    /// the amplitude [1].
+    /// Value of the candidate effect's parameter, estimated by the score test [its unit]; for a
+    /// switch (on or off), the amplitude [1].
     double value = 0;
-    /// Standard error of the estimated `value` of the candidate's parameter [unit of `value`].
+    /// Standard error of the estimated `value` of the candidate effect's parameter [unit of
+    /// `value`].
     double standard_error = 0;
-    /// p value of the candidate's score test [1], corrected for the number of tests.
+    /// p value of the score test of the candidate effect [1], corrected for the number of tests.
     double p = 1;
-    /// Power of the score test [1]: probability that it finds the effect where the parameter
+    /// Power of the score test [1]: probability that it finds the effect if the effect's parameter
     /// differs from its neutral value (no effect) by the smallest amount of interest.
     double power = 0;
-    /// Smallest difference of the parameter from its neutral value (no effect) that the score test
-    /// finds with the probability DiagnosisOptions::wanted_power [unit of `value`].
+    /// Smallest difference of the effect's parameter from its neutral value (no effect) that the
+    /// score test finds with the probability DiagnosisOptions::wanted_power [unit of `value`].
     double detectable = 0;
-    /// Reduction of chi2 from the study's model to the model refitted with this candidate alone
-    /// [1]; empty: not refitted.
+    /// Reduction of chi2 from the study's model to the model refitted with this candidate effect
+    /// alone [1]; empty: not refitted.
     std::optional<double> refitted_reduction;
-    std::string decision;  ///< conclusion on the candidate, as in "missing" or "no sign of it"
-    /// Whether the readings can show the effect: the score test would find it at a size within its
-    /// parameter's bounds with the probability DiagnosisOptions::wanted_power; for a switch,
-    /// whether `power` exceeds 0.1.
+    std::string decision;  ///< conclusion on the candidate effect, as in "missing"
+    /// Whether the readings can reveal the effect: within the bounds of the effect's parameter is a
+    /// value at which the score test would find the effect with the probability
+    /// DiagnosisOptions::wanted_power. For a switch (on or off), whether `power` exceeds 0.1.
     bool identifiable = false;
 };
 
@@ -109,8 +115,8 @@ struct DiagnosisOptions {
     Eigen::Index draws = 6000;
     /// Seed of the random draws of errors.
     std::uint64_t seed = 1;
-    /// Largest number of pairs of candidate effects (not in the model) to refit, where no single
-    /// candidate or suspect measurement explains the readings.
+    /// Largest number of pairs of candidate effects (not in the model) to refit if neither a single
+    /// candidate nor a suspect measurement explains the readings.
     std::size_t most_pairs = 12;
     /// Largest number of suspect measurements (parts of the measurement that may be wrong) for
     /// which the model is refitted.

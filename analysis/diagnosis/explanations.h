@@ -7,15 +7,15 @@
 
 namespace pendular {
 
-/// Accuracy of the refits of a diagnosis, far within a standard error and reached in seconds; the
-/// accuracy of a study's final fit would take minutes.
+/// Accuracy and limits of the refits of a diagnosis. A refit ends far within a standard error of
+/// the optimum, in seconds; the accuracy of a study's final fit would take minutes.
 inline constexpr FitEffort refit_effort{
     .most_steps = 12, .tolerance = 1e-6, .settled = 1e-4, .elsewhere = false};
 
 /// Returns the whitened residuals (in units of their errors) of the readings from a fitted model.
 /// Derivatives with respect to parameters at a bound are set to zero, since a parameter at its
 /// bound cannot move to imitate a change.
-/// @param fit fit of the model; amplitudes of a suspect measurement may follow its parameters
+/// @param fit fit of the model; amplitudes of an error of measurement may follow its parameters
 WeightedResiduals residuals_of(const Model& model, const Measured& measured, const Fit& fit);
 
 /// Refits a model with further effects to readings and tests whether the refitted model fits. All
@@ -25,7 +25,7 @@ class Explanations {
   public:
     /// Draws the random errors of the readings for all tests. The arguments must outlive this
     /// object.
-    /// @param space the model and its candidates
+    /// @param space the model and its candidates (possible additions)
     Explanations(const ModelSpace& space, const Evidence& evidence,
                  const DiagnosisOptions& options);
     /// Tests models of another space against the same readings, with the random draws of `other`.
@@ -37,13 +37,14 @@ class Explanations {
     /// measurement `suspect` to the readings. Whether the model fits is not tested.
     /// @param chosen effects to add, as indices into ModelSpace::candidates()
     /// @param suspect part of the measurement that may be wrong, as index into Evidence::suspects
-    /// @param start starting values: parameters of the model, then amplitudes of the errors
-    /// @throws std::domain_error where the readings are impossible at `start`
+    /// @param start starting values: parameters of the model, then amplitudes of the errors of
+    ///        `suspect`
+    /// @throws std::domain_error if the readings are impossible at `start`: no true state of the
+    ///         cell gives the condition that the instrument shows
     Explanation refit(const EffectSet& chosen, std::optional<std::size_t> suspect,
                       const Eigen::VectorXd& start) const;
-    /// Tests whether a refitted model fits the readings, and sets its p values and `accepted`.
-    /// Further effects are not tested if the fit did not converge or the lack of fit is
-    /// significant.
+    /// Tests whether a refitted model fits the readings, and sets its p values and `accepted`. If
+    /// the fit did not converge or the lack of fit is significant, further effects are not tested.
     void judge(Explanation& explanation) const;
 
     /// Returns the whitened residuals (in units of their errors) of the readings from a refitted
@@ -52,12 +53,12 @@ class Explanations {
     WeightedResiduals residuals_of(const Explanation& explanation) const;
     /// p value of the test for lack of fit [1]: probability that errors of readings and predictions
     /// make the mean residuals of the conditions at least as large as observed.
-    /// @param roughly whether the first 600 draws suffice where the residuals are far larger than
-    ///        in all of them
+    /// @param roughly whether to use only the first 600 random draws of errors if the residuals are
+    ///        far larger than in all of these draws
     double lack_of_fit_p(const WeightedResiduals& residuals, bool roughly = false) const;
     /// Returns the score tests of all suspect measurements (parts of the measurement that may be
     /// wrong) in the order of Evidence::suspects.
-    /// @param but index of a suspect measurement that is left out
+    /// @param but index of one suspect measurement to leave out; empty: none
     std::vector<ScoreTest> suspect_tests(const WeightedResiduals& residuals,
                                          std::optional<std::size_t> but = {}) const;
     /// Returns the predictions of a refitted model with one further effect, as a function of the
@@ -67,19 +68,19 @@ class Explanations {
 
     /// Random draws of the errors of readings and predictions that all tests use.
     const NullDraws& draws() const { return *draws_; }
-    /// p value [1] below which one test of a model rejects the model: half of
+    /// p value [1] below which a single test rejects a model. It is half of
     /// DiagnosisOptions::significance, since each model has two tests, for lack of fit and for
     /// further effects.
     double half_significance() const { return options_.significance / 2; }
 
-    /// For each candidate effect (not in the model), covariances of the change of the readings that
-    /// the effect makes at its smallest size of interest (amplitude 1) from errors of the emulator.
-    /// The caller sets them once, before the tests of refitted models.
+    /// For each candidate effect (not in the model), covariances of the errors with which the
+    /// emulator predicts how the effect changes the readings at its smallest size of interest
+    /// (amplitude 1). The caller sets them once, before the tests of refitted models.
     std::vector<ModelSpace::ChangeErrors> errors;
 
   private:
-    /// Returns the score tests (tests without a refit) of all effects and suspect measurements that
-    /// a refitted model does not contain.
+    /// Returns the score tests (tests without a refit) of all effects and suspect measurements
+    /// (parts of the measurement that may be wrong) that a refitted model does not contain.
     /// @param residuals residuals of the refitted model
     std::vector<ScoreTest> further_tests(const WeightedResiduals& residuals,
                                          const Explanation& explanation) const;

@@ -24,15 +24,16 @@ struct Shift {
     /// model was not refitted.
     Eigen::VectorXd refitted;
 
-    /// Returns the shift of the calibrated parameters after a refit where there was one, else the
-    /// shift in the linear approximation.
+    /// Returns the shift of the calibrated parameters after a refit or, if the model was not
+    /// refitted, in the linear approximation.
     const Eigen::VectorXd& best() const { return refitted.size() > 0 ? refitted : linear; }
 };
 
 /// Impact of one effect, or of one error of measurement, on the calibrated parameters: shifts of
 /// the parameters for several sizes of the effect or error.
 struct Impact {
-    /// Name of the effect or of the suspect measurement, as in "the readings of dry_1.csv".
+    /// Name of the effect or of the suspect measurement (part of the measurement that may be
+    /// wrong), as in "the readings of dry_1.csv".
     std::string name;
     /// Name of the effect's parameter, or of the measured quantity that is in error.
     std::string quantity;
@@ -51,7 +52,7 @@ struct Impact {
     Eigen::Index column = 0;
     /// Size at which the effect or error does not change the readings [unit].
     double neutral = 0;
-    /// Standard error of the estimated size of the effect or error [unit]; 0 where it is not known.
+    /// Standard error of the estimated size of the effect or error [unit]; 0 if it is not known.
     double error = 0;
 
     /// Shift of the calibrated parameters at the smallest size of interest of the effect or error.
@@ -62,8 +63,9 @@ struct Impact {
     /// minus one standard error, within the bounds of the effect's parameter.
     Shift above, below;
 
-    /// Significance of the effect or error [1]: distance of its estimated size from `neutral` over
-    /// its standard error; not a number where the standard error is not known.
+    /// Significance of the effect or error [1]: distance of its estimated size from `neutral` (no
+    /// effect or error), divided by its standard error; not a number if the standard error is not
+    /// known.
     double pull() const;
     /// Changes of the calibrated parameters [their units] when the size of the effect or error is
     /// one standard error above (`up`) or below (`down`) its estimate.
@@ -81,13 +83,14 @@ struct Impact {
     }
 };
 
-/// Impacts of all effects or errors of one group together: for each calibrated parameter [its
-/// unit], the root of the sum of squares of its shifts in the linear approximation, at the smallest
-/// sizes of interest (`at_interest`), at the estimated sizes and by the errors of the estimates.
+/// Impacts of all effects or errors of one group together. For each calibrated parameter, the
+/// shifts that the effects or errors cause, in the linear approximation, are added as the root of
+/// the sum of squares.
 struct GroupImpact {
     std::string group;
-    /// Shifts of the calibrated parameters [their units] that the group causes: at the smallest
-    /// sizes of interest, at the estimated sizes, and by the errors of the estimates.
+    /// Shift of each calibrated parameter [its unit] by the group: at the smallest sizes of
+    /// interest (`at_interest`), at the estimated sizes (`at_estimate`), and when the sizes change
+    /// by one standard error (`by_error`).
     Eigen::VectorXd at_interest, at_estimate, by_error;
 };
 
@@ -98,7 +101,8 @@ struct ImpactTable {
     /// Fitted values of the calibrated parameters (`fitted`) and their standard errors (`errors`),
     /// in the order and units of `parameters`.
     Eigen::VectorXd fitted, errors;
-    /// All impacts. Those of the effects or suspect measurements that the verdict names come first,
+    /// Impacts of all effects and errors of measurement. The impacts of effects or suspect
+    /// measurements (parts of the measurement that may be wrong) that the verdict names come first,
     /// then the others; both parts are sorted by the shift of the first parameter at the smallest
     /// size of interest, the largest first.
     std::vector<Impact> impacts;
@@ -107,12 +111,13 @@ struct ImpactTable {
 };
 
 /// Computes the impacts of effects and errors of measurement on the fit of a diagnosis in the
-/// linear approximation. For the leading effects, they are also computed by refits, at the
-/// estimated sizes and at the smallest sizes of interest. The leading effects are up to
-/// `most_refitted` effects that the verdict names, which are also refitted at one standard error
-/// above and below their estimates, and the `most_refitted` others with the largest impacts. Sizes
-/// are estimated by refits of the diagnosis where there are any, else by score tests. Effects with
-/// several free parameters, and effects with which the readings are impossible, are left out.
+/// linear approximation. For the leading effects or errors, they are also computed by refits, at
+/// the estimated sizes and at the smallest sizes of interest. The leading ones are up to
+/// `most_refitted` effects or errors that the verdict names, which are also refitted at one
+/// standard error above and below their estimates, and the `most_refitted` others with the largest
+/// impacts. Sizes are estimated by refits of the diagnosis or, if it has no refit with the effect
+/// or error, by score tests. Effects with several free parameters are left out, and so are effects
+/// with which the model cannot give the conditions that the instrument shows.
 /// @param threads largest number of threads; no result depends on it
 ImpactTable impacts(const ModelSpace& space, const Evidence& evidence, const Diagnosis& diagnosis,
                     std::size_t most_refitted = 3, std::size_t threads = 1);

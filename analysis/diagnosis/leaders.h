@@ -7,8 +7,8 @@
 
 namespace pendular {
 
-/// Leading effects: candidate effects (not in the model) that explain most of a misfit, where no
-/// refitted model fits within the errors.
+/// Leading effects: candidate effects (not in the model) that explain most of a misfit which no
+/// refitted model explains within the errors.
 struct Leaders {
     /// Study's model with the leading effects added and no other further effects, refitted to the
     /// readings.
@@ -16,18 +16,18 @@ struct Leaders {
     /// Share of the excess chi2 - dof (chi2 minus degrees of freedom) of the study's model that
     /// `model` removes [1].
     double explained = 0;
-    /// Share of the simulated repetitions of the experiment (`find_leaders`) in which the best
-    /// model lacks at least one of the leading effects [1].
+    /// Share of the simulated repetitions of the experiment (`find_leaders`) whose best model does
+    /// not contain all of the leading effects [1].
     double rival_share = 0;
 };
 
 /// Returns the share [1] of the excess chi2 - dof (chi2 minus degrees of freedom) of a model that
-/// the refitted model `by` removes: 1 where the chi2 of `by` is at most its degrees of freedom, 0
-/// where there is no excess.
+/// the refitted model `by` removes. It is 1 if the chi2 of `by` is at most its degrees of freedom,
+/// and 0 if the first model has no excess.
 double share_explained(double chi2, int dof, const Explanation& by);
 
-/// Finds the effects that explain most of a misfit where none of the refitted models `tried` fits;
-/// empty where no effects do.
+/// Finds the effects that explain most of a misfit if none of the refitted models `tried` fits;
+/// empty if no effects explain most of it.
 ///
 /// Repetitions of the experiment are drawn at random. Random errors e of the readings change chi2
 /// of model m by 2 s r_m' e, with its residuals r_m in units of their errors. The misfit that even
@@ -38,8 +38,8 @@ double share_explained(double chi2, int dof, const Explanation& by);
 /// Akaike's criterion for errors of that size. The determinant of the covariance Sigma_m of
 /// measurement and prediction keeps a model from leading only because its own errors are large. A
 /// leading effect is part of the leading model in at least 95 of 100 repetitions. The leading
-/// effects are returned only if the model with them alone removes at least 90 % of the excess chi2
-/// - dof.
+/// effects are returned only if the model with them alone converged and removes at least 90 % of
+/// the excess chi2 - dof.
 /// @param chi2 chi2 of the model without further effects
 /// @param dof degrees of freedom of `chi2`
 /// Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002), sections 2.5

@@ -44,10 +44,10 @@ bool comes_again(const Diagnosis& verdict, const Diagnosis& repetition);
 
 /// Repeats an experiment by simulation (parametric bootstrap) and counts how often the diagnosis
 /// gives the same verdict. The readings of a repetition are the predictions of an accepted
-/// explanation at its estimates, plus new random errors; if several explanations are accepted, they
-/// take turns. Each repetition is diagnosed with linearised models (`LinearisedSpace`). The share
-/// of equal verdicts assumes that the estimates are the truth. Empty where the diagnosis accepted
-/// no explanation.
+/// explanation (model that fits the readings) at its estimates, plus new random errors; several
+/// accepted explanations take turns. Each repetition is diagnosed with linearised models
+/// (`LinearisedSpace`). The share of equal verdicts assumes that the estimates are the truth. Empty
+/// if the diagnosis accepted no explanation.
 /// Source: Efron and Tibshirani (1993), An Introduction to the Bootstrap, section 6.5.
 std::optional<Repeated> repeat(const ModelSpace& space, const Evidence& evidence,
                                const Diagnosis& diagnosis, const RepetitionOptions& options = {});

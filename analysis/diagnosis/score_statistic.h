@@ -21,11 +21,13 @@ namespace pendular {
 /// Sources: score tests (Rao 1948; modification indices, Soerbom 1989; power, Saris, Satorra and
 /// van der Veld 2009), with errors in the derivatives.
 struct ScoreTest {
-    /// Orthonormal basis of the columns of P g: the change g of the readings in units of their
-    /// errors (whitened), without the part that the calibrated parameters imitate. It has no column
-    /// if they imitate the change completely, or if the change is not larger than its error.
+    /// Orthonormal basis of the columns of P g: the change g of the readings by the effect, in
+    /// units of their errors (whitened), from which P removes the part that the calibrated
+    /// parameters imitate. It has no column if the parameters imitate the change completely, or if
+    /// the change is not larger than its error.
     Eigen::MatrixXd basis;
-    /// Estimated amplitude of the effect, for each column of the change g [1].
+    /// Estimated amplitude of the effect or error of measurement (`Signature`) [1], an entry for
+    /// each column of the change g of the readings.
     Eigen::VectorXd estimate;
     double standard_error = 0;  ///< standard error of the first entry of `estimate` [1]
     /// Statistic of the score test [1]. If the model lacks nothing, it has a chi2 distribution with
@@ -33,16 +35,16 @@ struct ScoreTest {
     double statistic = 0;
     /// Predicted reduction of chi2 [1] when the model is refitted with the effect.
     double predicted_reduction = 0;
-    /// Squared length v = g' P g of the change of the readings, in units of their errors
-    /// (whitened), without the part that the calibrated parameters imitate; for the first column of
-    /// g [1].
+    /// Squared length [1] of the change of the readings by the effect, in units of their errors
+    /// (whitened), without the part that the calibrated parameters imitate. For a change with
+    /// several columns, that of the first.
     double length = 0;
-    /// Squared length v (`length`) less the part that comes from the error e_g of the change: v_c =
-    /// v - tr(P Cov(e_g)) [1]. A true amplitude A gives the statistic the noncentrality A^2
-    /// v_c^2/v.
+    /// Squared length v (`length`) less the part that comes from the emulator's error of the change
+    /// [1]. An effect of the true amplitude A gives the statistic the noncentrality A^2 v_c^2/v,
+    /// with v_c = `information`.
     double information = 0;
-    /// Share of the squared length of the change of the readings, in units of their errors
-    /// (whitened), that the calibrated parameters imitate [1].
+    /// Share [1] of the squared length of the change of the readings by the effect, in units of
+    /// their errors (whitened), that the calibrated parameters imitate.
     double share_imitated = 0;
     /// Whether the amplitude of the effect cannot be negative.
     bool one_sided = false;
@@ -50,34 +52,35 @@ struct ScoreTest {
     /// Whether the readings carry information on the amplitude of the effect: the calibrated
     /// parameters do not imitate its change completely, and the change exceeds its error.
     bool seen() const { return basis.cols() > 0; }
-    /// p value of this test alone [1]: probability of a statistic at least as large if nothing is
-    /// missing and the errors are exactly known; 1 where seen() is false.
+    /// p value of this test alone [1]: probability of a statistic at least as large if the model
+    /// lacks nothing and the errors are exactly known; 1 if seen() is false.
     double p() const;
     /// Returns the value of the test statistic [1] at which the p value of this test alone equals
     /// `p` [1].
     double critical(double p) const;
-    /// Returns the value of `statistic` in each random draw of errors, as if nothing were missing;
-    /// one entry for each draw.
+    /// Returns the value of `statistic` for each random draw of errors, as if the model lacked
+    /// nothing.
     /// @param residuals residuals that were tested
     Eigen::VectorXd drawn(const WeightedResiduals& residuals, const NullDraws& draws) const;
     /// Power of the test [1]: probability that its p value falls below `limit` [1] if the effect
     /// has the true amplitude `amplitude` [1].
     double power(double amplitude, double limit) const;
     /// Returns the amplitude of the effect [1] at which the p value falls below `limit` [1] with
-    /// the probability `wanted` [1]; infinite where the readings carry no information on the
+    /// the probability `wanted` [1]; infinite if the readings carry no information on the
     /// amplitude.
     double detectable(double wanted, double limit) const;
 };
 
-/// Tests, without a refit, whether the residuals of a fit contain a change of the readings that one
-/// effect or one suspect measurement makes.
+/// Tests, without a refit, whether the residuals of a fit contain the change of the readings that
+/// one effect or one suspect measurement (part of the measurement that may be wrong) makes.
 /// @param signature change of the readings, with its errors
 /// @param is_switch whether the effect is on or off, without a parameter
 ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signature,
                      bool is_switch);
 
-/// Score tests of several effects or suspect measurements on the same residuals, with p values that
-/// are corrected for the number of tests by means of random draws of errors.
+/// Score tests of several effects or suspect measurements (parts of the measurement that may be
+/// wrong) on the same residuals. Their p values are corrected for the number of tests by means of
+/// random draws of errors.
 class FamilyOfTests {
   public:
     /// @param tests score tests of one fit
@@ -86,11 +89,11 @@ class FamilyOfTests {
     FamilyOfTests(const std::vector<ScoreTest>& tests, const WeightedResiduals& residuals,
                   const NullDraws& draws);
 
-    /// p value corrected for the number of tests [1]: probability, where nothing is missing, that
-    /// at least one test has a p value of at most `smallest`.
+    /// p value corrected for the number of tests [1]: probability that at least one test has a p
+    /// value of at most `smallest` if the model lacks nothing.
     double p(double smallest) const;
-    /// Limit [1] on the p values of the single tests: if nothing is missing, at least one of the
-    /// tests has a p value below this limit with the probability `probability`. Inverse of p().
+    /// Limit [1] on the p values of the single tests. If the model lacks nothing, at least one of
+    /// the tests has a p value below this limit with the probability `probability`. Inverse of p().
     double limit(double probability) const;
 
   private:

@@ -8,11 +8,11 @@
 
 namespace pendular {
 
-/// Change of a model's predictions by one candidate (effect not in the model), per unit of the
-/// candidate's amplitude. The amplitude is 0 without the effect, and 1 where its parameter differs
-/// from the neutral value (no effect) by the smallest amount of interest or, for a switch, where it
-/// is on. The amplitude is proportional to the parameter's distance from neutral, or to a function
-/// of the parameter that the effect declares, such as the square of an angle.
+/// Change of a model's predictions by one candidate (effect not in the model), divided by the
+/// candidate's amplitude. The amplitude is 0 without the effect. It is 1 if the effect's parameter
+/// differs from the neutral value (no effect) by the smallest amount of interest or, for a switch,
+/// if the effect is on. The amplitude is proportional to the parameter's distance from neutral, or
+/// to a function of the parameter that the effect declares, such as the square of an angle.
 struct Signature {
     /// Change of the predicted readings divided by the amplitude, in the units of the readings: a
     /// row for each measured value, a column for each parameter of the candidate.
@@ -23,7 +23,7 @@ struct Signature {
     /// Whether the amplitude cannot be negative: the neutral value is a bound of the parameter, or
     /// values above and below it change the readings in the same way.
     bool one_sided = false;
-    /// Amplitude of the candidate at which the change of the readings was computed [1].
+    /// Amplitude of the effect at which the change of the readings was computed [1].
     double taken_at = 1;
 };
 
@@ -31,7 +31,8 @@ struct Signature {
 /// effect.
 class Addition {
   public:
-    /// Adds the candidate `added` to the model with the candidates `chosen`.
+    /// Adds the candidate `added` to the model with the candidates `chosen` (indices into
+    /// ModelSpace::candidates()).
     /// @param parameters parameters of the model with the candidates `chosen`
     /// @param values predictions of this model at `parameters`
     Addition(const ModelSpace& space, EffectSet chosen, std::size_t added,
@@ -42,9 +43,10 @@ class Addition {
     /// interest.
     /// @param with_errors whether to compute the covariances of the change
     Signature signature(bool with_errors) const;
-    /// Computes the change of the readings in `signature` again at another amplitude of the
-    /// candidate [1], limited to the bounds of its parameter. `signature` is unchanged if this
-    /// amplitude is zero or makes the readings impossible.
+    /// Computes the change of the readings in `signature` again at another amplitude of the added
+    /// effect [1], limited to the bounds of its parameter. `signature` is unchanged if this
+    /// amplitude is zero, or if the model with it cannot give the conditions that the instrument
+    /// shows.
     void retake(Signature& signature, double amplitude) const;
 
     /// Returns the value of the added effect's parameter [its unit] at an amplitude [1], limited to
@@ -58,13 +60,13 @@ class Addition {
     const Candidate& candidate() const { return space_.candidates()[added_]; }
 
   private:
-    /// Returns the change of the predictions from the model without the candidate [units of the
-    /// readings] at values of the candidate's parameters; not a number where the readings are
-    /// impossible with these values.
+    /// Returns the change of the predictions [units of the readings] from the model without the
+    /// added effect to that with its parameters at `values`; not a number if this model cannot give
+    /// the conditions that the instrument shows.
     Eigen::VectorXd change_at(const Eigen::VectorXd& values) const;
-    /// Neutral values (no effect) of the candidate's parameters, without switches.
+    /// Neutral values (no effect) of those parameters of the added effect that are not switches.
     Eigen::VectorXd neutral() const;
-    /// Whether the candidate's parameter can also move in the other direction from its neutral
+    /// Whether the added effect's parameter can also move in the other direction from its neutral
     /// value and then changes the predictions by about the negative of `change`.
     bool mirrored(const Eigen::VectorXd& change) const;
     /// Returns the direction, 1 or -1, in which parameter `p` can move from its neutral value by

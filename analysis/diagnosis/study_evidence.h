@@ -20,14 +20,14 @@ Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatte
 
 /// Returns the quantities along which residuals are checked: normal stress, inertial number, liquid
 /// content, height, time or run order, as far as they vary by more than 10 % between readings. Each
-/// has a value for every entry (two observables of each reading, then the direct measurements).
-/// Smaller differences are scatter of set points or, for the height, follow from the solid
-/// fraction.
+/// quantity has a value for every entry (two observables of each reading, then the direct
+/// measurements). Differences of less than 10 % are scatter of set points or, for the height,
+/// follow from the solid fraction.
 /// @param direct number of direct measurements, for which the value is "not a number"
 std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::size_t direct = 0);
 
-/// Returns the observable and the condition of each entry: of the shear stress and solid fraction
-/// of each reading, then of the direct measurements.
+/// Returns the observable and the condition of each measured value: shear stress and solid fraction
+/// of each reading in turn, then the direct measurements.
 /// @param parameters calibrated parameters of the model, whose names are copied to the result
 /// @param direct number of direct measurements
 EntryKinds entries_of(const std::vector<Reading>& readings,

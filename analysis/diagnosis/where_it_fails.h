@@ -10,18 +10,18 @@
 
 namespace pendular {
 
-/// Group of readings that deviate together from the model: those of one condition or one file, or
-/// the direct measurements of one parameter.
+/// Group of readings that deviate together from the model: the readings of one condition or of one
+/// file, or the direct measurements of one parameter.
 struct Offending {
     /// Name of the group of readings, as in "the readings of dry_1.csv".
     std::string readings;
-    /// p value of the deviation of these readings from the model [1], corrected for the number of
-    /// groups that were tested.
+    /// p value [1] of the deviation of the group's readings from the model, corrected for the
+    /// number of groups that were tested.
     double p = 1;
 };
 
-/// Deviations of a study's readings from a model that neither a change of the calibrated parameters
-/// nor errors of readings and simulation explain.
+/// Deviations of a study's readings from a model that are explained neither by a change of the
+/// calibrated parameters nor by errors of readings and simulation.
 struct WhereItFails {
     /// Statistical tests of the residuals of the model, each with its p value.
     Checks checks;

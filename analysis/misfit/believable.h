@@ -16,10 +16,11 @@ struct Belief {
     /// Reasons against the fit as sentences, the most serious first; empty: no reason.
     std::vector<std::string> reasons;
     /// Whether the fitted numbers are meaningless: the model does not describe the readings and the
-    /// friction is at the end of its range, or import set more readings aside than it kept.
+    /// friction is at the end of its range, or the import of the measurement excluded more readings
+    /// than it kept.
     bool meaningless = false;
-    /// Index into `reasons` of the reason that chi2 is too large; empty where the model describes
-    /// the readings.
+    /// Index into `reasons` of the reason that chi2 is too large; empty if the model describes the
+    /// readings.
     std::optional<std::size_t> misfit_reason = {};
 
     /// Whether the fit can be believed: `reasons` contains no reason against it.
@@ -32,19 +33,19 @@ constexpr double incredible_p = 1e-6;
 
 /// Judges whether a fit can be believed. Reasons against it are its misfit, parameters at the end
 /// of their range, a column in a wrong unit, and doubts (reasons not to believe a measured value)
-/// that import found.
+/// that the import of the measurement found.
 /// @param parameters definitions of the fitted parameters, friction first
 /// @param misfit chi2 of the fit with its degrees of freedom
 /// @param mistake column that was probably read in a wrong unit, if one was found
 Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const Misfit& misfit,
                  const Measurements& measurements, const std::optional<UnitMistake>& mistake);
 
-/// Number of doubts (reasons not to believe a measured value) because of which import excluded
-/// readings or rows of recordings.
+/// Number of doubts (reasons not to believe a measured value) because of which the import of the
+/// measurement excluded readings or rows of recordings.
 std::size_t doubts_that_set_aside(const Measurements& measurements);
 
-/// Returns a text that states the source of the readings' standard errors, as in "errors from 22
-/// repeated readings".
+/// Returns a sentence that states the source of the readings' standard errors, as in "Standard
+/// errors come from the scatter of 22 repeated readings."
 std::string error_basis(const Measurements& measurements);
 
 }  // namespace pendular

@@ -14,7 +14,7 @@ namespace pendular {
 struct Covariate {
     std::string name;
     /// Value of the quantity at each entry (one observable of one reading, or a direct
-    /// measurement); not a number where it is unknown.
+    /// measurement); not a number if the value is unknown.
     Eigen::VectorXd values;
 };
 
@@ -32,21 +32,22 @@ struct Check {
     };
     /// Kind of the statistical test.
     Kind kind = Kind::lack_of_fit;
-    /// Name of the covariate along which the check was made; empty: none. A check of neighbours
-    /// uses all covariates and has the name "all, length 0.3", with the length of its kernel.
+    /// Name of the covariate (quantity such as the normal stress) along which the check was made;
+    /// empty: none. A check of neighbouring conditions uses all covariates and has the name "all,
+    /// length 0.3", with the correlation length of its kernel.
     std::string covariate = {};
-    /// Name of the calibrated parameter or of the observable whose residuals are checked; empty:
+    /// Name of the calibrated parameter or of the observable to which the check applies; empty:
     /// all.
     std::string of = {};
     /// Test statistic [1], which `check_fit` defines for each kind of check. Only the statistic of
-    /// a trend has a sign: positive where measured values increase more than predicted ones.
+    /// a trend has a sign: positive if measured values increase more than predicted ones.
     double statistic = 0;
     double p = 1;  ///< p value: probability of a statistic as large if the model is right [1]
 };
 /// Name of a kind of check for output, such as "lack of fit".
 std::string_view to_string(Check::Kind kind);
 
-/// All checks of the residuals of one fit, with a p value for all checks together.
+/// Results of all checks of the residuals of one fit, with a p value for all checks together.
 struct Checks {
     /// All checks of the fit: one for each kind of check, covariate, and parameter or observable.
     std::vector<Check> all;
@@ -68,8 +69,8 @@ struct EntryKinds {
     /// Names of the calibrated parameters, in the order of the columns of
     /// WeightedResiduals::slopes().
     std::vector<std::string> parameters;
-    /// Whether any reading has replicates (repeated measurements); if so, `check_fit` does not
-    /// check the runs of equal sign.
+    /// Whether any reading has replicates (repeated measurements). If so, `check_fit` does not test
+    /// for few changes of sign between successive residuals.
     bool replicated = false;
 };
 
@@ -84,7 +85,7 @@ struct EntryKinds {
 ///   covariate x_i is at most x, for one parameter (y: measured values, f: predictions, J:
 ///   derivative of f with respect to the parameter, L: Cholesky factor of the covariance). S
 ///   returns to zero at the optimum and fluctuates like a Brownian bridge. The statistic is its
-///   largest distance from zero over its standard deviation (after Hjort and Koning 2002).
+///   largest distance from zero, divided by its standard deviation (after Hjort and Koning 2002).
 /// - Trend: component of the residuals of one observable along the measured value times the rank of
 ///   the covariate.
 /// - Runs: negative number of changes of sign between successive readings of one observable, only

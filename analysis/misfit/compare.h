@@ -22,8 +22,8 @@ struct ReadingMisfit {
     /// Part of the chi2 of all readings that each observable of this reading contributes [1], never
     /// negative.
     Eigen::Vector2d chi2;
-    /// Normalised residual of each observable [1]: (measured - predicted) over the standard error
-    /// of this difference, from errors of measurement and prediction.
+    /// Normalised residual of each observable [1]: (measured - predicted), divided by the standard
+    /// error of this difference from errors of measurement and prediction.
     Eigen::Vector2d normalised;
 };
 
@@ -54,17 +54,17 @@ struct DirectMisfit {
     /// value at which the effect vanishes.
     double predicted = 0;
 
-    /// Normalised residual [1]: (measured - predicted) value of the parameter over the standard
-    /// error of the measurement.
+    /// Normalised residual [1]: (measured - predicted) value of the parameter, divided by the
+    /// standard error of the measurement.
     double normalised() const {
         return (measurement.value - predicted) / measurement.standard_error;
     }
 };
 
-/// Effective number of degrees of freedom nu with which the errors of n measured values were
-/// estimated; infinite where all errors are known:
+/// Effective number of degrees of freedom nu [1] with which the errors of n measured values were
+/// estimated; infinite if all errors are known:
 ///     1/nu = sum_g (n_g/n)^2/nu_g,
-/// where n_g of the n values (two for each reading) share estimate g of the variance, which has
+/// where n_g of the n values (two for each reading) share the estimate g of the variance, which has
 /// nu_g degrees of freedom.
 /// Source: Satterthwaite, Biometrics Bull. 2 (1946) 110, for equal variances.
 double freedom_behind(std::span<const Reading> readings);
@@ -72,7 +72,7 @@ double freedom_behind(std::span<const Reading> readings);
 /// Misfit of a set of readings: chi2 with its degrees of freedom.
 struct Misfit {
     /// chi2 of the readings. Their errors are estimated from the scatter of replicates and not
-    /// widened where there are few replicates.
+    /// widened for few replicates.
     double chi2 = 0;
     /// Degrees of freedom of the misfit `chi2`.
     int dof = 0;
@@ -81,7 +81,7 @@ struct Misfit {
     double freedom = INFINITY;
 
     /// p value [1]: probability of a chi2 at least this large if model and errors are right; 1
-    /// without degrees of freedom. It follows from the chi2 distribution or, where errors are
+    /// without degrees of freedom. It follows from the chi2 distribution or, if errors are
     /// estimated, from the F distribution of chi2/dof.
     double p() const;
 };
@@ -96,7 +96,8 @@ struct Comparison {
     std::vector<ConditionMisfit> by_condition;
     /// Misfit of the readings of each file; their chi2 add up to that of all readings.
     std::vector<FileMisfit> by_file;
-    /// Parts of the chi2 of all readings from (shear stress, solid fraction); they add up to it.
+    /// Parts of the chi2 of all readings that come from (shear stress, solid fraction); the parts
+    /// add up to this chi2.
     std::array<double, 2> by_observable{};
     /// RMS errors of the predicted (shear stress, solid fraction) over all readings [%]: 100
     /// sqrt(mean((predicted/measured - 1)^2)).
@@ -115,9 +116,9 @@ std::array<double, 2> rms_percent(const std::vector<Reading>& readings,
 
 /// Compares readings with their predictions:
 ///     chi2 = e' (Sigma_measurement + Sigma_simulation)^-1 e,  e = measured - predicted,
-/// with the covariances Sigma of measurement and simulation. chi2 is split among the entries by
-/// ZCA-cor whitening, which makes the misfits uncorrelated while changing them as little as
-/// possible: each entry contributes the square of its uncorrelated misfit.
+/// with the covariances Sigma of measurement and simulation. chi2 is split among the measured
+/// values by ZCA-cor whitening, which makes the misfits e uncorrelated while changing them as
+/// little as possible: each value contributes the square of its uncorrelated misfit.
 /// @param prediction prediction of all readings, with its covariance
 /// @param parameters number of fitted parameters
 /// @param fitted number of fitted readings, which come first; the others were only predicted

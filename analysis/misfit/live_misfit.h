@@ -7,7 +7,7 @@
 
 namespace pendular {
 
-/// Returns chi2 as a quadratic form, from which it is found quickly when the p parameters of a
+/// Returns the matrix `form` of a quadratic form that gives chi2 quickly when the p parameters of a
 /// fitted model are moved by d [their units]:
 ///     chi2(d) = (y - f(d))' Sigma^-1 (y - f(d)) = t' form t,  t = (1, d_i, d_i d_j with i <= j),
 /// with the measured values y, the second-order expansion f of the predictions about the fit, and
@@ -27,7 +27,7 @@ Eigen::MatrixXd chi2_form(const Measured& measured, const Eigen::MatrixXd& simul
 /// index k selects the two entries of the reading. Combinations of parameters that the readings do
 /// not determine do not shift.
 /// @param fitted number of readings that the fit uses; they come first
-/// @throws std::logic_error where Sigma is not positive definite
+/// @throws std::logic_error if Sigma is not positive definite
 /// Source: Cook and Weisberg, Residuals and Influence in Regression (1982), section 3.2, with
 /// correlated errors.
 Eigen::MatrixXd without_each(const Measured& measured, const Prediction& prediction,

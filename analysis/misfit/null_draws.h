@@ -19,8 +19,8 @@ struct SharedErrors {
     Eigen::MatrixXd loadings;
     /// Variance of each source [1], as contained in the covariance of the readings.
     double variance = 0;
-    /// Mean squares of the analysis of variance: between sources of error and, within a source,
-    /// between its steps of constant set points.
+    /// Mean squares of the analysis of variance: between sources of error (`between`), and between
+    /// the steps of constant set points of one source (`within`).
     double between = 0, within = 0;
     /// Degrees of freedom of the mean square `between`; infinite: `variance` is known exactly.
     double freedom_between = INFINITY;
@@ -30,33 +30,37 @@ struct SharedErrors {
     double steps = 1;
 };
 
-/// Uncertainty of the sizes of the readings' errors, which few replicates determine. An entry is
-/// one observable of one reading, or a direct measurement. The part of its error that an entry does
-/// not share with others belongs to a kind; one estimate gives the size of all errors of a kind.
+/// How uncertain the sizes of the readings' errors are, since they are estimated from few
+/// replicates (repeated readings). An entry is one observable of one reading, or a direct
+/// measurement. The part of an entry's error that it does not share with other entries belongs to a
+/// kind; one estimate gives the size of all errors of a kind.
 struct ErrorKnowledge {
     /// Kind of the unshared error of each entry, as index into `freedom`.
     std::vector<std::size_t> kind;
-    /// Degrees of freedom of the estimated size of each kind of error; infinite: the size is known.
+    /// Degrees of freedom of the estimated size of each kind of error; infinite: the size is known
+    /// exactly.
     std::vector<double> freedom;
     std::vector<SharedErrors> shared;  ///< errors that several readings share
-    /// Number of readings; the entries 2 k and 2 k + 1 of a draw of errors are those of the shear
-    /// stress and the solid fraction of reading k.
+    /// Number of readings. Of the measured values, the values 2 k and 2 k + 1 are the shear stress
+    /// and the solid fraction of reading k (k = 0, 1, ...).
     Eigen::Index readings = 0;
     /// Degrees of freedom of the estimated correlation between the errors of the two observables of
     /// a reading; infinite: the correlation is known.
     double correlation_freedom = INFINITY;
-    /// Uncertainty of the dependence of errors on normal stress: for each vector v of this list, a
-    /// draw multiplies the errors of the entries by exp(z v), with one standard normal number z.
+    /// Uncertainty of how the sizes of the errors depend on normal stress. For each vector v of
+    /// this list, a random draw multiplies the error of entry k by exp(z v_k), with one standard
+    /// normal number z for all entries.
     std::vector<Eigen::VectorXd> log_sizes;
 
-    /// Returns the description of n entries whose errors have exactly known sizes and are not
-    /// shared.
+    /// Returns the description of n measured values whose errors have exactly known sizes and are
+    /// not shared between values.
     static ErrorKnowledge known(Eigen::Index n);
 };
 
 /// Random draws of the errors that readings and predictions would have if the model were complete
-/// (null hypothesis). They include the uncertainty of the errors' sizes. One set of draws serves
-/// all tests of a diagnosis, so that its error rate holds for all tests together. In each draw,
+/// (null hypothesis). They include the uncertainty of the errors' sizes. All tests of a diagnosis
+/// use one set of draws, so that the error rate of the diagnosis holds for all tests together. In
+/// each draw,
 /// - unshared errors of one kind are z sqrt(nu/chi2_nu), with normal numbers z of the estimated
 ///   covariance, the degrees of freedom nu of the estimate and a random number chi2_nu of the chi2
 ///   distribution;
@@ -79,8 +83,9 @@ class NullDraws {
     /// Number of draws: sets of random errors of all measured values.
     Eigen::Index count() const { return errors_.cols(); }
     /// Components of the drawn errors along the columns of `basis` [1]: a row for each column of
-    /// `basis`, a column for each draw. The errors of measurement and prediction are first whitened
-    /// as `residuals` are (divided by the Cholesky factor of their covariance).
+    /// `basis`, a column for each draw. Errors of measurement and prediction are whitened as
+    /// `residuals` are (divided by the Cholesky factor of their covariance), before the components
+    /// are computed.
     Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis) const {
         return along(residuals, basis, count());
     }

@@ -33,8 +33,8 @@ struct UnitMistake {
 };
 
 /// Finds a column of the recordings that was probably read in a wrong unit: multiplying its numbers
-/// by one factor reduces chi2 by at least 70 %, to at most 3.5 per degree of freedom. Empty where
-/// no factor does so, or where chi2 without a factor is below 2 per degree of freedom.
+/// by one factor reduces chi2 by at least 70 %, to at most 3.5 per degree of freedom. Empty if no
+/// factor reduces chi2 that much, or if chi2 without a factor is below 2 per degree of freedom.
 ///
 /// The factors are 10^n, 2 pi, 60, 57.3, 9.81, their inverses and combinations that occur between
 /// units. Each factor is tried on the column of all recordings, of the files of one entry of the

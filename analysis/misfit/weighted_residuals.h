@@ -22,11 +22,11 @@ class WeightedResiduals {
     /// @param prediction prediction of the measured values at the fitted parameters, with its
     ///        derivatives with respect to these parameters and its covariance from errors of the
     ///        simulation
-    /// @throws std::logic_error where the covariance of measurement and prediction together is not
+    /// @throws std::logic_error if the covariance of measurement and prediction together is not
     ///         positive definite, or that of the prediction has negative eigenvalues
     WeightedResiduals(const Measured& measured, const Prediction& prediction);
 
-    /// Number of entries: two for each reading, one for each direct measurement.
+    /// Number of measured values: two for each reading, one for each direct measurement.
     Eigen::Index size() const { return residuals_.size(); }
     /// Whitened residuals [1]: L^-1 (measured - predicted), with the Cholesky factor L of the
     /// covariance of measurement and simulation.
@@ -42,10 +42,12 @@ class WeightedResiduals {
 
     /// Whitens changes of the readings: returns L^-1 `columns`, with the Cholesky factor L of the
     /// covariance of measurement and simulation.
-    /// @param columns changes in the units of the readings, entries x changes
+    /// @param columns changes in the units of the readings: a row for each measured value, a column
+    ///        for each change
     Eigen::MatrixXd whiten(const Eigen::MatrixXd& columns) const;
-    /// Converts whitened changes back to the units of the readings: returns L `columns`, with the
-    /// Cholesky factor L of the covariance of measurement and simulation.
+    /// Converts whitened changes (in units of the readings' errors) back to the units of the
+    /// readings: returns L `columns`, with the Cholesky factor L of the covariance of measurement
+    /// and simulation.
     Eigen::MatrixXd unwhiten(const Eigen::MatrixXd& columns) const;
     /// Returns L^-T `columns`, with the Cholesky factor L of the covariance of measurement and
     /// simulation. The product of the returned columns with a change in the units of the readings
@@ -71,21 +73,22 @@ class WeightedResiduals {
     /// the calibrated parameters can imitate: returns P `columns`, with the projection P = I - J
     /// (J'J)^-1 J' and the whitened derivatives J of the predictions.
     Eigen::MatrixXd project(const Eigen::MatrixXd& columns) const;
-    /// Returns P B, a column for each group of entries, such as the entries of each condition. B is
-    /// an orthonormal basis of the whitened mean deviations of the groups, in which all entries of
-    /// a group deviate in proportion to their measured values; P is the projection that removes
-    /// what a change of the calibrated parameters can imitate.
-    /// @param groups indices of the entries of each group
+    /// Returns P B, a column for each group of measured values, such as those of one condition. B
+    /// is an orthonormal basis of the mean deviations of the groups, in units of the readings'
+    /// errors (whitened): all values of a group deviate in proportion to their measured size. P is
+    /// the projection that removes what a change of the calibrated parameters can imitate.
+    /// @param groups indices of the measured values of each group
     Eigen::MatrixXd means_over(const std::vector<std::vector<Eigen::Index>>& groups) const;
-    /// Returns the change of the calibrated parameters [their units] that comes closest, by least
-    /// squares, to a change of the predictions in units of the readings' errors (whitened).
+    /// Returns the change of the calibrated parameters [their units] that imitates a change of the
+    /// predictions best, by least squares.
+    /// @param change change of the predictions, in units of the readings' errors (whitened)
     Eigen::VectorXd parameter_shift_of(const Eigen::VectorXd& change) const;
     /// Number of linearly independent combinations of the calibrated parameters that the readings
     /// determine.
     Eigen::Index determined() const { return basis_.cols(); }
     /// Whitened derivatives of the predictions f with respect to the calibrated parameters theta,
-    /// L^-1 df/dtheta, with the Cholesky factor L of the covariance of measurement and simulation;
-    /// entries x parameters.
+    /// L^-1 df/dtheta, with the Cholesky factor L of the covariance of measurement and simulation.
+    /// A row for each measured value, a column for each parameter.
     const Eigen::MatrixXd& slopes() const { return slopes_; }
 
   private:

@@ -30,17 +30,18 @@ std::vector<ReadingCoordinate> coordinates_of(const std::vector<Reading>& readin
 /// the logarithm, of the readings with x > 0).
 enum class Dependence {
     none,        ///< 1, equal at all readings
-    power,       ///< (x/x_max)^c, or (x/x_min)^c where c is negative
+    power,       ///< (x/x_max)^c, or (x/x_min)^c if c is negative
     logarithm,   ///< ln(x/x_min)/ln(x_max/x_min)
-    above,       ///< 1 where x > c, else 0
-    below,       ///< 1 where x < c, else 0
-    beyond,      ///< (x - c)/(x_max - c) where x > c, else 0
-    short_of,    ///< (c - x)/(c - x_min) where x < c, else 0
+    above,       ///< 1 if x > c, else 0
+    below,       ///< 1 if x < c, else 0
+    beyond,      ///< (x - c)/(x_max - c) if x > c, else 0
+    short_of,    ///< (c - x)/(c - x_min) if x < c, else 0
     decay,       ///< exp(-x/c)
     oscillation  ///< sin(2 pi x/c + phase)
 };
 
-/// Size of a change at each reading as a function of one coordinate of the readings; at most 1.
+/// Size of a change at each reading [1], at most 1, as a function of one coordinate of the
+/// readings, such as time.
 struct Profile {
     Dependence dependence = Dependence::none;
     std::string variable;  ///< name of the coordinate in formulas; empty for `none`
@@ -48,10 +49,10 @@ struct Profile {
     /// Constant c of the formula of `dependence` (see `Dependence`) [unit of the coordinate; 1 for
     /// a power].
     double constant = 0;
-    /// Phase of the oscillation, where the dependence is an oscillation [rad].
+    /// Phase of the oscillation [rad]; used only if the dependence is an oscillation.
     double phase = 0;
-    /// Value of the coordinate at which the size is 1 [its unit]; 0 where the formula needs no such
-    /// value.
+    /// Value of the coordinate at which the size is 1 [unit of the coordinate]; 0 if the formula of
+    /// `dependence` contains no such value.
     double full_at = 0;
     /// Value of the coordinate at each reading [unit of the coordinate].
     Eigen::VectorXd along;
@@ -69,13 +70,14 @@ struct Profile {
 /// @param readings number of readings
 Profile same_everywhere(std::size_t readings);
 
-/// Returns the profiles along a coordinate that are tried: powers, a logarithm, and steps and kinks
-/// between its values; along time, instead of powers and logarithm, a linear change, decays and, if
-/// `oscillations`, oscillations.
+/// Returns the profiles (ways in which the size of a change depends on a coordinate of the
+/// readings) that are tried along one coordinate. They are powers, a logarithm, and steps and kinks
+/// between the values of the coordinate. Along time, a linear change, decays and, if
+/// `oscillations`, oscillations replace powers and logarithm.
 std::vector<Profile> profiles_along(const ReadingCoordinate& coordinate, bool oscillations);
 
 /// Returns oscillations near the oscillation `profile`, with period and phase varied in small
-/// steps; empty where `profile` is no oscillation.
+/// steps; empty if `profile` is not an oscillation.
 std::vector<Profile> finer_profiles(const Profile& profile, const ReadingCoordinate& coordinate);
 
 }  // namespace pendular

@@ -15,7 +15,8 @@ struct FittedShape {
     ShapeOfChange shape;
     /// The change, written as an effect that can be copied to study.toml.
     WrittenEffect effect;
-    /// Fitted change of the quantity at readings where the profile has size 1 [unit of the change].
+    /// Fitted change of the quantity at readings at which the profile has the size 1 [unit of the
+    /// change].
     double change = 0;
     double standard_error = 0;  ///< standard error of `change` [its unit]
 };
@@ -29,15 +30,15 @@ struct Proposal {
     /// nearly the same way as the single proposed change; empty if two changes are proposed.
     std::vector<FittedShape> alike;
     /// Model refitted to the readings with the proposed changes, with its chi2 and tests. Its
-    /// `chosen` has no meaning here.
+    /// member `chosen` is not used.
     Explanation explanation;
-    /// p value [1]: probability that the best of all shapes that were tried reduces chi2 as much by
-    /// chance, if nothing is missing.
+    /// p value [1]: probability that the best of all changes that were tried reduces chi2 as much
+    /// by chance, if the model lacks nothing.
     double p = 1;
     /// Share [1] of the excess chi2 - dof (chi2 minus degrees of freedom) of the study's model that
     /// the proposed changes remove.
     double explained = 0;
-    /// Penalty for the choice of the shapes among all that were tried, to be added to chi2 [1].
+    /// Penalty to be added to chi2, since the proposed changes were chosen among many [1].
     double price = 0;
 
     /// Score by which proposals are compared [1]: chi2 plus the penalty `price`; the lowest is
@@ -51,14 +52,14 @@ struct Proposal {
 
 /// Searches for changes of unknown cause that would explain a misfit that no known effect explains.
 /// Every quantity that a formula can set is varied along every quantity of the readings, with every
-/// profile (shape of the variation). Each combination is scored by a linear estimate,
+/// profile (dependence on this quantity). Each combination is scored by a linear estimate,
 ///     chi2 reduction (g'Pr)^2/(g'Pg) - 2 ln(number of profiles of the kind),
 /// with the residuals r and the change g of the readings, both in units of the readings' errors,
 /// and the projection P that removes what the calibrated parameters can imitate. The model is
-/// refitted with the best combinations and tested like other explanations, with the known effects
-/// and the other combinations as further effects. Pairs are tried where no single change fits.
-/// Returns at most three proposals that fit, the lowest Proposal::description() first. Where none
-/// fits, returns the best one if it removes at least half of the misfit, else nothing.
+/// refitted with the best combinations and tested like other models, with the known effects and the
+/// other combinations as further effects. Pairs are tried if no single change fits. Returns at most
+/// three proposals that fit, the lowest Proposal::description() first. If none fits, returns the
+/// best proposal if it removes at least half of the misfit, else nothing.
 /// @param evidence readings with their errors and with parts of the measurement that may be wrong
 /// @param diagnosis diagnosis of the study's model, which does not fit
 std::vector<Proposal> propose(const ResolvedStudy& study, const StudyModels& models,

@@ -16,7 +16,7 @@ struct ChangedQuantity {
     /// How the change acts. True: the quantity is multiplied by 1 + change; false: the change is
     /// added to the quantity.
     bool relative = true;
-    std::string unit;  ///< SI unit of the change; "1" where `relative`
+    std::string unit;  ///< SI unit of the change; "1" if `relative` is true
     /// Smallest change of interest of the quantity [unit].
     double smallest = 0.01;
     /// Lower limit of the change of the quantity [unit].
@@ -36,7 +36,7 @@ struct ShapeOfChange {
     Profile profile;
 
     /// Returns the change as a table [[effect]] of study.toml with this name. Its parameter
-    /// "change" is the change at readings where the profile has size 1.
+    /// "change" is the change at readings at which the profile has the size 1.
     WrittenEffect written(const std::string& name) const;
     /// Returns a name for the change as an effect, made from the changed quantity, the dependence
     /// and the coordinate, such as "torque-above-time".

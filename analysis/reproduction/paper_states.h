@@ -21,9 +21,9 @@ inline constexpr std::array paper_frictions = {0.05, 0.09, 0.15, 0.20, 0.25};
 /// A bridge volume of the parameter study, with the liquid content by which Badetti et al. (2018)
 /// name it.
 struct PaperContent {
-    double bridge_volume;  ///< volume of a liquid bridge V0 over the cubed grain diameter a^3 [1]
-    /// Liquid content Phi_L/Phi_S (volume of liquid over volume of grains) at reduced pressure P* =
-    /// 3 [1].
+    double bridge_volume;  ///< volume of a liquid bridge, divided by the cubed grain diameter [1]
+    /// Liquid content Phi_L/Phi_S (volume of liquid divided by volume of grains) at reduced
+    /// pressure P* = 3 [1].
     double liquid_content;
 };
 /// Bridge volumes of the parameter study.
@@ -45,11 +45,11 @@ class PaperState {
 
     const dem::RunResult& run() const { return run_; }
     /// Returns a text that names the state: "friction 0.09, V0/a^3 0.002, P* 3" (V0/a^3: bridge
-    /// volume over cubed grain diameter, P*: reduced pressure).
+    /// volume divided by cubed grain diameter, P*: reduced pressure).
     std::string name() const;
     /// Friction coefficient between the grains in the run [1].
     double friction() const { return run_.parameters.friction; }
-    /// Volume of a liquid bridge over the cubed grain diameter in the run [1].
+    /// Volume of a liquid bridge in the run, divided by the cubed grain diameter [1].
     double bridge_volume() const { return run_.parameters.wetting->bridge_volume; }
     /// Reduced pressure P* of the run [1].
     double reduced_pressure() const { return run_.parameters.wetting->reduced_pressure; }
@@ -58,8 +58,8 @@ class PaperState {
     /// Averages over the run (solid fraction, coordination numbers, fabric, bridge forces) from
     /// which the closures (analytical formulas) compute stresses.
     const closures::State& network() const { return network_; }
-    /// Capillary stresses measured in the run, over F0/a^2 [1] (F0: pull-off force of a bridge, a:
-    /// grain diameter).
+    /// Capillary stresses measured in the run, divided by F0/a^2 [1] (F0: pull-off force of a
+    /// bridge, a: grain diameter).
     const closures::CapillaryStress& capillary() const { return capillary_; }
 
     /// Returns an observable of the run with its standard error. The standard error of the stress
@@ -85,8 +85,8 @@ class PaperState {
 /// errors. The slope c* is the reduced cohesion.
 /// Source: Badetti et al. (2018), eq:mohrcoulomb2.
 struct StrengthLine {
-    /// Friction coefficient [1], and bridge volume over cubed grain diameter [1], of the states on
-    /// the line.
+    /// Friction coefficient [1], and bridge volume divided by cubed grain diameter [1], of the
+    /// states on the line.
     double friction = 0, bridge_volume = 0;
     /// Fitted intercept of the line [1], and its slope, the reduced cohesion c* = a^2 c/F0 [1] (a:
     /// grain diameter, c: cohesion, F0: pull-off force of a bridge).
@@ -108,8 +108,8 @@ bool same_setting(double a, double b);
 
 /// A state of the parameter study that has not been simulated.
 struct MissingState {
-    /// Friction coefficient, bridge volume over cubed grain diameter, and reduced pressure of the
-    /// missing state [1].
+    /// Friction coefficient, bridge volume divided by cubed grain diameter, and reduced pressure of
+    /// the missing state [1].
     double friction, bridge_volume, reduced_pressure;
 };
 
@@ -120,9 +120,10 @@ class PaperStudy {
     /// Selects the usable runs (`emulated::usable`) without effects at the frictions and bridge
     /// volumes of the parameter study and inertial numbers up to 0.0035. If several runs simulate
     /// one state, a run within a factor 2 of the stiffness number of Badetti et al. (2018) is used,
-    /// else the run with the most grains. The emulator changes runs of other stiffness numbers to
-    /// that one, with the error of the change; otherwise stiffness could be mistaken for a trend.
-    /// An emulator without runs of several stiffness numbers leaves them unchanged.
+    /// else the run with the most grains. The emulator converts runs of other stiffness numbers to
+    /// the stiffness number of Badetti et al., with the error of the conversion; otherwise
+    /// stiffness could be mistaken for a trend. An emulator without runs of several stiffness
+    /// numbers converts nothing.
     /// @param runs runs of atlas and store
     /// @param emulator emulator trained on `runs`; must outlive this object
     PaperStudy(const std::vector<dem::RunResult>& runs, const Emulator& emulator);
@@ -136,20 +137,22 @@ class PaperStudy {
     /// Returns the states that fulfil a condition, in the order of states().
     std::vector<const PaperState*> where(
         const std::function<bool(const PaperState&)>& condition) const;
-    /// Returns the state with a friction, bridge volume and reduced pressure [1]; null where no run
-    /// simulates it.
+    /// Returns the state with the given friction [1], bridge volume divided by the cubed grain
+    /// diameter [1] and reduced pressure [1]; null if no run simulates this state.
     const PaperState* at(double friction, double bridge_volume, double reduced_pressure) const;
     /// Dry runs without effects, sorted by friction, then by inertial number.
     const std::vector<dem::RunResult>& dry_runs() const { return dry_runs_; }
     /// Straight lines of stress ratio against 1/P* (P*: reduced pressure), one for each friction
     /// and bridge volume with three or more states at P* >= `lowest_cohesion_pressure`.
     const std::vector<StrengthLine>& lines() const { return lines_; }
-    /// Returns the straight line of the states of one friction [1] and one bridge volume over cubed
-    /// grain diameter [1]; null where there is none.
+    /// Returns the straight line of stress ratio against 1/P* (P*: reduced pressure) of the states
+    /// of one friction [1] and one bridge volume, divided by the cubed grain diameter [1]; null if
+    /// no line was fitted to these states.
     const StrengthLine* line(double friction, double bridge_volume) const;
-    /// Returns the mean of a closure (analytical formula) over the states of a line [1]. Its
-    /// standard error is the mean of the states' standard errors, which are taken as fully
-    /// correlated, since most of each comes from the common stress ratio of dry grains.
+    /// Returns the mean of a closure (analytical formula) [1] over the states to which the line
+    /// `line` was fitted. Its standard error is the mean of the states' standard errors, which are
+    /// taken as fully correlated, since most of each comes from the common stress ratio of dry
+    /// grains.
     Mean mean_over(const StrengthLine& line, double closures::ClosureValues::*value) const;
     /// Stress ratio and solid fraction [1] of dry grains of a friction coefficient [1] in the limit
     /// of slow shear, predicted by the emulator; the solid fraction is that of rigid grains.
@@ -164,7 +167,8 @@ class PaperStudy {
     std::vector<MissingState> missing() const;
 
   private:
-    /// Returns one state for each friction, bridge volume and reduced pressure of runs.
+    /// Returns one state for each combination of friction, bridge volume and reduced pressure among
+    /// `runs`.
     std::vector<PaperState> states_of(std::vector<dem::RunResult> runs);
     /// Returns the states of a friction and bridge volume at reduced pressures >=
     /// `lowest_cohesion_pressure`.

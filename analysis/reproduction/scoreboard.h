@@ -27,15 +27,17 @@ struct ScoreboardRow {
     /// Smallest and largest of the simulated values of the quantity.
     double least = 0, greatest = 0;
     /// Distance of the farthest simulated value from the published value or range, in standard
-    /// errors [1]: combined ones for a published value, those of the simulation for a range; 0
-    /// inside the range.
+    /// errors [1]. For a published value, the standard errors of publication and simulation are
+    /// combined; for a range, that of the simulation is used, and the distance is 0 inside the
+    /// range.
     double distance = 0;
     /// Number of simulated values of the quantity.
     int values = 0;
     /// Number of simulated values of the quantity that are further from the publication than
     /// `allowed_distance`.
     int outside = 0;
-    std::string where;  ///< text that names the farthest value outside and its state; empty: none
+    /// Text that names the farthest value outside a range and its state; empty if none is known.
+    std::string where;
     /// Whether simulation and publication agree: `distance` is at most `allowed_distance`.
     bool agrees = true;
 };
@@ -86,11 +88,12 @@ class Scoreboard {
                const Mean& ours) {
         range(what, published, lower, upper, std::vector<StateValue>{{ours, ""}});
     }
-    /// Adds a row for each friction of the parameter study: compares a published range with the
-    /// values of `quantity` at the states of the section that have this friction and fulfil the
+    /// Adds a row for each friction of the parameter study. The row compares a published range with
+    /// the values of `quantity` at the states of the section that have this friction and fulfil the
     /// condition `which`.
     /// @param what quantity and condition, with its unit
     /// @param published the published range as text
+    /// @param lower, upper ends of the published range
     void each_friction(const std::string& what, const std::string& published, double lower,
                        double upper, const Quantity& quantity, const Condition& which);
     /// Returns the values of a quantity at the states of the section that fulfil the condition

@@ -14,10 +14,11 @@ struct FlowState {
     double inertial_number = 0;  ///< inertial number I [1]; 0: the quasi-static limit
     /// Inverse reduced pressure 1/P* of the state [1]; 0 for dry grains.
     double inverse_pressure = 0;
-    /// Volume of a liquid bridge over (grain diameter)^3 [1]; without meaning for dry grains.
+    /// Volume of one liquid bridge, divided by the cubed grain diameter [1]; unused for dry grains.
     double bridge_volume = 0;
-    /// Effects on grains that act in this state. Their values are in the units of a simulation run,
-    /// in which grain diameter, grain mass and normal stress are 1.
+    /// Physical effects that change the grains in this state, such as rolling resistance. Their
+    /// values are in the units of a simulation run, in which grain diameter, grain mass and normal
+    /// stress are 1.
     std::vector<EffectValues> effects = {};
     /// Stiffness number of the grains [1], on which observables such as coordination numbers
     /// depend. 0: the stiffness number of the runs that train the emulator.
@@ -43,24 +44,26 @@ struct Coordinates {
     bool operator==(const Coordinates&) const = default;
 };
 
-/// Returns the coordinates of a state of steady shear: x = ln[(friction + 0.05)/(centre + 0.05)], q
-/// = I^`exponent` with the inertial number I, u = 1/P* with the reduced pressure P*, and v as in
-/// `Coordinates`. For frictions from 0 to 0.4 the derivatives of stress ratio and solid fraction
-/// with respect to x change by about a factor 2; the derivative of the stress ratio with respect to
-/// the friction itself changes by a factor 9.
+/// Returns the coordinates of a state of steady shear. They are x = ln[(friction + 0.05)/(centre +
+/// 0.05)], q = I^`exponent`, u = 1/P* and v = ln(V0/a^3/0.002), or v = 0 for dry grains. I:
+/// inertial number; P*: reduced pressure; V0: bridge volume; a: grain diameter. For frictions from
+/// 0 to 0.4 the derivatives of stress ratio and solid fraction with respect to x change by about a
+/// factor 2; the derivative of the stress ratio with respect to the friction itself changes by a
+/// factor 9.
 Coordinates coordinates(const FlowState& state, double centre, double exponent);
 
-/// Coordinate x = ln[(friction + 0.05)/(centre + 0.05)] of a friction coefficient [1], 0 at
-/// `centre`.
+/// Coordinate x = ln[(friction + 0.05)/(centre + 0.05)] of a friction coefficient [1]. x is 0 at
+/// the friction coefficient `centre`.
 double friction_coordinate(double friction, double centre);
-/// Returns the friction coefficient [1] whose coordinate (`friction_coordinate`) is `coordinate`.
+/// Returns the friction coefficient [1] at which ln[(friction + 0.05)/(centre + 0.05)] equals
+/// `coordinate`. Inverse of `friction_coordinate`.
 double friction_at(double coordinate, double centre);
 /// Derivative of `friction_coordinate` with respect to the friction coefficient [1]: 1/(friction +
 /// 0.05).
 double friction_slope(double friction);
 
-/// Terms of a polynomial in the coordinates of a state of steady shear: products of powers of x, q,
-/// u and v.
+/// Terms of a polynomial in the coordinates x, q, u and v of a state of steady shear
+/// (`Coordinates`). Each term is a product of powers of the coordinates.
 class Basis {
   public:
     /// Exponents of the coordinates x, q, u and v in one term of the polynomial.
@@ -75,8 +78,8 @@ class Basis {
     Eigen::RowVectorXd values(const Coordinates& at) const;
     /// Derivative of each term of the polynomial (product of powers of x, q, u and v) at the
     /// coordinates `at`, in the order in which terms were added.
-    /// @param coordinate coordinate of the derivative: 0 for x, 1 for q, 2 for u, 3 for v; -1 gives
-    ///        the values
+    /// @param coordinate coordinate by which the terms are differentiated: 0 for x, 1 for q, 2 for
+    ///        u, 3 for v; -1: the terms are not differentiated
     Eigen::RowVectorXd slopes(const Coordinates& at, int coordinate) const;
     Eigen::RowVectorXd slopes_in_x(const Coordinates& at) const { return slopes(at, 0); }
     Eigen::RowVectorXd slopes_in_v(const Coordinates& at) const { return slopes(at, 3); }
@@ -85,7 +88,7 @@ class Basis {
     std::vector<Powers> terms_;
 };
 
-/// Number of distinct values among `values`. A value is not distinct from the next smaller one if
+/// Number of distinct values among `values`. A value counts as equal to the next smaller one if
 /// they differ by at most `share` [1] times the magnitude of the larger one.
 std::size_t distinct(std::vector<double> values, double share);
 

@@ -6,9 +6,10 @@
 
 namespace pendular {
 
-/// Fast sums of weighted Gaussian bells in up to five coordinates. The bells have centres z_i and
-/// weights w_i. With the distances d_ik = z_ik - a_k from a place a and the inverse squares c_k of
-/// the lengths of the bells, the sums at a are
+/// Fast sums of weighted Gaussian functions (bells) in up to five coordinates. Bell i has the
+/// centre z_i and the weight w_i; c_k is the inverse square of the length of all bells along
+/// coordinate k. With the distances d_ik = z_ik - a_k of the centres from a place a, the sums at a
+/// are
 ///     S = sum_i w_i exp(-sum_k c_k d_ik^2/2)  and  S_k = sum_i w_i d_ik exp(-sum_k c_k d_ik^2/2).
 /// All instruction sets of the processor give identical bits.
 class BellSums {
@@ -16,26 +17,30 @@ class BellSums {
     static constexpr std::size_t most_coordinates = 5;
     using Place = std::array<double, most_coordinates>;
 
-    /// @param coordinates number of coordinates, 2, 4 or 5; further entries of places are ignored
+    /// @param coordinates number of coordinates, 2, 4 or 5; further entries of a `Place` are
+    ///        ignored
     /// @param inverse_squares inverse squares c_k of the lengths of the bells, one for each
     ///        coordinate
     BellSums(std::size_t coordinates, const Place& inverse_squares)
         : coordinates_(coordinates), inverse_squares_(inverse_squares) {}
 
-    /// Adds a bell with its centre and weight. A bell of weight 0 changes no sum and is not stored.
+    /// Adds a bell with the centre `place` and the weight `weight`. A bell of weight 0 changes no
+    /// sum and is not stored.
     void add(const Place& place, double weight);
 
-    /// Returns the sums at a place: S, then S_k for each coordinate k. S_k is 0 for ignored
-    /// coordinates.
+    /// Returns the sums over all bells at the place `at`: first S = sum_i w_i E_i, then S_k = sum_i
+    /// w_i d_ik E_i for each coordinate k. w_i: weight of bell i; d_ik: distance of its centre from
+    /// the place along coordinate k; E_i: value of the bell at the place, 1 at its centre. S_k is 0
+    /// for coordinates that are not used.
     std::array<double, 1 + most_coordinates> at(const Place& at) const;
 
   private:
     std::size_t coordinates_;
     Place inverse_squares_;
     std::size_t count_ = 0;
-    /// Centres and weights in blocks of as many bells as a vector register has lanes. A block
-    /// contains the first coordinates of its bells, then the second, and so on, then the weights (0
-    /// beyond the last bell).
+    /// Centres and weights of the bells, in blocks of as many bells as a vector register of the
+    /// processor has lanes. A block contains the first coordinates of its bells, then the second,
+    /// and so on, then the weights (0 beyond the last bell).
     std::vector<double> blocks_;
 };
 

@@ -10,10 +10,10 @@ namespace pendular::emulated {
 /// emulator's Gaussian processes are trained on runs of this stiffness number, within a factor 2.
 constexpr double reference_stiffness = 1000;
 
-/// Localization of the shear [1] above which a run does not train the emulator. A localization D is
-/// that of a band of 1 - sqrt(D) of the height between rigid blocks; above 0.2, the grains shear in
-/// about half of the height or less. In small samples that shear uniformly, D reaches 0.11 at low
-/// reduced pressure.
+/// Localization of the shear [1] above which a run does not train the emulator. If the grains shear
+/// only in a band between rigid blocks, and the localization is D, the band takes the share 1 -
+/// sqrt(D) of the height: about half or less for D above 0.2. In small samples that shear
+/// uniformly, D reaches 0.11 at low reduced pressure.
 constexpr double banded_above = 0.2;
 
 /// Whether a run can train an emulator: it succeeded, was steady, did not crystallise or shear in a
@@ -42,8 +42,8 @@ inline constexpr double friction_scale = 0.02, friction_centre = 0.1;
 /// Exponent [1] of the emulator's coordinate of the inertial number I, q = I^0.5.
 inline constexpr double exponent = 0.5;
 
-/// Stress ratio and solid fraction. They share one Gaussian process of two quantities, since the
-/// noise of a run is correlated between them.
+/// Stress ratio and solid fraction. They share one Gaussian process of two quantities, since their
+/// noise is correlated within a run.
 inline constexpr dem::Observable pair[] = {dem::Observable::stress_ratio,
                                            dem::Observable::solid_fraction};
 /// Whether an observable is one of `pair`: stress ratio or solid fraction.
@@ -52,17 +52,19 @@ bool in_pair(dem::Observable which);
 /// ratio, then for its solid fraction.
 std::vector<Query> pairs_at(const std::vector<FlowState>& states);
 
-/// Scaling between an observable and its Gaussian process at one state of steady shear: value =
-/// offset + size x process. `size` is 1/P* (P*: reduced pressure) for capillary stresses over the
-/// normal stress; for the distance of grains with a bridge but no contact, it is the gap over the
-/// grain diameter at which the bridge breaks. It is 1 for other observables.
+/// Scaling between an observable and the Gaussian process that predicts it, at one state of steady
+/// shear: value = offset + size x process. `size` is 1/P* (P*: reduced pressure) for capillary
+/// stresses, which are divided by the normal stress. For the distance of grains that have a bridge
+/// but no contact, it is the gap at which the bridge breaks, divided by the grain diameter. For
+/// other observables it is 1.
 struct Unit {
     double offset = 0, size = 1;
-    /// Derivatives of `size` with respect to 1/P* and to V0/a^3 (V0: bridge volume, a: grain
-    /// diameter).
+    /// Derivatives of `size` with respect to 1/P* (`by_inverse_pressure`) and to V0/a^3
+    /// (`by_bridge_volume`). P*: reduced pressure; V0: bridge volume; a: grain diameter.
     double by_inverse_pressure = 0, by_bridge_volume = 0;
 };
-/// Returns the scaling between an observable and its Gaussian process at a state of steady shear.
+/// Returns the scaling, value = offset + size x process, between an observable and the Gaussian
+/// process that predicts it, at a state of steady shear.
 Unit unit_at(dem::Observable which, const FlowState& state);
 
 /// Returns the kind of an observable, which determines its behaviour in the dry limit, as the
@@ -76,9 +78,10 @@ bool alike(double a_stiffness_number, double another);
 /// Whether a run has a value of an observable. Observables of liquid bridges need a wet run.
 bool has_value(const dem::RunResult& run, dem::Observable which);
 
-/// Returns the coordinates of a state of steady shear in which the Gaussian processes of all
-/// observables are defined: x with the constants `friction_scale` and `friction_centre`, q =
-/// sqrt(I) with the inertial number I, and u and v as in `Coordinates`.
+/// Returns the coordinates in which the Gaussian processes of all observables are defined, at a
+/// state of steady shear. They are x = ln[(friction + `friction_scale`)/(`friction_centre` +
+/// `friction_scale`)], q = sqrt(I), u = 1/P* and v = ln(V0/a^3/0.002), or v = 0 for dry grains. I:
+/// inertial number; P*: reduced pressure; V0: bridge volume; a: grain diameter.
 Coordinates place_of(const FlowState& state);
 
 }  // namespace pendular::emulated

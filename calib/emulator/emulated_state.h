@@ -23,11 +23,11 @@ struct EmulatedObservable {
 
 /// Returns the emulated values of the observables `which` at a state of steady shear, in the order
 /// of `which`, as runs with grains of the stiffness number `stiffness_number` [1] would measure
-/// them. The standard errors include the error of the change with stiffness. The derivatives omit
-/// the changes by effects on grains.
-/// @throws std::invalid_argument for an observable of liquid bridges at a dry state, an observable
-///         of which no training run has a value, and an effect of `state` that no run has as its
-///         only effect
+/// them. The standard errors include the error of the conversion to this stiffness number. The
+/// derivatives leave out the part that comes from effects on grains.
+/// @throws std::invalid_argument if an observable describes liquid bridges but the state is dry, if
+///         no training run has a value of an observable, or if `state` has an effect that no run
+///         has as its only effect
 std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const FlowState& state,
                                             double stiffness_number,
                                             const std::vector<dem::Observable>& which);

@@ -18,12 +18,12 @@ StructureResponse respond(const Emulator& emulator, const std::vector<dem::Obser
 /// and bridges without contact per grain.
 StructureResponse coordination(const Emulator& emulator, const FlowState& state);
 
-/// Returns the bridge volume over a^3 [1] at which the wet grains have a given liquid content, at
-/// the friction, inertial number and reduced pressure of `state`. It solves
+/// Returns the bridge volume V0/a^3 [1] at which the wet grains have a given liquid content, at the
+/// friction, inertial number and reduced pressure of `state`. It solves
 ///     liquid_content = 3 Z(V0) V0/(pi a^3)
-/// for the bridge volume V0, with the grain diameter a and the emulated coordination number Z (at
-/// least 1).
-/// @param liquid_content volume of liquid over volume of grains [1]
+/// for the bridge volume V0, with the grain diameter a and the emulated coordination number Z,
+/// which is taken as at least 1.
+/// @param liquid_content volume of liquid divided by volume of grains [1]
 /// Source: Badetti et al. (2018), eq:lcont.
 double bridge_volume_of(const Emulator& emulator, double liquid_content, FlowState state);
 

@@ -18,19 +18,19 @@ namespace pendular {
 /// Emulator: Gaussian processes trained on simulation runs. They predict the observables at states
 /// of steady shear between those of the training runs, with standard errors. A `PlainEmulator`
 /// predicts grains without effects. For each effect on grains, an `EffectResponse`, trained on the
-/// runs that have this effect alone, adds the change; changes by several effects add up. A further
-/// `EffectResponse`, trained on runs of other stiffness numbers, adds the change from the stiffness
-/// number of the `PlainEmulator` to that of the requested state. Derivatives with respect to
-/// friction, inertial number, reduced pressure and bridge volume include the change with stiffness
-/// but omit the changes by effects. Predictions never change after construction, so that several
-/// threads may query the emulator at once.
+/// runs that have this effect alone, predicts how the effect changes the observables; the changes
+/// by several effects add up. A further `EffectResponse`, trained on runs of other stiffness
+/// numbers, predicts the change from the stiffness number of the `PlainEmulator` to that of the
+/// requested state. Derivatives with respect to friction, inertial number, reduced pressure and
+/// bridge volume include the change with stiffness but omit the changes by effects. Predictions
+/// never change after construction, so that several threads may query the emulator at once.
 class Emulator {
   public:
     /// Takes training runs and hyperparameters. Each Gaussian process is trained when it is first
     /// needed, and missing hyperparameters are then fitted.
     /// @param stiffness_number stiffness number, within a factor 2, of the runs that train the
     ///        `PlainEmulator` [1]
-    /// @throws std::invalid_argument where no run can serve as a training run
+    /// @throws std::invalid_argument if none of the runs can serve as a training run
     Emulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
              double stiffness_number = emulated::reference_stiffness);
 
@@ -41,19 +41,21 @@ class Emulator {
     /// Hyperparameters that were given at construction or have been fitted since, by observable.
     EmulatorHyperparameters hyperparameters() const { return plain_.hyperparameters(); }
 
-    /// Answers to queries: for each query, the predicted value of its observable, in the unit of
-    /// the observable, or the derivative that the query names.
-    /// @throws std::invalid_argument for an observable of which no training run has a value, for an
-    ///         observable of liquid bridges at a dry state, and for an effect that no run has as
-    ///         its only effect
+    /// Returns the result of each query: the predicted value of its observable, in the unit of the
+    /// observable, or the derivative that the query names.
+    /// @throws std::invalid_argument if no training run has a value of a queried observable, if the
+    ///         observable describes liquid bridges but the state is dry, or if the state has an
+    ///         effect that no run has as its only effect
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
-    /// Returns the changes of the predicted means (`mean`) by effects that act on the grains and by
-    /// a stiffness number that differs from the one for which the underlying emulator
-    /// (`PlainEmulator`) predicts: one entry for each query, in the unit of its prediction.
-    /// @throws std::invalid_argument for an effect that no run has as its only effect
+    /// Returns, for each query, by how much effects on grains and stiffness change the prediction
+    /// of `mean`, in the unit of the prediction. The change is that from grains without effects and
+    /// with the stiffness number of the runs that train the `PlainEmulator`.
+    /// @throws std::invalid_argument if the state of a query has an effect that no run has as its
+    ///         only effect
     Eigen::VectorXd changes_by_causes(const std::vector<Query>& queries) const;
-    /// Whether effects on grains, or a stiffness number other than that of the `PlainEmulator`,
-    /// change predictions at a state of steady shear.
+    /// Whether the prediction at a state of steady shear differs from that of the `PlainEmulator`:
+    /// the state has effects on grains, or a stiffness number other than that of the
+    /// `PlainEmulator`.
     bool changes(const FlowState& state) const;
     /// Covariance of the errors of the predictions that `mean` returns, one row and one column for
     /// each query. The prediction for a state x with an effect is f(x) + d(x), with the prediction
@@ -61,24 +63,26 @@ class Emulator {
     /// differences (simulated value - f) at the states X of the runs with the effect, so that the
     /// errors of f and d are correlated:
     ///     error = e(x) - W e(X) + error of d at given f,
-    /// with the error e of f, and the weights W of the training differences in d.
-    /// @throws std::invalid_argument for an observable of which no training run has a value, for an
-    ///         observable of liquid bridges at a dry state, and for an effect that no run has as
-    ///         its only effect
+    /// with the error e of f, and the weights W with which d depends on the training differences.
+    /// @throws std::invalid_argument if no training run has a value of a queried observable, if the
+    ///         observable describes liquid bridges but the state is dry, or if the state has an
+    ///         effect that no run has as its only effect
     Eigen::MatrixXd covariance(const std::vector<Query>& queries) const;
 
-    /// Text that names the friction, inertial number, reduced pressure or bridge volume of a state
-    /// of steady shear that lies outside its range in the training runs, as in "friction 0.9 is
-    /// above 0.6"; empty where none does. An inertial number below that of all runs does not count
-    /// as outside, since the emulator extrapolates there and states the error.
+    /// Returns a text that names the numbers of a state of steady shear that lie outside their
+    /// range in the training runs, as in "friction 0.9 is above 0.6". The numbers are friction,
+    /// inertial number and, for a wet state, reduced pressure and bridge volume. The text is empty
+    /// if all lie inside. An inertial number below that of all runs does not count as outside,
+    /// since the emulator extrapolates to slower flow and states the error.
     std::string beyond(const FlowState& state) const;
 
     /// Simulation runs on which the emulator is trained, with and without effects on grains.
     const std::vector<dem::RunResult>& runs() const { return plain_.runs(); }
 
-    /// Whether runs of other stiffness numbers have trained the change of predictions with
+    /// Whether training runs of other stiffness numbers determine how predictions change with
     /// stiffness. If not, predictions hold for the stiffness number of the `PlainEmulator`, and
-    /// only the known changes of solid fraction and overlap can be applied.
+    /// only the changes of solid fraction and overlap that are known without training can be
+    /// applied.
     bool knows_stiffness() const { return knows_stiffness_; }
 
     /// Covariance of the noise of a run's stress ratio and solid fraction [1], in this order. The
@@ -104,44 +108,46 @@ class Emulator {
     /// that of the `PlainEmulator`, and `knows_stiffness` is true.
     bool stiffened(const FlowState& state) const;
     /// Whether a run trains the predictor of how the cause `name` changes an observable. For an
-    /// effect, the run has this effect alone, at any stiffness number, with values that models of
-    /// studies can have; for stiffness, the run has another stiffness number and no effects.
+    /// effect, the run has this effect alone, at any stiffness number, and is neutral in parameters
+    /// that only simulations have. For stiffness, the run has another stiffness number than the
+    /// `PlainEmulator` and no effects.
     bool trains(const dem::RunResult& run, const std::string& name, dem::Observable which) const;
 
-    /// Predictor of how one cause changes an observable, with the predictions without the cause
-    /// from which its training changes were computed.
+    /// Predictor of how one cause (an effect or another stiffness number) changes an observable. It
+    /// is trained on runs with the cause minus predictions without the cause, which it keeps.
     struct LearnedResponse {
         EffectResponse response;
-        /// Queries at the state of each training run, without the cause.
+        /// Queries at the state of each training run, without the cause (effect or other stiffness
+        /// number).
         PlainEmulator::PreparedQueries plain;
         /// Scale of the observable at each training run (`emulated::Unit::size`).
         Eigen::VectorXd sizes;
-        /// Covariance of the errors of the answers to `plain`, over the product of the scales
-        /// `sizes`.
+        /// Covariance of the errors of the predictions for the queries `plain`, divided by the
+        /// product of the scales `sizes`.
         Eigen::MatrixXd plain_error;
     };
-    /// Returns the predictor of how the cause `name` changes the observable `which`; it is trained
-    /// at the first call.
+    /// Returns the predictor of how the cause `name` (an effect or the stiffness number) changes
+    /// the observable `which`; it is trained at the first call.
     /// @throws std::invalid_argument if no run has `name` as its only cause of a change
     const LearnedResponse& response_to(const std::string& name, dem::Observable which) const;
-    /// Trains a predictor of how the cause `name` changes the observable `which`, on the runs that
-    /// have `name` as their only cause of a change.
+    /// Trains a predictor of how the cause `name` (an effect or the stiffness number) changes the
+    /// observable `which`, on the runs that have `name` as their only cause of a change.
     /// @throws std::invalid_argument if no run has `name` as its only cause of a change
     std::unique_ptr<const LearnedResponse> learned(const std::string& name,
                                                    dem::Observable which) const;
-    /// Covariance of the errors of the predictions without causes between the training states of
-    /// `a` (rows) and those of `b` (columns), computed once; empty where these errors are
-    /// independent.
+    /// Covariance of the errors of the predictions without causes (effects, other stiffness)
+    /// between the training states of the predictor `a` (rows) and those of the predictor `b`
+    /// (columns), computed once; empty if these errors are independent.
     const Eigen::MatrixXd& training_covariance(const LearnedResponse& a,
                                                const LearnedResponse& b) const;
     struct Affected;
-    /// Groups the queries that a cause changes by the predictor (of one observable's change by one
-    /// cause) that they need. Queries for derivatives need only the predictors of the change with
-    /// stiffness.
+    /// Groups the queries whose prediction a cause (an effect or another stiffness number) changes,
+    /// by the predictor that they need: one for each cause and observable. Queries for derivatives
+    /// need only the predictors of the change with stiffness.
     std::vector<Affected> affected(const std::vector<Query>& queries) const;
 
-    /// Predictors of the change of observables by causes, by cause and observable, each trained
-    /// when it is first needed, once for all threads.
+    /// Predictors of how each cause (an effect or another stiffness number) changes each
+    /// observable. Each predictor is trained when it is first needed, once for all threads.
     struct Responses {
         struct Response {
             std::once_flag once;

@@ -13,8 +13,8 @@ constexpr const char* hyperparameters_name = "emulator.csv";
 
 /// Reads the emulator's hyperparameters from a CSV table: one row for each observable, one column
 /// for the observable's name and one for each hyperparameter (`Hyperparameters::names`).
-/// @throws InputError, with line and column of the file, where the file cannot be read, the number
-///         of columns is wrong, a value is not a positive number, or an observable is unknown
+/// @throws InputError, with line and column of the file, if the file cannot be read, the number of
+///         columns is wrong, a value is not a positive number, or an observable is unknown
 EmulatorHyperparameters read_hyperparameters(const std::filesystem::path& file);
 /// Writes the emulator's hyperparameters (amplitudes and lengths of its Gaussian processes) to a
 /// CSV table that `read_hyperparameters` can read.

@@ -38,7 +38,7 @@ class GaussianProcess {
     /// multiplied by the noise factors of the kernels' hyperparameters; then the squares of the
     /// between-run scatters are added to the variances.
     /// @param kernels kernel of each function, in the order of the columns of `known.values`
-    /// @throws std::logic_error where the covariance of the observations is not positive definite
+    /// @throws std::logic_error if the covariance of the observations is not positive definite
     GaussianProcess(std::vector<Kernel> kernels, const Observations& known);
 
     /// A value or derivative to predict, of the function with the index `quantity`.
@@ -48,18 +48,21 @@ class GaussianProcess {
     };
     /// Posterior mean of each requested value or derivative, in the order of `requested`.
     Eigen::VectorXd mean(const std::vector<Requested>& requested) const;
-    /// Requested values and derivatives, with the terms that their covariances need.
+    /// Requested values and derivatives of a Gaussian process, with the intermediate results from
+    /// which their covariances follow.
     struct Solved {
         /// Values and derivatives of the functions that are predicted.
         std::vector<Requested> requested;
-        /// Place of each requested value or derivative, with the terms that its covariances need.
+        /// For each requested value or derivative, the terms of its prior covariances that depend
+        /// on its place alone.
         std::vector<Kernel::Prepared> places;
         /// Matrix L^-1 k, with the Cholesky factor L of K + N (prior covariance of the observations
         /// plus their noise) and the prior covariance k of the observations (rows) with the
         /// requested values (columns).
         Eigen::MatrixXd half;
     };
-    /// Computes the terms that the covariances of requested values and derivatives need.
+    /// Computes the intermediate results from which the covariances of requested values and
+    /// derivatives follow.
     Solved solve(std::vector<Requested> requested) const;
     /// Posterior covariance of the requested values and derivatives, a row and a column for each of
     /// them, in the order of `requested`.
@@ -78,7 +81,7 @@ class GaussianProcess {
     /// the next) with the requested values and derivatives (columns).
     Eigen::MatrixXd with_known(const std::vector<Requested>& requested) const;
 
-    /// Prior covariance of request i of `a` with request j of `b`.
+    /// Prior covariance of the requested value i of `a` with the requested value j of `b`.
     double prior_covariance(const Solved& a, std::size_t i, const Solved& b, std::size_t j) const;
 
     Kernel::Prepared prepared(const Requested& requested) const {
@@ -86,11 +89,15 @@ class GaussianProcess {
     }
 
     std::vector<Kernel> kernels_;
-    /// Places of the observations, for each function.
+    /// For each function, the places of its observations, with the terms that prior covariances
+    /// need.
     std::vector<std::vector<Kernel::Prepared>> known_;
-    /// Cholesky factor of K + N, one function after the other.
+    /// Cholesky factor of the covariance of all observations: prior covariance plus noise; all
+    /// places for the first function, then all for the next.
     Eigen::LLT<Eigen::MatrixXd> factor_;
-    /// For each function, sums over the places of the observations with the weights (K + N)^-1 y.
+    /// For each function, its places in `known_` with the weights C^-1 y, stored so that `mean` can
+    /// sum over them fast. C: covariance of all observations (prior covariance plus noise); y:
+    /// observed values.
     std::vector<Kernel::Known> sums_over_;
     /// Posterior mean of the coefficients of the polynomial of each function.
     std::vector<Eigen::VectorXd> coefficients_;

@@ -8,14 +8,14 @@
 namespace pendular {
 
 /// Range of states of steady shear in which the known runs support predictions. A state is
-/// supported where
+/// supported if
 /// - it lies in the convex hull of the runs' states in the emulator's coordinates x = ln(friction +
 ///   0.02), q = sqrt(I), ln(1 + 10/P*) and ln(V0/a^3), or outside by at most `margin` of the range
 ///   that the runs cover (I: inertial number; P* = a^2 s22/F0: reduced pressure; V0: bridge volume;
 ///   a: grain diameter; s22: normal stress; F0: pull-off force of a bridge),
-/// - the emulator's standard error is at most `largest_ratio_error` of the stress ratio and
-///   `largest_fraction_error` of the solid fraction, and
-/// - both values are physical: stress ratio above 0, solid fraction of 0.4 to 0.74.
+/// - the emulator's relative standard error is at most `largest_ratio_error` for the stress ratio
+///   and `largest_fraction_error` for the solid fraction, and
+/// - both predicted values are physical: stress ratio above 0, solid fraction of 0.4 to 0.74.
 ///
 /// Each run counts at its own inertial number and at 0, since the emulator extrapolates to the
 /// quasi-static limit with an error. Dry runs bound wet states of any bridge volume at 1/P* = 0.
@@ -43,14 +43,15 @@ class KnownRange {
     bool knows_dry() const { return dry_.runs > 0; }
 
     /// Reason why the training runs do not support predictions at a state of steady shear, as in
-    /// "friction 0.9 is above 0.6"; empty where they support them.
+    /// "friction 0.9 is above 0.6"; empty if the runs support predictions at the state.
     std::string why_unsupported(const FlowState& state) const;
 
-    /// Returns a supported state of steady shear close to the unsupported state `state`: the
-    /// nearest point of the convex hull of the runs or, where the prediction there is too uncertain
-    /// or unphysical, the first supported point on the straight way from there to the nearest run.
-    /// @throws std::invalid_argument for a wet state where no run without effects is wet, and for a
-    ///         dry state where none is dry
+    /// Returns a supported state of steady shear close to the unsupported state `state`. It is the
+    /// nearest point of the convex hull of the runs' states. If the prediction at this point is too
+    /// uncertain or unphysical, it is the first supported point on the straight way from this point
+    /// to the nearest run.
+    /// @throws std::invalid_argument if the state is wet but no run without effects is wet, or the
+    ///         state is dry but no run without effects is dry
     FlowState nearest_supported(const FlowState& state) const;
 
   private:
@@ -69,10 +70,11 @@ class KnownRange {
     /// State of steady shear with the coordinates `place`, which are scaled to 0 to 1 over the
     /// range of the runs.
     FlowState state_at(const Point& place) const;
-    /// Point of the convex hull of a cloud that is nearest to a place, in scaled coordinates.
+    /// Point of the convex hull of `cloud` that is nearest to `place`, in scaled coordinates.
     Point nearest_in_hull(const Point& place, const Cloud& cloud) const;
     /// Reason why the emulator's prediction of stress ratio or solid fraction at a state of steady
-    /// shear is too uncertain or unphysical; empty where neither is.
+    /// shear is too uncertain or unphysical; empty if both predictions are certain enough and
+    /// physical.
     std::string why_unsure(const FlowState& state) const;
 
     const Emulator& emulator_;

@@ -9,11 +9,11 @@
 
 namespace pendular {
 
-/// Simulation runs from which a calibration starts: training runs of the emulator, with
-/// hyperparameters (amplitudes and lengths of its Gaussian processes) that were fitted to them
+/// Simulation runs that exist before a calibration and train its emulator, with hyperparameters
+/// (amplitudes and lengths of the emulator's Gaussian processes) that were fitted to the runs
 /// before.
 struct KnownRuns {
-    /// Training runs. If there are none and `orders_more` is true, a calibration first simulates
+    /// Training runs. If the list is empty and `orders_more` is true, a calibration first simulates
     /// dry runs.
     std::vector<dem::RunResult> runs;
     /// Hyperparameters of the emulator's Gaussian processes, by observable; missing ones are fitted
@@ -23,11 +23,12 @@ struct KnownRuns {
     bool orders_more = true;
 };
 
-/// Returns the runs that can train an emulator for a study. Such a run is usable
-/// (`emulated::usable`), has only effects that the study lists, at least 1000 grains or as many as
-/// the settings `fidelity`, and a Poisson ratio within 0.1 of that of the study's grains (0.1
-/// changes the ratio of tangential to normal stiffness by less than a tenth). A wet run has the
-/// study's formula of the bridge force.
+/// Returns the runs that can train an emulator for a study. Each of them is usable
+/// (`emulated::usable`) and has only effects that the study lists. It has at least 1000 grains, or
+/// at least the number of grains in the settings `fidelity` if that is smaller. Its Poisson ratio
+/// differs by at most 0.1 from that of the study's grains (0.1 changes the ratio of tangential to
+/// normal stiffness by less than a tenth). If it is wet, it has the study's formula of the bridge
+/// force.
 std::vector<dem::RunResult> runs_serving(const Study& study, const Fidelity& fidelity,
                                          const std::vector<dem::RunResult>& runs);
 

@@ -30,41 +30,45 @@ class PlainEmulator {
     /// @param stiffness_number stiffness number [1], within a factor 2, of the runs that train the
     ///        processes. If no run without effects has this stiffness number, that of the first run
     ///        without effects is used instead.
-    /// @throws std::invalid_argument where no usable run is left
+    /// @throws std::invalid_argument if none of the runs is usable
     PlainEmulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
                   double stiffness_number = emulated::reference_stiffness);
 
     /// Hyperparameters that were given at construction or have been fitted since, by observable.
     EmulatorHyperparameters hyperparameters() const;
 
-    /// Answers to queries, for grains without the effects of the query's state: for each query, the
-    /// predicted value of its observable, in the unit of the observable, or the derivative that the
-    /// query names.
-    /// @throws std::invalid_argument for an observable of which no training run has a value, and
-    ///         for an observable of liquid bridges at a dry state
+    /// Returns the result of each query for grains without effects: the predicted value of its
+    /// observable, in the unit of the observable, or the derivative that the query names. Effects
+    /// in the state of a query are ignored.
+    /// @throws std::invalid_argument if no training run has a value of a queried observable, or if
+    ///         the observable describes liquid bridges but the state is dry
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
-    /// Queries that one Gaussian process answers, with the terms that their covariances need. The
-    /// answers are `map` times the values that the process predicts.
+    /// Queries whose results follow from one Gaussian process, with the intermediate results for
+    /// their covariances. The results of the queries are `map` times the values that the process
+    /// predicts.
     struct PreparedShare {
-        /// Indices of the queries that the process answers, in the list of all queries.
+        /// Indices, in the list of all queries, of the queries whose results follow from the
+        /// process.
         std::vector<Eigen::Index> queries;
         GaussianProcess::Solved values;
         Eigen::SparseMatrix<double> map;
     };
-    /// Queries with the terms that their covariances need, computed once. `shares` has an entry for
-    /// each Gaussian process, by the observable under which the process is stored.
+    /// Queries with the intermediate results for their covariances, computed once. `shares` has an
+    /// entry for each Gaussian process, by the observable under which the process is stored.
     struct PreparedQueries {
         Eigen::Index count = 0;
         std::map<dem::Observable, PreparedShare> shares;
     };
-    /// Computes the terms that the covariances of the answers to queries need.
-    /// @throws std::invalid_argument for an observable of which no training run has a value, and
-    ///         for an observable of liquid bridges at a dry state
+    /// Computes the intermediate results from which the covariances of the results of queries
+    /// follow.
+    /// @throws std::invalid_argument if no training run has a value of a queried observable, or if
+    ///         the observable describes liquid bridges but the state is dry
     PreparedQueries prepare(const std::vector<Query>& queries) const;
-    /// Covariance of the errors of the answers to `queries`, a row and a column for each query.
+    /// Covariance of the errors of the predicted results of `queries`, a row and a column for each
+    /// query.
     Eigen::MatrixXd covariance(const PreparedQueries& queries) const;
-    /// Covariance of the errors of the answers to the queries `a` (rows) with those of the answers
-    /// to the queries `b` (columns).
+    /// Covariance of the errors of the predicted results of the queries `a` (rows) with those of
+    /// the queries `b` (columns).
     Eigen::MatrixXd covariance(const PreparedQueries& a, const PreparedQueries& b) const;
 
     /// All usable runs that were given. Runs with effects on grains, or of another stiffness
@@ -81,14 +85,15 @@ class PlainEmulator {
     /// Stiffness number of the runs that train the Gaussian processes, within a factor 2 [1].
     double stiffness_number() const { return stiffness_number_; }
     /// Whether any of `runs` can train the process of an observable. Such a run has no effects on
-    /// grains and a value of the observable; its stiffness number is within a factor 2 of
-    /// `emulated::reference_stiffness` or, if no run without effects is, of that of the first run
-    /// without effects.
+    /// grains and has a value of the observable. Its stiffness number is within a factor 2 of
+    /// `emulated::reference_stiffness` or, if this holds for no run without effects, of the
+    /// stiffness number of the first run without effects.
     static bool known(const std::vector<dem::RunResult>& runs, dem::Observable which);
-    /// Fits the hyperparameters (amplitudes and lengths of its Gaussian processes) of one
-    /// observable to the runs without effects of about the given stiffness number [1] or, if there
-    /// are none, of about that of the first run without effects (`fit_hyperparameters`).
-    /// @throws std::invalid_argument where none of these runs has a value of the observable
+    /// Fits the hyperparameters (amplitudes and lengths of its Gaussian process) of one observable
+    /// to runs without effects (`fit_hyperparameters`). These are the runs whose stiffness number
+    /// is about `stiffness_number` [1] or, if there are no such runs, about that of the first run
+    /// without effects.
+    /// @throws std::invalid_argument if none of these runs has a value of the observable
     static Hyperparameters learn(const std::vector<dem::RunResult>& runs, dem::Observable which,
                                  double stiffness_number = emulated::reference_stiffness);
 
@@ -97,7 +102,7 @@ class PlainEmulator {
     /// observable; missing ones are fitted at the first call.
     Hyperparameters hyperparameters_of(dem::Observable which) const;
     /// Returns the Gaussian process that predicts an observable, trained at the first call.
-    /// @throws std::invalid_argument where no training run has a value of the observable
+    /// @throws std::invalid_argument if no training run has a value of the observable
     const GaussianProcess& process_of(dem::Observable which) const;
     /// Trains the Gaussian process that predicts an observable on all usable runs without effects.
     std::unique_ptr<const GaussianProcess> trained(dem::Observable which) const;

@@ -12,13 +12,13 @@ namespace pendular {
 /// inertial number), 1/P* (P*: reduced pressure) or V0/a^3 (V0: bridge volume, a: grain diameter).
 enum class Input { friction, log_inertial_number, inverse_pressure, bridge_volume };
 
-/// Question to the emulator: the value of an observable at a state of steady shear, or its
+/// Request to the emulator: for the value of an observable at a state of steady shear, or for its
 /// derivative with respect to one variable.
 struct Query {
     FlowState state;
     dem::Observable which = dem::Observable::stress_ratio;
-    /// Variable by which the observable is differentiated; empty: the query is for the value of the
-    /// observable.
+    /// Variable with respect to which the observable is differentiated; empty: the value of the
+    /// observable is requested.
     std::optional<Input> by = {};
 };
 

@@ -39,9 +39,9 @@ class LearningModel {
     /// Model trained on all runs simulated so far.
     virtual const Model& model() const = 0;
     /// Simulates more states of steady shear and trains the model on the runs.
-    /// @param parameters result of the last fit or, before any fit, its starting values; the new
-    ///        runs serve predictions there
-    /// @param excess variance that the noise of the runs causes in the fit, over the largest
+    /// @param parameters parameter values at which the new runs are to improve predictions: the
+    ///        result of the last fit or, before any fit, its starting values
+    /// @param excess variance that the noise of the runs causes in the fit, divided by the largest
     ///        acceptable variance [1]; above 1, the number of runs should grow by about this factor
     virtual void improve(const Eigen::VectorXd& parameters, double excess) = 0;
     /// Whether the simulation runs of the last call of `improve` agree with the predictions that
@@ -54,11 +54,12 @@ class LearningModel {
 /// Calibrates a model in rounds and returns the fit of the last round. Each round simulates states
 /// near the last fit, trains the model on the runs and fits its parameters again. The rounds end
 /// when the parameters no longer change, the runs confirm the model and their noise enlarges no
-/// standard error by more than `CalibrationOptions::largest_enlargement`, or when the time for
-/// simulations has ended. `Fit::converged` is false if a parameter is undetermined, and if more
-/// than one round was allowed but the last one fulfilled none of these conditions.
+/// standard error by more than `CalibrationOptions::largest_enlargement`. They also end when the
+/// time for simulations has ended or, after `CalibrationOptions::fewest_rounds`, when a fit does
+/// not converge. `Fit::converged` is false if a parameter is undetermined, and if more than one
+/// round was allowed but the last one fulfilled none of these conditions.
 /// @param report called after each round; may be empty
-/// @throws std::logic_error where the covariance of the readings is not positive definite
+/// @throws std::logic_error if the covariance of the readings is not positive definite
 Fit calibrate(LearningModel& learning, const Measured& measured, const CalibrationOptions& options,
               const CalibrationReport& report = {});
 

@@ -24,15 +24,15 @@ struct CalibrationRequest {
     bool profile = false;
     /// Criteria that end the rounds of simulations and fits.
     CalibrationOptions options = {};
-    /// Time limit of the simulations. The first simulations of a calibration without earlier runs
-    /// are not limited.
+    /// Time limit of all simulations of the calibration. If it ends during the first simulations,
+    /// those that are finished by then are used.
     RunBudget budget = {};
     /// Options for the straight lines of stress ratio against 1/P* that are fitted to wet readings
     /// (P*: reduced pressure).
     CohesionOptions cohesion = {};
-    /// Earlier runs, on which the emulator is trained at the beginning. If there are none and
-    /// `KnownRuns::orders_more` is true, dry runs spread over friction and inertial number are
-    /// simulated first.
+    /// Earlier runs, on which the emulator is trained at the beginning. If there are no earlier
+    /// runs and `KnownRuns::orders_more` is true, dry runs spread over friction and inertial number
+    /// are simulated first.
     KnownRuns known = {};
     /// Function that is called before a further stage of simulations, with the name of the stage:
     /// "wet readings".
@@ -44,10 +44,10 @@ struct CalibrationRequest {
 /// study.toml, the dry readings are fitted and the wet readings predicted, unless an effect needs a
 /// joint fit (`needs_joint_fit`). With fit_to = "all", all readings are fitted.
 /// @param report called after each round of simulations and fit; may be empty
-/// @throws InputError where there is no reading to fit, a reading cannot be simulated
+/// @throws InputError if the study has no reading to fit, a reading cannot be simulated
 ///         (`check_range`), or the study lists effects on grains and there are no earlier runs
-/// @throws std::invalid_argument where no earlier run can serve as a training run
-/// @throws dem::SimulationError where none of the first dry or none of the first wet runs succeeds
+/// @throws std::invalid_argument if none of the earlier runs can serve as a training run
+/// @throws dem::SimulationError if all of the first dry runs or all of the first wet runs fail
 Calibration calibrate_study(const ResolvedStudy& study, const Measurements& measurements,
                             const CalibrationRequest& request, const Workers& workers,
                             const CalibrationReport& report = {});
@@ -59,9 +59,9 @@ Calibration calibrate_study(const ResolvedStudy& study, const Measurements& meas
 void check_range(const std::vector<Reading>& readings, const Study& study,
                  const Fidelity& fidelity);
 
-/// Returns the number of readings that a calibration of the study fits: all readings where fit_to =
-/// "all" or a listed effect needs a joint fit of dry and wet readings (`needs_joint_fit`), else the
-/// dry readings, which come first.
+/// Returns the number of readings that a calibration of the study fits. It fits all readings if
+/// fit_to = "all" or a listed effect needs a joint fit of dry and wet readings (`needs_joint_fit`),
+/// else the dry readings only.
 /// @param readings readings of the study, dry readings first
 std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>& readings);
 
@@ -71,10 +71,10 @@ ResolvedStudy fitting_all(const ResolvedStudy& study);
 /// Predicts shear stress [Pa] and solid fraction [1] at conditions that a calibration did not fit,
 /// at its fitted parameters, for each condition in turn. The covariance includes the error of the
 /// fit: it is the model's covariance plus J C J', with the covariance C of the parameters and the
-/// derivatives J of the predictions. It is corrected for errors of the model that predictions and
-/// fitted readings share (corrections, common runs), since the fit has already compensated for
-/// them. Without shared errors and with a linear model, the chi2 of fitted and of predicted
-/// readings add up to the chi2 of a joint fit.
+/// derivatives J of the predictions with respect to the parameters. The covariance is corrected for
+/// errors of the model that predictions and fitted readings share (corrections, common runs), since
+/// the fit has already compensated for these errors. Without shared errors and with a linear model,
+/// the chi2 of fitted and of predicted readings add up to the chi2 of a joint fit.
 Prediction predict_unseen(const Predictor& model, const Calibration& calibration,
                           const std::vector<Condition>& conditions);
 

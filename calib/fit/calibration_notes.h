@@ -12,7 +12,9 @@ namespace pendular {
 /// Returns sentences for the user that qualify the result of a calibration. They name readings
 /// whose predictions the runs do not support, errors dominated by simulation, wet readings at
 /// reduced pressures so low that the grains may shear in bands, and parameters at a bound or
-/// undetermined; the notes of `planner` are included.
+/// undetermined. The notes of `planner` are included.
+/// @param wet_known whether the errors of the predicted wet readings are small compared with the
+///        errors of these readings
 std::vector<std::string> notes_on(const Calibration& calibration, const ResolvedStudy& study,
                                   const RunPlanner& planner, bool wet_known);
 

@@ -31,7 +31,7 @@ struct Overestimate {
 struct CohesionLine {
     /// Stress ratios to which the line is fitted: "measured" or "simulated" ones.
     std::string source;
-    /// Liquid content (liquid volume over grain volume) [1], mean of the points.
+    /// Liquid content (liquid volume divided by grain volume) [1], mean of the points.
     double liquid_content = 0;
     /// Inertial number I [1], mean of the points; 0: the quasi-static limit.
     double inertial_number = 0;
@@ -56,8 +56,9 @@ struct CohesionLine {
     std::vector<Overestimate> below;
 };
 
-/// Returns the stress ratio, shear stress over normal stress [1], of a cohesion line at a reduced
-/// pressure [1].
+/// Returns the stress ratio (shear stress divided by normal stress) [1] of a cohesion line
+/// (straight line of stress ratio against 1/P*) at the reduced pressure P* = `reduced_pressure`
+/// [1].
 double stress_ratio(const CohesionLine& line, double reduced_pressure);
 
 /// Options for the fit of cohesion lines: straight lines of stress ratio against 1/P* (P*: reduced
@@ -73,13 +74,13 @@ struct CohesionOptions {
 };
 
 /// Checks the options for the fit of cohesion lines (straight lines of stress ratio against 1/P*).
-/// @throws InputError where the lowest reduced pressure is not positive and finite
+/// @throws InputError if the lowest reduced pressure is not positive and finite
 void check_options(const CohesionOptions& options);
 
 /// Fits a straight line of the measured stress ratio against 1/P* (P*: reduced pressure) to each
 /// group of wet readings of steady shear (`wet_groups`). The lines are in the order of the groups.
-/// A group without two values of P* at or above the limit of `options` that are 2 % apart has no
-/// line.
+/// A group has a line only if, among its reduced pressures at or above the limit of `options`, two
+/// are at least 2 % apart.
 /// @param notes receives sentences for the user on groups without a line and on readings that a
 ///        line leaves out
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
@@ -91,9 +92,9 @@ std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
 /// group of wet readings of steady shear (`wet_groups`), with the rules for measured lines. The
 /// points are weighted by the covariance of the measured readings; the standard errors of the lines
 /// follow from the full covariance of the predictions. Weights by the covariance of the predictions
-/// would mislead: where errors are nearly common to all points, small differences between the
-/// points determine the line, and simulated stress ratios are not exactly linear in 1/P*. chi2
-/// shows whether the errors of the readings are small enough to reveal this curvature.
+/// would mislead: if errors are nearly common to all points, small differences between the points
+/// determine the line, and simulated stress ratios are not exactly linear in 1/P*. A large chi2
+/// means that the errors of the readings are small enough to reveal this curvature.
 /// @param predicted predictions of all `readings`, with their covariance
 /// @param notes receives sentences for the user on groups without a line and on readings that a
 ///        line leaves out

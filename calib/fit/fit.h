@@ -38,8 +38,9 @@ struct Fit {
     Eigen::MatrixXd widening;
     /// Part of the parameters' `covariance` that comes from errors of measurement.
     Eigen::MatrixXd measurement_part;
-    /// Part of `covariance` from the noise of the simulation runs. The rest of `covariance`,
-    /// besides this part and `measurement_part`, comes from corrections of the simulation.
+    /// Part of `covariance` that comes from the noise of the simulation runs. The part of
+    /// `covariance` beyond `measurement_part` and `run_part` comes from errors of corrections of
+    /// the simulation.
     Eigen::MatrixXd run_part;
     double chi2 = 0;  ///< minimum of chi2, the sum of squared whitened residuals [1]
     /// Degrees of freedom of the fit: number of measured values minus number of parameters.
@@ -52,15 +53,15 @@ struct Fit {
     /// How the fit ended, in the words of the solver Ceres or of this program.
     std::string message;
 
-    /// Standard error of the parameter with index `k`, in its unit, widened where few replicates
-    /// determine the scatter of the readings.
+    /// Standard error of the parameter with index `k`, in its unit. It is widened (`widening`) if
+    /// few replicates (repeated readings) determine the scatter of the readings.
     double standard_error(Eigen::Index k) const;
-    /// Standard errors of all parameters, each in its unit, widened where few replicates determine
-    /// the scatter of the readings.
+    /// Standard errors of all parameters, each in its unit. They are widened (`widening`) if few
+    /// replicates (repeated readings) determine the scatter of the readings.
     Eigen::VectorXd standard_errors() const;
     /// Part of the standard error of the parameter with index `k` that comes from errors of
-    /// measurement, in its unit, widened where few replicates determine the scatter of the
-    /// readings.
+    /// measurement, in its unit. It is widened (`widening`) if few replicates (repeated readings)
+    /// determine the scatter of the readings.
     double measurement_error(Eigen::Index k) const;
     /// Part of the standard error of the parameter with index `k` that comes from the simulation
     /// (noise of the runs and errors of corrections), in its unit.
@@ -77,8 +78,8 @@ struct FitEffort {
     /// The fit has converged when the last step of the parameters, in standard errors, is at most
     /// this number times sqrt(chi2) [1].
     double settled = 1e-10;
-    /// Whether to repeat the search from the same start with other settings of the solver if a
-    /// parameter stays undetermined.
+    /// Whether to repeat the search from the same start with other settings of the solver if the
+    /// search leaves a parameter undetermined.
     bool elsewhere = true;
 };
 
@@ -90,33 +91,35 @@ struct FitEffort {
 /// If a search does not determine a parameter within its range, further searches with other
 /// settings begin at the same start, and the lowest minimum is returned.
 /// @param start starting values, in the order and units of the parameters
-/// @throws std::logic_error where the sum of both covariances is not positive definite
-/// @throws std::domain_error where the readings are impossible at `start`
+/// @throws std::logic_error if the sum of both covariances is not positive definite
+/// @throws std::domain_error if the readings are impossible at `start`: no true state of the cell
+///         gives the condition that the instrument shows
 Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start,
         const FitEffort& effort = {});
 
 /// Returns the parameters of the model, in their units, that minimise chi2 = r'r with r = L^-1 (y -
-/// f(theta)): measured values y, predictions f at parameters theta, and L L' = `covariance`. Costs
-/// less than `fit` where no errors are needed.
+/// f(theta)): measured values y, predictions f at parameters theta, and L L' = `covariance`. Faster
+/// than `fit`, but does not compute errors of the parameters.
 /// @param covariance covariance of measured minus predicted values, in the squared units of the
 ///        values
 /// @param start starting values, in the order and units of the parameters
-/// @throws std::logic_error where `covariance` is not positive definite
+/// @throws std::logic_error if `covariance` is not positive definite
 Eigen::VectorXd best_parameters(const Model& model, const Measured& measured,
                                 const Eigen::MatrixXd& covariance, const Eigen::VectorXd& start,
                                 const FitEffort& effort);
 
 /// Profile-likelihood interval of one parameter, in its unit: the values at which chi2, minimised
 /// over all other parameters, exceeds its minimum by at most `rise` [1]; 1 gives the 68 % interval.
-/// The interval ends at the end of the parameter's range or of the range that simulation supports,
-/// if it would reach beyond.
+/// The interval is cut off at the end of the parameter's range and at the end of the range that
+/// simulation supports.
 /// @param best fit of the model, whose covariance of the predictions is used
 /// @param which index of the parameter
 std::pair<double, double> profile_interval(const Model& model, const Measured& measured,
                                            const Fit& best, Eigen::Index which, double rise = 1);
 /// Profile likelihood of one parameter: for each of `values` [unit of the parameter], the rise of
-/// chi2 above its minimum [1] where the parameter has this value and all other parameters minimise
-/// chi2 within their ranges. Infinite where the readings are impossible.
+/// chi2 above its minimum [1] when the parameter has this value and all other parameters minimise
+/// chi2 within their ranges. The rise is infinite if no true state of the cell gives the conditions
+/// that the instrument shows.
 /// @param best fit of the model, whose covariance of the predictions is used
 /// @param which index of the parameter
 Eigen::VectorXd profile_rise(const Model& model, const Measured& measured, const Fit& best,

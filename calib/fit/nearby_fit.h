@@ -14,9 +14,10 @@ namespace pendular {
 /// @param start starting values, in the order and units of the parameters
 /// @param simulation covariance of the simulation errors in the first fit, such as that of a model
 ///        with fewer effects; null: that of the model at `start`
-/// @throws std::logic_error where the covariance of measurement and simulation is not positive
-///         definite
-/// @throws std::domain_error where the readings are impossible at `start`
+/// @throws std::logic_error if the sum of the covariances of measurement and simulation is not
+///         positive definite
+/// @throws std::domain_error if the readings are impossible at `start`: no true state of the cell
+///         gives the condition that the instrument shows
 Fit nearby_fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start,
                const Eigen::MatrixXd* simulation = nullptr);
 

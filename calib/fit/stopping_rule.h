@@ -7,13 +7,13 @@
 
 namespace pendular {
 
-/// Largest part [1] by which the noise of the simulation runs may enlarge a standard error before
-/// more runs are worth their time: a standard error is then at most 1.2 times that with an
-/// unlimited number of runs.
+/// Largest relative increase [1] of a standard error by the noise of the simulation runs that is
+/// accepted without more runs. A standard error is then at most 1.2 times that with an unlimited
+/// number of runs.
 constexpr double largest_enlargement = 0.2;
 
-/// Largest enlargement of a standard error by the noise of the simulation runs, over all fitted
-/// parameters and all predicted readings of a fit.
+/// The standard error of a fit that the noise of the simulation runs increases most, among those of
+/// all fitted parameters and all predicted readings, and its relative increase (enlargement).
 struct Enlargement {
     /// Enlargement [1]: ratio of the standard error with the noise of the simulation runs to the
     /// standard error without this noise, minus 1.
@@ -22,26 +22,26 @@ struct Enlargement {
     /// of a predicted reading.
     std::string parameter = {};
 
-    /// Factor by which the variance from the noise of the runs exceeds the variance that enlarges a
-    /// standard error by `largest` [1]:
+    /// Factor by which the variance from the noise of the simulation runs exceeds the variance that
+    /// would enlarge a standard error by the relative amount `largest` [1]:
     ///     excess = ((1 + size)^2 - 1)/((1 + largest)^2 - 1),
-    /// at most 1 where `size` is at most `largest`.
+    /// at most 1 if `size` is at most `largest`.
     double excess(double largest = largest_enlargement) const;
 };
 
-/// Text for messages that names the enlarged error and its enlargement, as in "the error of
-/// friction by 35 %".
+/// Text for messages that names the most enlarged standard error and its enlargement, as in "the
+/// error of friction by 35 %".
 std::string text_of(const Enlargement& enlargement);
 
-/// Enlargement of a standard error by the noise of the runs [1]: sqrt(1 + noise/rest) - 1, at most
-/// 100.
+/// Relative increase (enlargement) of a standard error by the noise of the simulation runs [1]:
+/// sqrt(1 + noise/rest) - 1, at most 100.
 /// @param noise variance that the noise of the runs causes
 /// @param rest variance of all other errors, in the unit of `noise`
 double enlargement(double noise, double rest);
 
-/// Largest enlargement of a standard error of a fit by the noise of the simulation runs. The
-/// standard error of a predicted reading includes the error of the measurement, since noise far
-/// below the errors of the readings changes no conclusion.
+/// Finds which standard error of a fit the noise of the simulation runs increases most, and by how
+/// much. The standard error of a predicted reading includes the error of the measurement, since
+/// noise far below the errors of the readings changes no conclusion.
 /// @param parameters parameters of the fitted model, in the order of Fit::parameters
 Enlargement enlargement_by_runs(const Fit& fit, const Measured& measured,
                                 const std::vector<Parameter>& parameters);

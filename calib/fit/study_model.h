@@ -17,12 +17,13 @@ struct Calibration;
 class StudyModel {
   public:
     /// Assembles the model of a study from its emulated simulation.
-    /// @throws InputError where base = "mohr-coulomb" and the study has no wet reading to which a
+    /// @throws InputError if base = "mohr-coulomb" and the study has no wet reading to which a
     ///         cohesion could be fitted
     StudyModel(const ResolvedStudy& study, std::shared_ptr<const EmulatedSimulation> simulation);
     /// Assembles the model of a finished calibration again, with an emulator trained on the runs of
     /// the calibration.
-    /// @throws std::invalid_argument where no run of the calibration can serve as a training run
+    /// @throws std::invalid_argument if none of the runs of the calibration can serve as a training
+    ///         run
     StudyModel(const ResolvedStudy& study, const Calibration& calibration);
 
     /// Predictor of readings as the instrument shows them, with all effects of the study.
@@ -34,19 +35,19 @@ class StudyModel {
     /// Predictor of readings as an ideal instrument would show them: with all effects of the study
     /// except effects on the instrument.
     const EffectModel& flow() const { return *flow_; }
-    /// Returns the model that predicts `readings` as the instrument shows them, followed by the
-    /// direct measurements of the study.
+    /// Returns the model that predicts `readings` as the instrument shows them and, after the
+    /// readings, the direct measurements of the study.
     ModelOfReadings at(const std::vector<Reading>& readings) const;
-    /// Returns the parameters of flow() from `parameters`, the parameters of model(), which contain
-    /// them.
+    /// Selects the parameters of flow() (the predictor for an ideal instrument) from `parameters`,
+    /// the values of all parameters of model().
     Eigen::VectorXd flow_parameters(const Eigen::VectorXd& parameters) const;
-    /// Returns the conditions imposed on the grains, with grains and liquid as the study's effects
-    /// change them, where an ideal instrument (without effects on the instrument) shows
-    /// `conditions`.
+    /// Returns, for each of `conditions`, the condition imposed on the grains, with grains and
+    /// liquid as the study's effects change them. `conditions` are what an ideal instrument
+    /// (without effects on the instrument) shows.
     /// @param parameters parameters of model()
     std::vector<EffectiveCondition> imposed(const Eigen::VectorXd& parameters,
                                             const std::vector<Condition>& conditions) const;
-    /// Physical effects that the study lists, in its order.
+    /// Physical effects that the study lists, in the order of the study.
     const std::vector<const Effect*>& effects() const { return study_.effects(); }
     /// Direct measurements of effects' parameters that the study states; the model predicts them
     /// after the readings.
@@ -59,8 +60,9 @@ class StudyModel {
 };
 
 /// Checks that a calibration, which may have been read from a file, fits a model: its parameters
-/// are those of `model`, and no value lies further outside its bounds than the bounds are apart.
-/// @throws InputError where the calibration does not fit the model
+/// have the names of the parameters of `model`, and no value lies outside its bounds by more than
+/// the distance between the bounds.
+/// @throws InputError if the calibration does not fit the model
 void check_parameters(const Calibration& calibration, const EffectModel& model);
 
 }  // namespace pendular

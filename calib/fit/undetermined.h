@@ -10,7 +10,7 @@ namespace pendular {
 /// Returns a sentence with advice for each combination of fitted parameters that the readings do
 /// not determine: the standard error along the combination exceeds the range of the parameters. The
 /// combinations are the principal axes of Fit::covariance in units of the parameters' ranges. Empty
-/// where the readings determine all parameters.
+/// if the readings determine all parameters.
 std::vector<std::string> undetermined(const Fit& fit, const std::vector<Parameter>& parameters);
 
 }  // namespace pendular

@@ -12,7 +12,7 @@ namespace pendular {
 struct WetGroup {
     /// Indices of the group's readings in the list of all readings.
     std::vector<std::size_t> members;
-    /// Liquid content (liquid volume over grain volume) [1], mean of the members.
+    /// Liquid content (liquid volume divided by grain volume) [1], mean of the members.
     double liquid_content = 0;
     /// Inertial number I [1], mean of the members; 0: the quasi-static limit.
     double inertial_number = 0;

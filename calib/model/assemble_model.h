@@ -19,16 +19,17 @@ namespace pendular {
 /// @param simulation emulated simulation of the study's grains
 /// @param effects effects of the model, in the order of their parameters; they must outlive the
 ///        model
-/// @throws InputError where the formula has constant cohesions (`closures::Level::mohr_coulomb`)
-///         and the study has no wet reading of steady shear at a reduced pressure of at least 2.3,
-///         to which a cohesion could be fitted
+/// @throws InputError if the formula has constant cohesions (`closures::Level::mohr_coulomb`) but
+///         the study has no wet reading of steady shear at a reduced pressure of at least 2.3, to
+///         which a cohesion could be fitted
 std::shared_ptr<const EffectModel> assemble_model(
     const Study& study, std::shared_ptr<const EmulatedSimulation> simulation,
     const std::vector<const Effect*>& effects);
 
-/// Returns the level of the formula that a model uses for wet grains: the highest, in the order of
-/// `closures::Level`, among that of the study's base model and those of `effects` that replace an
-/// approximation of the formula.
+/// Selects the analytical formula (closure) or the simulation with which a model predicts the
+/// stress ratio of wet grains. `closures::Level` orders the formulas from the simplest to the
+/// simulation. Returns the highest level among that of the study's base model and those of the
+/// effects in `effects` that replace an approximation of the formula.
 closures::Level level_with(const Study& study, const std::vector<const Effect*>& effects);
 
 }  // namespace pendular

@@ -17,7 +17,7 @@ namespace pendular {
 /// (Gaussian processes trained on simulation runs). Its only parameter is the friction coefficient.
 ///
 /// A prediction holds for the stiffness number of the study's grains at the normal stress of the
-/// condition or, where the study states no Young's modulus, for that of the simulation settings
+/// condition or, if the study states no Young's modulus, for that of the simulation settings
 /// (`Fidelity`). The liquid content is converted to a bridge volume by means of the emulated
 /// coordination number.
 class EmulatedSimulation : public FlowPredictor {
@@ -38,20 +38,21 @@ class EmulatedSimulation : public FlowPredictor {
     /// @param friction friction coefficient of the study's grains [1], to which the friction
     ///        difference of the condition is added
     FlowState flow_state_at(double friction, const EffectiveCondition& condition) const;
-    /// Returns the state of steady shear of the study's grains at a condition without the bridge
-    /// volume, which costs time to compute: it is 0.
+    /// Returns the state of steady shear of the study's grains at a condition, with bridge volume
+    /// 0. The bridge volume that the condition's liquid content requires is left out, since it
+    /// takes time to compute.
     /// @param friction friction coefficient of the study's grains [1], to which the friction
     ///        difference of the condition is added
     FlowState unfilled_state_at(double friction, const EffectiveCondition& condition) const;
     /// Converts emulated numbers to the shear stress [Pa] and solid fraction [1] of a reading at
     /// `condition`. The solid fraction is changed from rigid grains to grains of the study's
     /// stiffness.
-    /// @param flow stress ratio, solid fraction of rigid grains, and mean overlap over grain
+    /// @param flow stress ratio, solid fraction of rigid grains, and mean overlap divided by grain
     ///        diameter [1]
     Eigen::Vector2d reading_of(const Eigen::Vector3d& flow,
                                const EffectiveCondition& condition) const;
-    /// Returns the wet state `state` with the bridge volume that gives a liquid content, the volume
-    /// of liquid over the volume of grains [1].
+    /// Returns the wet state `state` with the bridge volume at which the grains have the liquid
+    /// content `liquid_content`, the volume of liquid divided by the volume of grains [1].
     FlowState filled(const FlowState& state, double liquid_content) const;
     /// Effective coordination number Z* = Z_c + Z_d F_d/F0 at a wet condition [1], with its
     /// derivative with respect to the friction coefficient at constant liquid content. Z_c and Z_d:
@@ -66,15 +67,15 @@ class EmulatedSimulation : public FlowPredictor {
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse approximate_coordination(double friction,
                                                const EffectiveCondition& condition) const;
-    /// Normal stress of the capillary forces at a wet condition over F0/a^2 [1], negative, with its
-    /// derivative with respect to the friction coefficient at constant liquid content. F0: pull-off
-    /// force of a bridge; a: grain diameter.
+    /// Normal stress of the capillary forces at a wet condition, divided by F0/a^2 [1] (negative),
+    /// with its derivative with respect to the friction coefficient at constant liquid content. F0:
+    /// pull-off force of a bridge; a: grain diameter.
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse capillary_normal_stress(double friction,
                                               const EffectiveCondition& condition) const;
-    /// Shear stress of the capillary forces at a wet condition over F0/a^2 [1], with its derivative
-    /// with respect to the friction coefficient at constant liquid content. F0: pull-off force of a
-    /// bridge; a: grain diameter.
+    /// Shear stress of the capillary forces at a wet condition, divided by F0/a^2 [1], with its
+    /// derivative with respect to the friction coefficient at constant liquid content. F0: pull-off
+    /// force of a bridge; a: grain diameter.
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse capillary_shear_stress(double friction,
                                              const EffectiveCondition& condition) const;
@@ -99,18 +100,19 @@ class EmulatedSimulation : public FlowPredictor {
     /// with respect to the friction coefficient and the covariance of the errors.
     Prediction predict_all(const std::vector<FlowState>& states,
                            const std::vector<EffectiveCondition>& conditions) const;
-    /// Share [1] of the rigidity shift (difference of solid fraction between rigid grains and
-    /// grains of stiffness number `emulated::reference_stiffness`) that is missing in the study's
-    /// grains at a condition, because they are stiffer. Negative for softer grains.
+    /// Difference of solid fraction between the study's grains at a condition and grains of the
+    /// stiffness number `emulated::reference_stiffness`, divided by the same difference for rigid
+    /// grains [1]. It is 1 for rigid grains and negative for grains that are softer than the
+    /// reference.
     double stiffness_left(const EffectiveCondition& condition) const;
-    /// Emulated capillary stress at a wet condition, converted from units of the normal stress to
-    /// units of F0/a^2 [1], with its derivative with respect to the friction coefficient at
-    /// constant liquid content. F0: pull-off force of a bridge; a: grain diameter.
-    /// @param which observable: a capillary stress over the normal stress
+    /// Emulated capillary stress at a wet condition, converted to units of F0/a^2 [1], with its
+    /// derivative with respect to the friction coefficient at constant liquid content. F0: pull-off
+    /// force of a bridge; a: grain diameter.
+    /// @param which observable: a capillary stress divided by the normal stress
     StructureResponse capillary_stress(dem::Observable which, double friction,
                                        const EffectiveCondition& condition) const;
-    /// Converts the derivative of a quantity with respect to the friction coefficient at the wet
-    /// state `state` from constant bridge volume to constant liquid content.
+    /// Converts a derivative with respect to the friction coefficient, at the wet state `state`,
+    /// from constant bridge volume to constant liquid content.
     StructureResponse at_constant_content(StructureResponse response, const FlowState& state) const;
 
     Study study_;
@@ -118,7 +120,7 @@ class EmulatedSimulation : public FlowPredictor {
     Emulator emulator_;
     std::vector<Parameter> parameters_{{.name = "friction", .lower = 0, .upper = 1, .start = 0.15}};
 
-    /// State of steady shear of grains that hold a liquid content (liquid volume over grain
+    /// State of steady shear of grains that hold a liquid content (liquid volume divided by grain
     /// volume) [1], with the volume of their bridges. States are cached, since derivatives and
     /// covariances need each state again.
     struct Filled {

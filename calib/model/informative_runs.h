@@ -9,9 +9,9 @@
 
 namespace pendular {
 
-/// Whether two states of steady shear are so similar that one simulation run serves both: they have
-/// the same effects on grains and agree within 5 % in friction, inertial number, reduced pressure,
-/// bridge volume and the sizes of the effects. Stiffness numbers are not compared.
+/// Whether two states of steady shear are so similar that one simulation run can represent both:
+/// they have the same effects on grains and agree within 5 % in friction, inertial number, reduced
+/// pressure, bridge volume and the sizes of the effects. Stiffness numbers are not compared.
 bool near(const FlowState& a, const FlowState& b);
 
 /// Task for `most_informative`: the predictions to improve, and the states at which runs may be
@@ -25,7 +25,8 @@ struct RunChoice {
     Eigen::VectorXd weights;
     /// States of steady shear at which new runs may be made.
     std::vector<FlowState> from;
-    /// Factor by which the root of the sum of squares of the weighted variances is to decrease [1].
+    /// Factor by which new runs should reduce the root of the sum of squares of the weighted
+    /// variances [1].
     double factor = 1;
     /// Smallest and largest number of new runs that `most_informative` chooses.
     std::size_t fewest = 4, most = 16;

@@ -28,8 +28,8 @@ enum class PredictionPart { values, slopes, covariance };
 
 /// Prediction of n readings and m direct measurements (of parameters, without shearing grains),
 /// with its errors. Entries 2 k and 2 k + 1 of `value` are the shear stress magnitude [Pa] and the
-/// solid fraction [1] of reading k; the last m entries are the direct measurements, each in its
-/// unit. Parts that were not requested are empty.
+/// solid fraction [1] of reading k (k = 0, 1, ...); the last m entries are the direct measurements,
+/// each in its unit. Parts that were not requested are empty.
 struct Prediction {
     /// Predicted values: 2 n entries for the readings, then m entries for the direct measurements.
     Eigen::VectorXd value;
@@ -45,14 +45,14 @@ struct Prediction {
     Eigen::MatrixXd run_noise;
 };
 
-/// Returns the index in `parameters` of the parameter that the direct measurement `direct`
-/// measures; empty where the model has no such parameter.
+/// Returns the index, in `parameters`, of the parameter whose value the direct measurement `direct`
+/// gives; empty if the model has no such parameter.
 std::optional<Eigen::Index> place_of(const DirectMeasurement& direct,
                                      const std::vector<Parameter>& parameters);
 
 /// Returns the value that a model predicts for the direct measurement of a parameter, in the unit
-/// of the parameter: its entry in `values` or, where the model lacks the parameter, the neutral
-/// value, at which the effect vanishes.
+/// of the parameter. This is the parameter's entry in `values` or, if the model lacks the
+/// parameter, the neutral value, at which the effect vanishes.
 /// @param parameters parameters of the model
 /// @param values values of these parameters, in their order
 double predicted_value(const DirectMeasurement& direct, const std::vector<Parameter>& parameters,

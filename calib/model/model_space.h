@@ -17,13 +17,14 @@ struct Candidate {
     std::vector<EffectParameter> parameters;
     /// Group to which the candidate belongs in tables, such as "instrument"; may be empty.
     std::string group = {};
-    /// Level of the candidate on a ladder of models. A candidate contains all candidates of lower
-    /// levels above 0; a candidate of level 0 is on no ladder.
+    /// Rank of the candidate in a sequence of candidates each of which includes all before it, such
+    /// as ever better formulas for the strength of wet grains. The first rank is 1; 0: the
+    /// candidate belongs to no such sequence.
     int level = 0;
 
     /// Whether the candidate is a switch: it is present or absent and has no parameter to fit.
     bool is_switch() const;
-    /// Number of parameters that the candidate adds to a fit; 0 for a switch.
+    /// Number of parameters that the candidate adds to a fit; 0 for a switch (present or absent).
     std::size_t free_parameters() const;
 };
 
@@ -38,25 +39,27 @@ class ModelSpace {
   public:
     virtual ~ModelSpace() = default;
 
-    /// All candidates for addition to the bare model.
+    /// All possible additions to the bare model, such as physical effects.
     virtual const std::vector<Candidate>& candidates() const = 0;
 
-    /// Returns the bare model with the candidates `chosen` added. The parameters of the returned
-    /// model are those of the bare model, then those of the chosen candidates; switches have none.
+    /// Returns the bare model with the candidates (possible additions) `chosen` added. The
+    /// parameters of the returned model are those of the bare model, then those of the chosen
+    /// candidates; a switch (present or absent) has none.
     virtual std::shared_ptr<const Model> with(const EffectSet& chosen) const = 0;
 
     /// Number of values that were fitted to the readings before the fit of the model, such as
-    /// constant cohesions. They are no parameters of the model, but each takes a degree of freedom.
+    /// constant cohesions. These values are no parameters of the model, but each takes a degree of
+    /// freedom.
     virtual int fitted_beforehand() const { return 0; }
 
-    /// Covariances of the simulation errors of the change g = f(with) - f(without) of n predicted
-    /// values f when a candidate is added to a model; n x n each, in the squared units of the
-    /// values; empty where the errors are negligible.
+    /// Covariances of the simulation errors of the change g = f(with) - f(without), which is how n
+    /// predicted values f change when a candidate is added to a model. Each is n x n, in the
+    /// squared units of the values, and empty if the errors are negligible.
     struct ChangeErrors {
         /// Cov(g, g): covariance of the errors of the change g of the predicted values.
         Eigen::MatrixXd change;
-        /// Cov(f(without), g), covariance of the errors of the predictions before the change with
-        /// those of the change.
+        /// Cov(f(without), g): covariance of the errors of the predictions without the candidate
+        /// with the errors of the change g.
         Eigen::MatrixXd with_without;
     };
     /// Returns the covariances of the simulation errors of the change of predictions when the

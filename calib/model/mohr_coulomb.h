@@ -15,19 +15,19 @@ namespace pendular {
 /// Source: Badetti et al. (2018), who find that the line is too high at lower P*.
 constexpr double lowest_cohesion_pressure = 2.3;
 
-/// Measured strengths (stress ratios) of wet readings of one liquid content, to which a constant
-/// cohesion is fitted.
+/// Measured strengths (stress ratios) of wet readings of about one liquid content, to which a
+/// constant cohesion is fitted.
 struct CohesionGroup {
-    /// Liquid content (liquid volume over grain volume) [1], mean of the strengths.
+    /// Liquid content (liquid volume divided by grain volume) [1], mean of the strengths.
     double liquid_content = 0;
     /// Measured stress ratios of the group's readings at reduced pressures P* >=
     /// `lowest_cohesion_pressure`.
     std::vector<MeasuredStrength> strengths;
 };
 
-/// Groups the wet readings' strengths (`ModelSettings::strengths`) at reduced pressures P* >=
-/// `lowest_cohesion_pressure` by liquid content, in increasing liquid content. Liquid contents of a
-/// group agree within 2 %. Empty if there is no liquid.
+/// Groups the strengths (stress ratios) of wet readings, `ModelSettings::strengths`, at reduced
+/// pressures P* >= `lowest_cohesion_pressure` by liquid content, in increasing liquid content.
+/// Liquid contents of a group agree within 2 %. Empty if the study has no liquid.
 std::vector<CohesionGroup> cohesion_groups(const ModelSettings& model,
                                            const GrainProperties& grains,
                                            const std::optional<Liquid>& liquid);
@@ -48,7 +48,7 @@ std::vector<CohesionGroup> cohesion_groups(const ModelSettings& model,
 class MohrCoulombModel : public FlowPredictor {
   public:
     /// @param study study with the measured strengths of its wet readings (`with_strengths`)
-    /// @throws InputError where the study has no strength at P* >= `lowest_cohesion_pressure`
+    /// @throws InputError if the study has no strength at P* >= `lowest_cohesion_pressure`
     MohrCoulombModel(std::shared_ptr<const EmulatedSimulation> simulation, const Study& study);
 
     const std::vector<Parameter>& parameters() const override { return simulation_->parameters(); }
@@ -83,15 +83,15 @@ class MohrCoulombModel : public FlowPredictor {
     std::vector<Line> lines_;
 };
 
-/// Number of constant cohesions that a study's model fits to the strengths of wet readings: one for
-/// each liquid content of base model "mohr-coulomb", 0 for other base models and where an effect
-/// replaces the cohesions by another formula.
+/// Number of constant cohesions that a study's model fits to the strengths (stress ratios) of wet
+/// readings. It is one for each liquid content with base model "mohr-coulomb", and 0 for other base
+/// models or if an effect replaces the cohesions by another formula.
 int fitted_cohesions(const ModelSettings& model, const GrainProperties& grains,
                      const std::optional<Liquid>& liquid);
 
-/// Returns the study with the strengths (stress ratios with standard errors) of its wet readings of
-/// steady shear in its model settings. Returns the study unchanged unless its base model is
-/// "mohr-coulomb".
+/// Returns `study` with the strengths (stress ratios with standard errors) of those `readings` that
+/// are wet and of steady shear added to its model settings. Returns it unchanged unless its base
+/// model is "mohr-coulomb".
 Study with_strengths(Study study, const std::vector<Reading>& readings);
 
 }  // namespace pendular

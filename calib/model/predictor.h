@@ -20,7 +20,8 @@ class Predictor {
     virtual const std::vector<Parameter>& parameters() const = 0;
 
     /// Predicts the shear stress [Pa] and solid fraction [1] that the instrument shows at each
-    /// condition: entries 2 k and 2 k + 1 of the predicted values belong to condition k.
+    /// condition. Entry 2 k of the predicted values is the shear stress at condition k, entry 2 k +
+    /// 1 the solid fraction (k = 0, 1, ...).
     /// @param parameters values of the parameters, in the order of parameters()
     /// @param what parts to compute: values, derivatives or covariances
     virtual Prediction predict(const Eigen::VectorXd& parameters,
@@ -69,15 +70,16 @@ class FlowPredictor : public Predictor {
     virtual Prediction predict_flow(const Eigen::VectorXd& parameters,
                                     const std::vector<EffectiveCondition>& conditions,
                                     PredictionPart what = PredictionPart::covariance) const = 0;
-    /// Prepares fast predictions near `parameters` and `conditions` for difference quotients. The
-    /// predictor must outlive the result. By default, the result calls `predict_flow`.
+    /// Prepares fast predictions near the values `parameters` and near `conditions`, for difference
+    /// quotients. The predictor must outlive the returned object. By default, this object calls
+    /// `predict_flow`.
     virtual std::unique_ptr<const FlowNeighbourhood> neighbourhood(
         const Eigen::VectorXd& parameters, const std::vector<EffectiveCondition>& conditions) const;
 };
 
 /// Returns the prediction `readings` with an entry appended for each direct measurement: the value
-/// of the measured parameter among `values`, or the neutral value where the model lacks the
-/// parameter. The appended entries have no simulation error.
+/// of the measured parameter among `values`, or, if the model lacks the parameter, its neutral
+/// value (no effect). The appended entries have no simulation error.
 /// @param parameters parameters of the model
 /// @param values values of these parameters, in their order
 Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>& direct,

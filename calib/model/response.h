@@ -9,15 +9,16 @@ namespace pendular {
 /// Second-order expansion of N predicted values f in the p parameters of a model, about theta:
 ///     f(theta + d) = value + sum_i first_i d_i + sum_(i <= j) second_ij d_i d_j.
 struct Response {
-    /// Parameter values theta of the expansion, in the units of the parameters.
+    /// Parameter values theta about which the model is expanded, in the units of the parameters.
     Eigen::VectorXd at;
     /// Values that the model predicts at the parameters theta, N entries.
     Eigen::VectorXd value;
     /// Derivatives of the predicted values with respect to the parameters at theta: a row for each
     /// of the N values, a column for each of the p parameters.
     Eigen::MatrixXd first;
-    /// Coefficients second_ij of the products d_i d_j: a row for each of the N values, and p (p +
-    /// 1)/2 columns in the order of `products`.
+    /// Coefficients of the second-order terms: of the products d_i d_j of the changes d of the
+    /// parameters. A row for each of the N values, and p (p + 1)/2 columns in the order of
+    /// `products`.
     Eigen::MatrixXd second;
 
     /// Returns the expanded values at theta + `change`, N entries. `change` has the units of the
@@ -30,8 +31,9 @@ struct Response {
 Eigen::VectorXd products(const Eigen::VectorXd& change);
 
 /// Returns the second-order expansion of a model's predictions about `parameters`. The second
-/// derivatives are differences of the model's first derivatives over `steps`; a step that would
-/// leave the parameter's range goes the other way and ends at the lower end of the range at most.
+/// derivatives are difference quotients of the model's first derivatives. A step beyond the upper
+/// end of a parameter's range is taken downwards instead, at most to the lower end.
+/// @param steps step of each parameter for the difference quotients [its unit]
 Response respond(const Model& model, const Eigen::VectorXd& parameters,
                  const Eigen::VectorXd& steps);
 

@@ -43,7 +43,7 @@ class RunBudget {
     /// Carries out runs (`run_all`) until they are finished or the budget, minus the time
     /// `reserved` for other work [s], ends. Returns the results in the order of `runs`; if the
     /// budget ends first, only those of finished runs that are in the store of `workers`.
-    /// @throws dem::Interrupted where the user stops the work, and whatever else `run_all` throws
+    /// @throws dem::Interrupted if the user stops the work, and whatever else `run_all` throws
     std::vector<dem::RunResult> run(const std::vector<dem::RunParameters>& runs,
                                     const Workers& workers, double reserved = 0) const;
 

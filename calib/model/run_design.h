@@ -9,10 +9,11 @@
 namespace pendular {
 
 /// Returns the inertial numbers [1] at which to simulate for readings at `conditions`, in
-/// increasing order and never below `lowest` [1]. One is returned where the inertial numbers of the
-/// conditions agree within 5 %; otherwise they span those of the conditions, evenly spaced in their
-/// logarithm and at most a factor 10/3 apart. Where a condition lies more than 5 % below `lowest`,
-/// at least two are returned, from which to extrapolate. Empty if there are no conditions.
+/// increasing order and never below `lowest` [1]. One number is returned if the inertial numbers of
+/// the conditions agree within 5 %; otherwise the returned numbers span those of the conditions,
+/// evenly spaced in their logarithm and at most a factor 10/3 apart. If a condition lies more than
+/// 5 % below `lowest`, at least two numbers are returned, from which to extrapolate. Empty if there
+/// are no conditions.
 std::vector<double> inertial_numbers_for(const std::vector<Condition>& conditions, double lowest);
 
 /// Whether the prediction at one of `conditions` is extrapolated: its inertial number is more than
@@ -22,17 +23,17 @@ bool extrapolated(const std::vector<Condition>& conditions, double lowest);
 /// Wet condition at which runs are to be simulated, given by its dimensionless numbers.
 struct WetSetting {
     double inverse_pressure = 0;  ///< inverse reduced pressure 1/P* [1]
-    double liquid_content = 0;    ///< volume of liquid over volume of grains Phi_L/Phi_S [1]
+    double liquid_content = 0;    ///< volume of liquid/volume of grains Phi_L/Phi_S [1]
     double inertial_number = 0;   ///< inertial number I [1]
 };
 
-/// Returns the settings of the runs to simulate for the wet conditions among `conditions`. They
-/// contain all pairs of reduced pressure and liquid content of the conditions that differ by more
-/// than 5 % in at least one of the two, but at most `most_wet_pairs` pairs, chosen as far apart as
-/// possible. Each pair is taken at the lowest and at the highest of the inertial numbers that
-/// `inertial_numbers_for` returns for the wet conditions.
+/// Returns the settings of the runs to simulate for the wet conditions among `conditions`. The
+/// settings contain all pairs of reduced pressure and liquid content of the conditions that differ
+/// by more than 5 % in at least one of the two, but at most `most_wet_pairs` pairs, chosen as far
+/// apart as possible. Each pair is taken at the lowest and at the highest of the inertial numbers
+/// that `inertial_numbers_for` returns for the wet conditions.
 /// @param lowest lowest inertial number of the runs [1]
-/// @throws std::invalid_argument where there are wet conditions but the study has no liquid
+/// @throws std::invalid_argument if a condition is wet but the study has no liquid
 std::vector<WetSetting> wet_settings_for(const std::vector<Condition>& conditions,
                                          const Study& study, double lowest);
 /// Largest number of pairs of reduced pressure and liquid content that `wet_settings_for` returns.

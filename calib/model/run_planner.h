@@ -32,16 +32,16 @@ struct SimulatedRuns {
 /// of its predictions.
 class RunPlanner {
   public:
-    /// Trains a first predictor on the earlier runs `known`. Where there are none and runs may be
-    /// requested (`KnownRuns::orders_more`), first simulates dry runs spread over friction and
-    /// inertial number.
+    /// Trains a first predictor on the earlier runs `known`. If there are no earlier runs and runs
+    /// may be requested (`KnownRuns::orders_more`), first simulates dry runs spread over friction
+    /// and inertial number.
     /// @param conditions conditions of the study's readings, which are to be predicted
     /// @param fidelity settings of the simulations
     /// @param seed seed from which the seeds of the runs follow
-    /// @param budget time limit of all later runs
-    /// @throws std::invalid_argument where no earlier run can serve as a training run, or a
+    /// @param budget time limit of all simulations
+    /// @throws std::invalid_argument if none of the earlier runs can serve as a training run, or a
     ///         condition is wet but the study has no liquid
-    /// @throws dem::SimulationError where none of the first dry runs succeeds
+    /// @throws dem::SimulationError if all of the first dry runs fail
     RunPlanner(const Study& study, const std::vector<Condition>& conditions,
                const Fidelity& fidelity, std::uint64_t seed, Workers workers, KnownRuns known,
                RunBudget budget = {});
@@ -54,10 +54,10 @@ class RunPlanner {
     /// requested. The first call requests runs at states outside the range of the known runs. Later
     /// calls request runs near `friction`, which check and improve the emulator.
     /// @param conditions conditions truly imposed on the grains, dry and wet
-    /// @param excess variance that the noise of the runs causes in a fit, over the largest
+    /// @param excess variance that the noise of the runs causes in a fit, divided by the largest
     ///        acceptable variance [1]
-    /// @throws dem::SimulationError where wet runs are needed, none is known and none of the first
-    ///         succeeds
+    /// @throws dem::SimulationError if wet runs are needed, no wet run is known, and all of the
+    ///         first wet runs fail
     void improve(double friction, const std::vector<EffectiveCondition>& conditions, double excess);
     /// Improves the predictions of wet readings at a friction coefficient [1] by new runs, if runs
     /// may be requested. Each call first requests runs at states outside the range of the earlier
@@ -65,18 +65,18 @@ class RunPlanner {
     /// runs as reduce the variances of the predictions by a factor 1 + `turns`, but at most 16.
     /// @param conditions wet conditions truly imposed on the grains
     /// @param turns factor by which later calls reduce the variances, minus 1 [1]
-    /// @throws dem::SimulationError where no wet run is known and none of the first succeeds
+    /// @throws dem::SimulationError if no wet run is known and all of the first wet runs fail
     void improve_wet(double friction, const std::vector<EffectiveCondition>& conditions, int turns);
 
-    /// Whether new runs agreed with the emulator's predictions made before them, at 1 %
-    /// significance: those of the last call of `improve` and of all later calls of `improve_wet`.
-    /// False after the first call of `improve`, which checks nothing; true where no runs may be
-    /// requested.
+    /// Whether the new runs of the last call of `improve`, and of all later calls of `improve_wet`,
+    /// agreed at 1 % significance with the predictions that the emulator made before it was trained
+    /// on them. False after the first call of `improve`, which checks nothing; true if no runs may
+    /// be requested.
     bool confirmed() const { return confirmed_ || !orders_more_; }
     /// Whether the planner may request new runs (`KnownRuns::orders_more`).
     bool orders_more() const { return orders_more_; }
     /// Whether the time budget has ended: none of the runs that the planner chose last would have
-    /// ended within it, so that none was made.
+    /// ended in time, so that none was made.
     bool exhausted() const { return exhausted_; }
     /// Numbers of runs carried out so far, an entry for each reason.
     const std::vector<SimulatedRuns>& simulated() const { return simulated_; }
@@ -100,25 +100,25 @@ class RunPlanner {
     /// Returns the wet states of the first wet runs: they cover the study's wet conditions and are
     /// spread over friction about `friction` [1] and over bridge volume.
     std::vector<FlowState> first_wet_design(double friction) const;
-    /// Simulates the states of first_wet_design() and trains the emulator on the runs, unless a
-    /// training run is wet already or no runs may be requested.
-    /// @throws dem::SimulationError where none of these runs succeeds
+    /// Simulates the states of first_wet_design() and trains the emulator on the runs. Does nothing
+    /// if a training run is wet already or no runs may be requested.
+    /// @throws dem::SimulationError if all of these runs fail
     void begin_wet(double friction);
     /// Improves the predictions (`improve`) of the dry (`wet` false) or of the wet conditions only.
     void learn(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                double excess);
-    /// Requests runs for the states of the dry (`wet` false) or of the wet conditions at `friction`
-    /// [1] that lie outside the range of the earlier runs.
+    /// Requests runs at those states of the dry (`wet` false) or of the wet conditions, at
+    /// `friction` [1], that lie outside the range of the earlier runs.
     void order_beyond(double friction, const std::vector<EffectiveCondition>& conditions, bool wet);
     /// Requests runs near `friction` [1], the optimum of a fit, for the dry (`wet` false) or the
-    /// wet conditions, and tests whether they agree with the emulator. If they do not, confirmed()
+    /// wet conditions, and tests whether the runs agree with the emulator. If not, confirmed()
     /// becomes false.
     /// @param excess factor by which the weighted variances of the predictions are to decrease [1]
     void confirm(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                  double excess);
-    /// Returns the states among `from` at which runs reduce the variances of the stress ratios and
-    /// solid fractions predicted at `targets` most, until these have decreased by a factor `excess`
-    /// (pendular::most_informative).
+    /// Chooses, among the states `from`, those at which runs reduce the variances of the stress
+    /// ratios and solid fractions predicted at `targets` most, until these variances have decreased
+    /// by a factor `excess` (pendular::most_informative).
     std::vector<FlowState> most_informative(const std::vector<FlowState>& targets,
                                             const std::vector<FlowState>& from,
                                             double excess) const;
@@ -131,10 +131,10 @@ class RunPlanner {
     std::vector<dem::RunResult> simulated(const std::vector<dem::RunParameters>& runs,
                                           const std::string& why);
     /// Carries out the first of the runs at `states`, as many as the time budget allows before the
-    /// best states are chosen again (RunBudget::batch), counts them under the reason `why` and
-    /// trains the emulator on them.
-    /// @return p value of the agreement of these runs with the earlier emulator (`agreement`);
-    ///         empty where no run gave a usable result, or the budget allowed none
+    /// best states are chosen again (RunBudget::batch). Counts these runs under the reason `why`
+    /// and trains the emulator on them.
+    /// @return p value of the agreement of the runs with the emulator before this training
+    ///         (`agreement`); empty if no run gave a usable result, or the budget allowed none
     std::optional<double> simulate_at(const std::vector<FlowState>& states, const std::string& why);
     /// Adds `runs` to the number of runs of the entry of simulated() with the reason `why`.
     void count_runs(std::size_t runs, const std::string& why);

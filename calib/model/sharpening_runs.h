@@ -21,11 +21,11 @@ struct FittedModel {
 
 /// Returns a task for `most_informative`: to choose the runs that reduce the contribution of
 /// simulation noise to chi2 of all fitted models most. The targets are the states of steady shear
-/// of the readings in each model; runs may be made there, with each model's effects at their fitted
-/// sizes and without effects. The states are taken at the fitted parameters and at
+/// of the readings in each model. Runs may be made at the same states, with each model's effects at
+/// their fitted sizes and without effects. The states are taken at the fitted parameters and at
 /// parameters shifted up and down by one standard error along the direction in which they are least
-/// certain, since the next fit may end there. The variance of each prediction has the weight
-/// 1/sigma^2, with the standard error sigma of the reading.
+/// certain, since the next fit may end at the shifted parameters. The variance of each prediction
+/// has the weight 1/sigma^2, with the standard error sigma of the reading.
 /// @param lowest_inertial_number lowest inertial number of the runs [1], at which slower readings
 ///        are simulated
 RunChoice sharpening_choice(const EmulatedSimulation& simulation,

@@ -23,33 +23,34 @@ struct LeftAside {
 
 /// Set of all models of a study: the model with the effects that the study lists, and this model
 /// with any of the candidates added. The candidates are all further effects that apply to the
-/// study. One emulator (Gaussian processes trained on earlier runs) serves all models; no new runs
-/// are simulated.
+/// study. All models use one emulator (Gaussian processes trained on earlier runs); no new runs are
+/// simulated.
 class StudyModels : public ModelSpace {
   public:
-    /// Trains the emulator on earlier runs and finds the candidates for addition to the model.
+    /// Trains the emulator on earlier runs and finds the candidates (possible additions to the
+    /// model).
     /// @param conditions conditions of the readings that the models predict
     /// @param known training runs without effects and with effects on grains
-    /// @throws InputError where the study lists or directly measures an effect on grains that no
+    /// @throws InputError if the study lists or directly measures an effect on grains that no
     ///         earlier run has as its only effect
-    /// @throws std::invalid_argument where no earlier run can serve as a training run
+    /// @throws std::invalid_argument if none of the earlier runs can serve as a training run
     StudyModels(const ResolvedStudy& study, std::vector<Condition> conditions,
                 const Fidelity& fidelity, KnownRuns known);
 
     const std::vector<Candidate>& candidates() const override { return candidates_; }
     std::shared_ptr<const Model> with(const EffectSet& chosen) const override;
     /// Returns the study's model with the candidates `chosen` (indices into candidates()) added.
-    /// The returned predictor serves any conditions.
+    /// The returned predictor can predict readings at any conditions.
     std::shared_ptr<const EffectModel> predictor(const EffectSet& chosen) const;
     /// Returns the study's model with the effects named `effects` in place of those that the study
-    /// lists. The returned predictor serves any conditions.
-    /// @throws std::invalid_argument where the catalogue has no effect with one of these names, and
-    ///         where no earlier run has one of the effects on grains as its only effect
+    /// lists. The returned predictor can predict readings at any conditions.
+    /// @throws std::invalid_argument if the catalogue has no effect with one of the names, or if
+    ///         one of the effects acts on grains and no earlier run has it as its only effect
     std::shared_ptr<const EffectModel> with_only(const std::vector<std::string>& effects) const;
     /// Returns the study's model with the effects named `added` in place of the listed effect
-    /// `removed`. The returned predictor serves any conditions.
-    /// @throws std::invalid_argument where the catalogue has no effect with one of these names, and
-    ///         where no earlier run has one of the effects on grains as its only effect
+    /// `removed`. The returned predictor can predict readings at any conditions.
+    /// @throws std::invalid_argument if the catalogue has no effect with one of the names, or if
+    ///         one of the effects acts on grains and no earlier run has it as its only effect
     std::shared_ptr<const EffectModel> exchanged(const std::string& removed,
                                                  const std::vector<std::string>& added) const;
     /// Returns a copy of these models with the effects `more` as further candidates, after the
@@ -66,8 +67,8 @@ class StudyModels : public ModelSpace {
     /// after the readings.
     const std::vector<DirectMeasurement>& direct() const { return study_.direct(); }
 
-    /// Effects that are neither listed by the study nor candidates for addition, each with the
-    /// reason.
+    /// Effects that the study does not list and that cannot be added to its model in a test, each
+    /// with the reason.
     const std::vector<LeftAside>& left_aside() const { return left_aside_; }
 
     /// Reasons why the earlier runs do not support predictions of the study's readings by the model
@@ -75,7 +76,7 @@ class StudyModels : public ModelSpace {
     /// @param friction friction coefficient of the grains [1]
     std::vector<std::string> why_unsupported(double friction) const;
     /// Reason why the earlier runs do not support a prediction at a condition by the model without
-    /// effects; empty where they do.
+    /// effects; empty if they support the prediction.
     /// @param friction friction coefficient of the grains [1]
     std::string why_unsupported(double friction, const Condition& condition) const;
 
@@ -87,8 +88,8 @@ class StudyModels : public ModelSpace {
     /// Whether the emulator can predict an effect: the effect does not act on grains, or an earlier
     /// run has it as its only effect.
     bool has_runs(const Effect& effect) const;
-    /// Adds an effect to the candidates or, where it cannot be one, to `left_aside_` with the
-    /// reason.
+    /// Adds an effect to the candidates (possible additions to the model) or, if the effect cannot
+    /// be tested, to `left_aside_` with the reason.
     void add_candidate(const Effect& effect);
 
     ResolvedStudy study_;
