@@ -22,12 +22,12 @@ std::vector<std::filesystem::path> outputs_of_change();
 /// @throws InputError where the effect cannot be added or dropped, where a fit is impossible, and
 ///         where study.toml has changed since it was read
 /// @throws std::runtime_error where a file cannot be written
-/// @throws dem::Interrupted where the user stops the work
+/// @throws dem::Interrupted where the user requests a stop
 ChangedStudy change_effects(const Session& session, Action action, const std::string& effect,
                             const FitOptions& fit, bool same_fidelity);
 
 /// Sentence on the result of adding or dropping an effect: the errors of the model before and after
-/// it or, if the fit did not converge, that the study is unchanged.
+/// the change or, if the fit did not converge, the statement that the study is unchanged.
 std::string answer_on(const ChangedStudy& changed);
 
 /// Draws the figure of a ladder (the sequence of a study's models) to a folder, and returns the

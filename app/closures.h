@@ -15,11 +15,11 @@ namespace pendular::app {
 void print_closures(const closures::ClosureValues& values, double stress_ratio, Console& console);
 
 /// Computes and prints the values that the closures (analytical formulas) of Badetti et al. (2018)
-/// give for a wet run. They follow from the averages of the run and the stress ratio of dry grains,
-/// which is predicted from earlier simulation runs. If these do not suffice, prints a line that
-/// says so.
+/// give for a wet run. The values follow from the averages of the run and from the stress ratio of
+/// dry grains, which is predicted from earlier simulation runs. If the earlier runs do not allow
+/// this prediction, prints a line that says so.
 /// @param store user's file of runs, which is used besides the runs that come with the program;
-///        null: none
+///        null: no further runs
 /// @return the printed values; empty for a dry run and where the stress ratio of dry grains is
 ///         unknown
 std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& run,

@@ -41,7 +41,7 @@ int campaign(const std::vector<std::string>& arguments);
 int runs(const std::vector<std::string>& arguments);
 int virtual_lab(const std::vector<std::string>& arguments);
 
-/// Commands for one part of the work, such as simulation, in the order of their use.
+/// Commands for one purpose, such as simulation, in the order of their use.
 struct CommandGroup {
     const char* heading;
     std::vector<Command> commands;
@@ -62,8 +62,8 @@ struct ProgramTexts {
 extern const ProgramTexts program_texts;
 
 /// Exit codes of the program `pendular`, equal for all its commands. `not_converged`: the fit did
-/// not converge, or its numbers mean nothing (`Belief::meaningless`); `interrupted`: a signal
-/// stopped the work.
+/// not converge, or the fitted numbers are meaningless (`Belief::meaningless`). `interrupted`: a
+/// signal such as Ctrl-C stopped the command.
 enum ExitCode {
     done = 0,
     program_failed = 1,

@@ -34,8 +34,8 @@ class Console {
     /// always printed.
     void table(const std::vector<std::string>& heading_and_rows, std::size_t most_rows);
     /// Stores a remark for the user, which is printed as "Note: ..." before the figures and the
-    /// next command. Without --all, at most three notes are printed. Of notes that differ only in
-    /// words with digits, only the first is printed, with the number of the others.
+    /// next command. Without --all, at most three notes are printed. If several notes differ only
+    /// in words with digits, the first one is printed with the number of the others.
     void note(const std::string& text);
     /// Prints the stored notes, then one line with the names of the figure files in `folder`.
     /// @param names names of the figures, without extension; empty: only the notes are printed
@@ -50,7 +50,7 @@ class Console {
     /// Prints the progress of simulation runs as a bar with the time left. A terminal shows one
     /// line that changes. Elsewhere, a new line is printed for every ten per cent, but at most
     /// every ten seconds. Prints nothing with --quiet.
-    /// @param what name of the work, printed before the bar
+    /// @param what name of the simulations, printed before the bar
     void progress(const std::string& what, const EnsembleProgress& progress);
     /// Removes the progress bar from a terminal.
     void end_progress();
@@ -71,9 +71,9 @@ class Console {
     std::vector<Note> notes_;
     /// Whether the terminal shows a progress bar.
     bool drawn_ = false;
-    /// Name of the work that the last progress line showed.
+    /// Name of the simulations in the last progress line that was printed.
     std::string stage_;
-    /// Share of the work that was done when the last progress line was printed [1].
+    /// Share of the simulations that was done when the last progress line was printed [1].
     double fraction_shown_ = -1;
     std::chrono::steady_clock::time_point last_{};
 };

@@ -5,9 +5,9 @@
 
 namespace pendular::app {
 
-/// Values that an option, or a word after a command's name, accepts: text, a file, a folder, a
-/// study or one of a few words. The help text and the completion of words in a shell follow from
-/// it.
+/// Kind of values that an option, or a word after a command's name, accepts: text, a file, a
+/// folder, a study or one of a few words. It determines the placeholder in the help text and the
+/// completion of the value in a shell.
 struct ValueKind {
     enum class Kind { none, text, file, folder, study, choice };
     Kind kind = Kind::text;
@@ -64,8 +64,8 @@ struct CommandDeclaration {
     ValueKind other_words = {ValueKind::Kind::none};
 };
 
-/// Returns texts and options of a command, as `run` declares them when it is asked for its help;
-/// the command is not carried out.
+/// Returns texts and options of a command, as `run` declares them when the user requests its help.
+/// Does not carry out the command.
 /// @param run function that carries out the command with the words after its name, and returns its
 ///        exit code
 CommandDeclaration declaration_of(int (*run)(const std::vector<std::string>& arguments));

@@ -11,7 +11,7 @@
 namespace pendular::app {
 
 /// Function that returns the reason why a physical effect cannot be switched on in a command, for
-/// messages; an empty text where it can.
+/// messages; an empty text where the effect can be switched on.
 using WhyNot = std::function<std::string(const Effect&)>;
 
 /// Command-line options --EFFECT.PARAMETER, one for each parameter of every built-in physical
@@ -22,7 +22,7 @@ class EffectOptions {
     /// Adds the options to a command, and checks the names of effects and parameters on its command
     /// line.
     /// @param arguments words of the command line
-    /// @param meaning heading of the section of the help text that lists the options
+    /// @param meaning heading above these options in the help text
     /// @param why_not reason why an effect has no option in this command; empty: every effect has
     ///        options
     /// @throws InputError where an argument names an effect or parameter that does not exist, or an
@@ -47,8 +47,8 @@ std::vector<std::string> names_of_effects();
 
 /// Returns an option for the examples in a help text, "--EFFECT.PARAMETER VALUE". It sets the first
 /// parameter of one effect to the smallest value of interest.
-/// @param wanted whether an effect may be the example; the first such effect is used, and the text
-///        is empty where there is none
+/// @param wanted whether an effect may be the example; the first effect for which it returns true
+///        is used; the text is empty where no effect qualifies
 std::string example_of(const std::function<bool(const Effect&)>& wanted);
 
 }  // namespace pendular::app

@@ -18,16 +18,16 @@ struct ImportFileOptions {
     std::string columns;
     /// Folder of the new study that is made from the file; empty: no study is made.
     std::string study;
-    /// CSV file to which all rows of the file are written in SI units; empty: none is written.
+    /// CSV file to which all rows of the file are written in SI units; empty: no file is written.
     std::string tidy;
     /// Folder for the figures of the file or study; empty: no figures are drawn.
     std::string figures;
 
     /// Adds the options to the command line of `pendular import`.
     void declare(Options& options);
-    /// Checks that none of the options for a single file was given when a study is imported.
-    /// @throws InputError where one was given; the message says that study.toml states it for a
-    ///         study
+    /// Checks that the user gave none of the options for a single file when importing a study.
+    /// @throws InputError where such an option was given; the message says that study.toml must
+    ///         state the setting instead
     void refuse_for_studies(const Options& options) const;
 };
 

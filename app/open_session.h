@@ -20,13 +20,13 @@ namespace pendular::app {
 /// the file of option --json.
 OutputPlaces places_of(const CommonOptions& options, std::vector<std::filesystem::path> files);
 
-/// Sets whether new simulations check a fit, and how long they may take.
+/// Sets whether new simulations check a fit, and how long these simulations may take.
 /// @param seconds largest time [s]; infinity: no limit; empty: nothing is simulated
 void set_confirmation(const std::optional<double>& seconds, FitOptions& fit);
 
-/// Session of a command on a study. It has opened the user's store (the SQLite file that keeps
-/// simulation runs) and shows progress on the console. Ctrl-C ends long work without half-written
-/// files.
+/// Session in which one command works on a study, with the user's store (the SQLite file that keeps
+/// simulation runs) opened. Progress appears on the console, or goes to a listener. Ctrl-C, or a
+/// stop request, ends long computations without half-written files.
 class OpenSession {
   public:
     enum class Access { reads, changes };
@@ -35,27 +35,27 @@ class OpenSession {
     /// @param files paths in the folder for results that the command writes to
     /// @param seed seed of all random numbers, 0 or more
     /// @param access whether the command changes the study or its fit; a command that does waits
-    ///        until no other such command is at work on the study
+    ///        until no other command is changing the study
     /// @throws InputError for a mistake in the study's files, for results that would replace an
     ///         input, for a negative seed, and for a store that cannot be read
     /// @throws std::runtime_error where a store that the user named cannot be written, and where
-    ///         another command is at work on the study for longer than a minute
+    ///         another command keeps changing the study for more than a minute
     /// @throws dem::Interrupted where the user stops the command while it waits
     OpenSession(Console& console, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
                 Access access = Access::reads);
-    /// Opens a session without a console, such as for `pendular serve`. Events go to `listener`,
-    /// and long work ends at a request of `stop`.
-    /// @param stop request to stop long work
+    /// Opens a session without a console, such as for `pendular serve`. Notes and progress go to
+    /// `listener`; long computations end at a request of `stop`.
+    /// @param stop request to stop long computations
     /// @param listener callback for notes and progress; may be empty
     /// @param files paths in the folder for results that the command writes to
     /// @param seed seed of all random numbers, 0 or more
     /// @param access whether the command changes the study or its fit; a command that does waits
-    ///        until no other such command is at work on the study
+    ///        until no other command is changing the study
     /// @throws InputError for a mistake in the study's files, for results that would replace an
     ///         input, for a negative seed, and for a store that cannot be read
     /// @throws std::runtime_error where a store that the user named cannot be written, and where
-    ///         another command is at work on the study for longer than a minute
+    ///         another command keeps changing the study for more than a minute
     /// @throws dem::Interrupted where a stop is requested while the command waits
     OpenSession(const std::stop_token& stop, const Listener& listener, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
@@ -67,8 +67,8 @@ class OpenSession {
     const Session& operator*() const { return session_; }
 
   private:
-    /// Opens a session with or without a guard, for the public constructors.
-    /// @param guard guard against signals; null: only `stop` ends the work
+    /// Opens a session with or without handling of signals, for the public constructors.
+    /// @param guard handler of signals such as Ctrl-C; null: only `stop` ends computations
     OpenSession(std::unique_ptr<InterruptGuard> guard, const std::stop_token& stop,
                 const Listener& listener, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed, Access access);

@@ -31,7 +31,7 @@ struct CommonOptions {
     std::optional<std::filesystem::path> out;
     /// Settings of the simulation runs, such as the number of grains.
     Fidelity fidelity;
-    /// Number of simulation runs or refits that are carried out at the same time.
+    /// Number of simulation runs or refits that are computed at the same time.
     int threads = 1;
     /// Whether the command prints no progress on standard error.
     bool quiet = false;
@@ -40,7 +40,7 @@ struct CommonOptions {
     std::filesystem::path store;  ///< SQLite file that keeps every simulation run
     /// Whether the user named the file `store`, by option --store or by $PENDULAR_STORE.
     bool store_named = false;
-    /// Study or other file that the command reads; empty: the command reads none.
+    /// Study or other file that the command reads; empty: the command reads no study or file.
     std::filesystem::path study;
 
     /// Folder for results: the folder of option --out or, without this option, STUDY/out.
@@ -82,8 +82,8 @@ class Options {
     void set_threads(int by_default, std::string meaning) {
         default_threads_ = by_default, threads_meaning_ = std::move(meaning);
     }
-    /// Sets the text that names the first word of the command and its meaning, such as "OUT, the
-    /// folder for the new study,". The message that the word is missing begins with this text.
+    /// Sets the beginning of the error message for a missing first word: the name and meaning of
+    /// the word, such as "OUT, the folder for the new study,".
     void set_first_word(std::string name_and_meaning) {
         missing_word_ = std::move(name_and_meaning);
     }
@@ -97,16 +97,17 @@ class Options {
     void set_store(std::string meaning) { store_meaning_ = std::move(meaning); }
     /// Sets the text on option --out, the folder for results, in the help text.
     void set_out(std::string meaning) { out_meaning_ = std::move(meaning); }
-    /// Makes the command accept any number of words that belong to no option; they follow the study
-    /// if the command reads one.
+    /// Makes the command accept any number of words that belong to no option. If the command reads
+    /// a study, these words follow the name of the study.
     /// @param words where `parse` stores these words
     /// @param kind what the words may be, such as files
     void take(std::vector<std::string>* words, ValueKind kind = {}) {
         words_ = words, words_kind_ = std::move(kind);
     }
-    /// Adds the option --NAME [MINUTES], the time that work may take, which `parse` stores in
-    /// `seconds`: MINUTES is the next word where this is a number, else `alone`; empty without the
-    /// option. An infinite `alone` sets no limit. `description` states the default.
+    /// Adds the option --NAME [MINUTES], a limit of time that `parse` stores in `seconds` [s].
+    /// Without the option, `seconds` is empty. If no number follows the option, `alone` is used.
+    /// @param alone limit [min] where no number follows the option; infinity: no limit
+    /// @param description text for the help, which must state the default
     void add_time(const char* name, std::optional<double>* seconds, double alone,
                   const std::string& description);
     /// Adds the option --NAME without a value: `parse` sets `value` to whether it was given.
@@ -132,7 +133,7 @@ class Options {
         CommonOptions options;
     };
     /// Declares the common options, whose values go to `values`.
-    /// @param shown whether to declare the options of the help text or those it leaves out
+    /// @param shown true: options that the help text lists; false: options that it leaves out
     boost::program_options::options_description common_options(CommonValues& values,
                                                                bool shown) const;
     void print_help(const boost::program_options::options_description& common) const;

@@ -5,8 +5,8 @@
 
 namespace pendular::app {
 
-/// Checks before long work that `path` can be written, as a folder if `folder` is true, else as a
-/// file. Creates nothing.
+/// Checks, before a long computation, that `path` can be written, as a folder if `folder` is true,
+/// else as a file. Creates nothing.
 /// @throws InputError where `path` is empty or cannot be written; its text names `option`, the
 ///         command-line option that gave the path
 void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder);

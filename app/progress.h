@@ -15,12 +15,13 @@ std::string as_sentence(std::string text);
 /// Text of a duration given in seconds, for messages: "40 s", "1 min 20 s", "3 h 5 min".
 std::string duration(double seconds);
 
-/// Sentence on an event of the work on a study: the stage that begins, the share of simulations
-/// done, the result of a round of a fit, or the number of refits. Empty for notes and for a single
-/// refit.
+/// Sentence on the progress of a computation, from an event that reports it: the stage that begins,
+/// the share of simulations done, the fit at the end of a round, or the number of refits done.
+/// Empty for notes and for a single refit.
 std::string progress_sentence(const Event& event);
 
-/// Share of the work that is done at an event [1]; empty where the event does not tell it.
+/// Share of the running computation that is done, from an event that reports progress [1]; empty
+/// where the event does not state this share.
 std::optional<double> progress_share(const Event& event);
 
 /// Text on simulations in progress: share done, number done and time left, as in "45 %, 1 of 3

@@ -12,8 +12,9 @@
 namespace pendular::app {
 
 /// Reads each recording of a study, in the order of study.toml.
-/// @param note called with the reason for each recording that cannot be drawn, such as its length
-/// @param take called with each recording that can be drawn
+/// @param note called with a sentence for each recording that cannot be read and drawn, with the
+///        reason
+/// @param take called with each recording that can be read
 void for_each_recording(const Study& study, const std::function<void(const std::string&)>& note,
                         const std::function<void(const FileView&)>& take);
 

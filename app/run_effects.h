@@ -24,13 +24,13 @@ class RunEffects {
 
     /// Returns the parameters of a run with the effects of the parsed options applied.
     /// @throws InputError for an option's value that is malformed or out of bounds, for a scale
-    ///         that contradicts the run, and for an effect that cannot act on the run, such as an
-    ///         effect of liquid on dry grains
+    ///         that contradicts the run, and for an effect that cannot change this run, such as an
+    ///         effect of the liquid for a dry run
     dem::RunParameters changed(const dem::RunParameters& run, const Options& options);
 
-    /// Prints a line with the effects that `RunEffects::changed` applied and with friction and
-    /// reduced pressure if they changed them; then the scale if an effect has parameters in SI
-    /// units.
+    /// Prints a line with the effects that `RunEffects::changed` applied, and with the friction and
+    /// reduced pressure of the run if an effect changed these. Then prints the scale if an effect
+    /// has parameters in SI units.
     /// @param changed parameters of the run with the effects
     void print(Console& console, const dem::RunParameters& changed) const;
     /// Adds to the JSON of a run the key `effects` and, if an effect has parameters in SI units,

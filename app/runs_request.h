@@ -29,17 +29,19 @@ struct RunsRequest {
     /// Runs of `source` for which the condition of --where holds.
     /// @throws InputError where the store or the atlas does not exist, and for a wrong condition
     std::vector<StoredRun> selected() const { return source()->select(condition); }
-    /// Checks that --atlas was not given, for an action that changes the store.
-    /// @throws InputError where it was given
+    /// Checks that the user did not give --atlas, for an action that changes the store.
+    /// @throws InputError where --atlas was given
     void refuse_atlas(const std::string& action) const;
-    /// Checks that the action has at least this number of words.
-    /// @throws InputError where it has fewer, with `what` to name
+    /// Checks that at least `least` words follow the name of the action on the command line.
+    /// @param what what the words must name, for the error message
+    /// @throws InputError where fewer words follow
     void demand_words(std::size_t least, const std::string& what) const;
 };
 
-/// Run of a store from `RunsRequest::source` with the number that a word of the command line
-/// states.
-/// @throws InputError where the store has none, and for a word that is no number
+/// Returns the run of a store whose number the user typed.
+/// @param store store that `RunsRequest::source` opened
+/// @param word word of the command line that states the number
+/// @throws InputError where the store has no run of this number, and where `word` is not a number
 StoredRun numbered_run(const RunStore& store, const std::string& word);
 
 }  // namespace pendular::app

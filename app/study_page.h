@@ -20,7 +20,7 @@ struct StudyPage {
     std::string verdict;
     /// Command that the user should give next, after reading the page.
     std::string next;
-    /// Sentence that says which measurement to make next, or why there is none.
+    /// Sentence that says which measurement to make next, or why no measurement can be suggested.
     std::string measure;
     std::vector<std::string> switches;  ///< names of the effects that the page switches on and off
     /// Number of combinations of the switched effects for which a fitted model exists.
@@ -34,11 +34,11 @@ struct StudyPage {
 /// Makes the page of a study: diagnoses the study, plans the next measurement, and fits all
 /// combinations of the leading effects. Nothing is simulated; no file is written.
 /// @param switches largest number of effects with a switch
-/// @param version number of the page of `pendular serve`, from which an open browser learns that
-///        there is a newer page; empty: a page that needs no server
+/// @param version version number of the page, by which a browser finds out that `pendular serve`
+///        has a newer page; empty: a page that needs no server
 /// @throws InputError where the study cannot be diagnosed, such as with too few readings, and where
 ///         ladder.json cannot be read
-/// @throws dem::Interrupted where the user stops the work
+/// @throws dem::Interrupted where the user requests a stop
 StudyPage study_page(const Session& session, const CommonOptions& common, std::size_t switches,
                      std::optional<std::size_t> version = {});
 

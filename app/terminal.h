@@ -9,8 +9,8 @@ namespace pendular::app {
 /// commands is printed by this function.
 void print_line(std::FILE* stream, std::string_view text);
 
-/// Prints an error message after `prefix` on standard error. A message of more than 4000 bytes is
-/// printed without its middle.
+/// Prints an error message after `prefix` on standard error. The middle of a message longer than
+/// 4000 bytes is left out.
 void print_error(std::string_view prefix, std::string_view message);
 
 /// Prints the message of the exception that is being handled, and returns the exit code of the

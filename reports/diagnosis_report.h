@@ -15,27 +15,31 @@ namespace pendular {
 /// tests of the residuals.
 std::string verdict_line(const Diagnosis& diagnosis, const ModelSpace& space, const Checks& checks);
 
-/// Returns the estimate of the first parameter of an effect with its error, as text: from a refit
-/// with the effect if one converged, else the linear estimate of the score test; "switch" for an
-/// effect that is on or off. An estimate without error was fitted at a bound of the parameter.
+/// Returns the text of an effect's first parameter as a diagnosis estimates it, with its standard
+/// error and unit. The estimate comes from a refit with the effect if one converged, else from the
+/// score test (linear). An estimate at a bound of the parameter has no error. For an effect that is
+/// on or off, the text is "switch".
 /// @param finding result for the effect, one of `diagnosis.scan`
 std::string estimate_of(const Diagnosis& diagnosis, const Finding& finding,
                         const ModelSpace& space);
 
-/// Returns the change of chi2 by a reduction as text with sign: "-686.7" for a reduction of 686.7.
+/// Returns the text of a reduction of chi2 [1] as a negative number: "-686.7" for a reduction of
+/// 686.7.
 std::string chi2_change(double reduction);
 
 /// Table of the effects that a diagnosis tested, one line per effect, the largest reduction of chi2
-/// first. A heading precedes the rows; lines that explain the columns follow.
+/// first. The lines of effects follow a heading; lines that explain the columns come last.
 std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const ModelSpace& space);
 
-/// Sentence with chi2 and degrees of freedom of the study's model without further effects, and with
-/// the p values of two tests: for lack of fit of the conditions' means, and for a missing effect.
+/// Sentence on the fit of the study's model without further effects: its chi2 and degrees of
+/// freedom, and the p values of two tests. One tests the mean of each condition for lack of fit,
+/// the other the readings for a missing effect.
 std::string fit_line(const Diagnosis& diagnosis);
 
-/// Sentences on a diagnosis whose effects explain most of the misfit but not all of it: RMS errors
-/// without and with the effects, in how many of 100 simulated repetitions of the experiment the
-/// best model would contain them, and the trend that remains. Empty for any other diagnosis.
+/// Sentences on a diagnosis that found effects which explain most of the misfit but not all of it.
+/// They state the RMS errors without and with these effects, in how many of 100 simulated
+/// repetitions of the experiment the best model would contain the effects, and the trend that
+/// remains in the residuals. Empty for any other diagnosis.
 /// @param before RMS relative errors [%] of (shear stress, solid fraction) without the effects
 /// @param after RMS relative errors [%] of (shear stress, solid fraction) with the effects in the
 ///        model
@@ -45,24 +49,25 @@ std::vector<std::string> incomplete_lines(const Diagnosis& diagnosis,
                                           const std::array<double, 2>& after,
                                           const Checks& remaining);
 
-/// Sentence on the smooth error of the model that would account for the misfit which remains after
-/// a diagnosis; empty where `size` is 0.
-/// @param size size of the error relative to the shear stress [1]
+/// Sentence that states how large an error of the model, varying smoothly with the conditions,
+/// would account for the misfit which known effects leave; empty where `size` is 0.
+/// @param size standard deviation of the error relative to the shear stress [1]
 std::string discrepancy_line(double size);
 
 /// Sentence that names the measurements (conditions or files) that the model fits worse than the
-/// others with p < 0.05: up to three of them, the smallest p first, and the number of the others.
-/// Empty if there are none, or more than eight.
+/// others with p < 0.05: up to three measurements, the smallest p first, and the number of the
+/// others. Empty if no measurement has p < 0.05, or if more than eight do.
 std::string suspects_line(const Diagnosis& diagnosis, const Evidence& evidence);
 
-/// Table of the effects that could have their smallest size of interest without showing in the
-/// study's readings. Below a heading, it has a line with the effects that would show at no size,
-/// and one line for each other effect. Empty unless the verdict of the diagnosis is inconclusive.
+/// Table of the effects that the study's readings cannot exclude: an effect of the smallest size of
+/// interest could be present and remain undetected. Below a heading, one line names the effects
+/// that these readings could detect at no size; one line follows for each other effect. Empty
+/// unless the verdict of the diagnosis is inconclusive.
 std::vector<std::string> unseen_table(const Diagnosis& diagnosis, const ModelSpace& space);
 
-/// Sentences of advice after a diagnosis: how similarly the effects that explain the readings
-/// equally well change them, which readings to repeat or to add, and whether standard errors are
-/// assumed.
+/// Sentences of advice after a diagnosis: how similar the changes by indistinguishable effects are,
+/// which readings to repeat or to add, and whether standard errors of readings are assumed rather
+/// than measured.
 /// @param proposes whether the diagnosis proposes changes of unknown cause
 std::vector<std::string> advice_on(const Diagnosis& diagnosis, const ModelSpace& space,
                                    bool proposes = false);

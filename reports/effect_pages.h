@@ -38,15 +38,16 @@ std::vector<std::string> effect_page(const EffectEntry& entry);
 
 /// Page of the manual on one physical effect, in Markdown.
 /// @param figure Markdown of the figure that shows how the effect changes the readings, or the
-///        reason why there is no such figure
+///        reason why this figure does not exist
 std::string manual_page(const EffectEntry& entry, const std::string& figure);
 
 /// First page of the manual of effects, in Markdown: tables with one row per effect and a link to
 /// the page of the effect, NAME.md.
 std::string manual_index(const std::vector<EffectEntry>& entries);
 
-/// JSON of an entry of the catalogue of effects: name, equation, parameters with their bounds, and
-/// the effect's relation to the user's study if there is one.
+/// JSON of an entry of the catalogue of effects: name, equation, and parameters with their bounds.
+/// If the user named a study, also whether the study lists the effect and whether the effect
+/// applies to the study.
 nlohmann::ordered_json to_json(const EffectEntry& entry);
 
 }  // namespace pendular

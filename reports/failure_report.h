@@ -18,14 +18,14 @@ std::vector<const Check*> significant_checks(const Checks& checks);
 
 /// Lines of text that say where a model fails. The first line states the p value of all tests of
 /// the residuals together. One line follows for each test with p < 0.05; all tests of the
-/// correlation between conditions share a line.
+/// correlation between residuals of neighbouring conditions share one line.
 std::vector<std::string> checks_table(const Checks& checks);
 
-/// Sentence on measurements that a model fits badly: it names up to three with the smallest p and
-/// states the number of the others. Empty for an empty list, and for more than eight measurements,
-/// which deviate because the model fails as a whole.
-/// @param measurements names of measurements with their p value, the probability that chance makes
-///        a deviation from the model so large
+/// Sentence on measurements that a model fits badly: it names up to three measurements with the
+/// smallest p and states the number of the others. Empty for an empty list. Empty also for more
+/// than eight measurements, since the model then fails as a whole.
+/// @param measurements names of measurements, each with its p value: the probability [1] that
+///        chance alone makes its deviation from the model as large
 std::string deviating_line(std::vector<std::pair<std::string, double>> measurements);
 
 /// Lines of text that say where a model fails: the significant tests of its residuals, then the

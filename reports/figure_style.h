@@ -38,23 +38,24 @@ Shown shown(const Prediction& predicted, Eigen::Index place, double normal_stres
 /// The standard errors of the means hold if the values are independent.
 Shown mean_of(const std::vector<Shown>& all);
 
-/// Means of measured and of predicted stress ratio and solid fraction over the same readings.
+/// Means of measured and of predicted stress ratio [1] and solid fraction [1] of the same readings.
 struct MeasuredAndModel {
     Shown measured, model;
 };
 /// Returns the means of measured and of predicted stress ratio and solid fraction over some
-/// readings of a calibration. All weights are 1/standard error^2 of the measured values.
+/// readings of a calibration. Predictions are weighted like the measured values, by 1/(standard
+/// error of the measured value)^2.
 /// @param places indices of the readings in the calibration
 MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibration& calibration);
 
-/// Whether a figure may draw the mean prediction of some readings in place of each prediction: the
-/// predicted stress ratio and solid fraction of each reading differ from their means by at most
+/// Whether a figure may draw one mean prediction for some readings. True if the predicted stress
+/// ratio and solid fraction of each reading differ from the means over these readings by at most
 /// `same_point` standard errors of the measured reading.
 /// @param places indices of the readings in the calibration
 bool mean_suffices(const std::vector<std::size_t>& places, const Calibration& calibration);
 
-/// Difference between two predictions up to which figures draw them as one, in standard errors of
-/// the measured reading [1].
+/// Largest difference between two predictions that figures draw as one point, divided by the
+/// standard error of the measured reading [1].
 constexpr double same_point = 0.25;
 
 /// Adds a point with its error bar to a curve.

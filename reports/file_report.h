@@ -34,7 +34,7 @@ std::vector<std::string> checks_lines(const FileView& view, bool all);
 std::vector<std::string> yield_locus_lines(const FileView& view);
 
 /// Sentence on the quantities that readings of steady shear need and a file of measurements lacks,
-/// with what can be done nevertheless; empty if the file lacks none.
+/// and on what can be done nevertheless; empty if the file has all these quantities.
 std::string missing_sentence(const FileView& view);
 
 }  // namespace pendular

@@ -5,12 +5,13 @@
 
 namespace pendular {
 
-/// Figure of up to 16 effects and errors of measurement that shift the fitted friction. Left: shift
-/// of the friction if the effect is one standard error above or below its estimate, and at its
-/// smallest size of interest where this is in the range of the bars, beside the standard error of
-/// the friction. Right: pull, the distance of the estimate from no effect in standard errors. The
-/// first rows have the largest shift for one standard error. Without panels where nothing shifts
-/// the friction.
+/// Figure of up to 16 effects and errors of measurement that shift the fitted friction. Left panel:
+/// bars for the shift of the friction [10^-3] if the effect is one standard error above or below
+/// its estimate, and a symbol for the shift at the effect's smallest size of interest, unless it is
+/// far beyond the bars; the band is the standard error of the friction. Right panel: the pull, the
+/// difference between the estimate and no effect divided by the standard error of the estimate [1].
+/// Rows are sorted by the length of the bars, the longest at the top. Has no panels if no effect or
+/// error has an estimate with a standard error.
 Figure impact_figure(const ImpactTable& table);
 
 }  // namespace pendular

@@ -66,10 +66,10 @@ struct CurveGroup {
 };
 
 /// Divides readings into at most 8 groups such that one model curve represents the predictions of
-/// each group. Tries no division, then division by one quantity of `apart`, then by several in
-/// their order. `CurveGroup::curve` tells for each group whether a curve represents it. Points of
-/// failure and readings of steady shear are divided separately; groups of points of failure have
-/// this in their name if there are both.
+/// each group. Tries one group, then division by one quantity of `apart`, then by several
+/// quantities in the order of `apart`. `CurveGroup::curve` states for each group whether a curve
+/// represents it. Points of failure and readings of steady shear are divided separately; if the
+/// readings contain both kinds, the names of groups of points of failure say so.
 /// @param members indices of the readings to divide in the calibration
 /// @param along quantity along the x axis of the figure
 std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,

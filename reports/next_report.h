@@ -12,7 +12,8 @@ namespace pendular {
 /// Lines of text on the next measurement to make. Where several models fit the readings, the lines
 /// list the measurements that tell these models apart, with the prediction of each model. Where one
 /// model fits, they list the standard errors of its parameters before and after the measurement.
-/// Where the diagnosis suspects readings, the first line asks to repeat these.
+/// Where the diagnosis suspects errors in some readings, the first line says that these readings
+/// should be repeated.
 std::vector<std::string> next_lines(const NextMeasurement& next, const Diagnosis& diagnosis);
 
 /// Joins lines on the next measurement to one paragraph, and leaves out indented lines, which

@@ -20,8 +20,8 @@ namespace pendular {
 /// - coulombeff: stress ratio of contact forces against P*, with the dry stress ratios
 /// - zzcip, phisdiffmu: coordination numbers and solid fraction against P*
 /// - appdiff, s12pred: stress ratios predicted without and with capillary shear stress
-/// - cohcomp, cohgen: cohesion by Rumpf's formula and generalised cohesion, each over the cohesion
-///   from the straight line, against 1/P*
+/// - cohcomp, cohgen: cohesion by Rumpf's formula and generalised cohesion, each divided by the
+///   cohesion from the straight line, against 1/P*
 /// - scaps, scapcd: capillary shear stress, and the ratio of its parts from contacts and from
 ///   distant bridges, against 1/P*
 /// - fabric: fabric of contacts and of distant bridges against 1/P*

@@ -27,9 +27,9 @@ struct AveragedWindow {
 const char* text_of(AveragedWindow::Kind kind);
 
 /// Returns the ranges of rows of a recording that are averaged: the steady parts whose means are
-/// the readings of a study, readings that were set aside, and steps that reach no plateau. Without
-/// readings and excluded rows, returns the ends of preshears and the smoothed peaks of intervals
-/// that were sheared to failure.
+/// the readings of a study, readings that were set aside, and steps that reach no plateau. Where
+/// both `readings` and `excluded` are empty, returns the ends of preshears and the smoothed peaks
+/// of intervals that were sheared to failure.
 /// @param readings readings of a study; readings of other files are ignored
 /// @param excluded rows that a study left out
 std::vector<AveragedWindow> windows_of(const FileView& view, const std::vector<Reading>& readings,
@@ -51,11 +51,11 @@ class RecordingCourse {
     std::size_t size() const { return values_.size(); }
 
     /// Returns the known values of the course with the numbers of their rows, from 1, in the order
-    /// of the rows. If there are more than `most`, returns the least and the greatest value in each
-    /// of most/2 equal parts of them, so that no peak is lost.
+    /// of the rows. If more than `most` values are known, divides them into most/2 equal parts and
+    /// returns the least and the greatest value of each part, so that no peak is lost.
     std::vector<std::pair<std::size_t, double>> points(std::size_t most) const;
 
-    /// Mean of the known values in a range of rows, in the unit of the course; empty if none is
+    /// Mean of the known values in a range of rows, in the unit of the course; empty if no value is
     /// known.
     std::optional<double> mean(const AveragedWindow& window) const;
 

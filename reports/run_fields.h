@@ -10,9 +10,10 @@
 
 namespace pendular {
 
-/// JSON of the profiles and distributions of a simulation run. Each has its meaning, unit and
-/// coordinate and the lists `at` (coordinate), `value` and `stderr` (standard error), with one
-/// entry per bin, null in bins without samples. A dry run has none of liquid bridges.
+/// JSON of the profiles and distributions of a simulation run. Each profile or distribution has its
+/// meaning, unit and coordinate, and the lists `at` (coordinate), `value` and `stderr` (standard
+/// error) with one entry per bin, null in bins without samples. A dry run has no profiles or
+/// distributions of liquid bridges.
 nlohmann::ordered_json fields_json(const dem::RunResult& run);
 
 /// Returns the profiles and distributions of a simulation run as CSV tables, by file name; one file

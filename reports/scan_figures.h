@@ -7,9 +7,10 @@
 
 namespace pendular {
 
-/// Returns figures of the test of all candidate effects in a diagnosis: `scan`, the predicted
-/// reduction of chi2 by each effect beside the reduction in a refit, and `cosines`, how similarly
-/// the leading effects change the readings. A figure without panels has nothing to show.
+/// Returns two figures of how a diagnosis tested all candidate effects (effects that the model may
+/// lack). `scan`: the predicted reduction of chi2 by each effect, beside the reduction in a refit.
+/// `cosines`: how similarly the leading effects change the readings. A figure has no panels if no
+/// effect can be drawn.
 std::vector<Figure> scan_figures(const Diagnosis& diagnosis, const ModelSpace& space);
 
 }  // namespace pendular

@@ -23,7 +23,7 @@ inline constexpr std::array<FrictionCode, 5> friction_code = {{{0.05, Shape::squ
 
 /// Colour and filling of the symbols in figures for one value of the liquid content.
 struct ContentCode {
-    double liquid_content;  ///< liquid volume over solid volume, Phi_L/Phi_S [1]
+    double liquid_content;  ///< liquid volume divided by solid volume, Phi_L/Phi_S [1]
     std::string_view colour;
     Filling filling;
 };
@@ -45,12 +45,12 @@ Shape shape_of(double friction);
 /// liquid content in `content_code`, by the logarithm, or `dry_code` for 0.
 const ContentCode& code_of(double liquid_content);
 
-/// Returns the symbol of a simulated or predicted state: the shape shows the friction [1], the
-/// filling shows the liquid content (liquid volume over solid volume) [1].
+/// Returns the symbol of a simulated or predicted state: the shape encodes the friction [1], colour
+/// and filling encode the liquid content (liquid volume divided by solid volume) [1].
 Symbol simulated_symbol(double friction, double liquid_content);
 
 /// Symbol of measured points: a plus, since the friction of the measured grains is not known. The
-/// colour shows the liquid content.
+/// colour encodes the liquid content.
 inline constexpr Symbol measured_symbol{Shape::plus, Filling::hollow};
 
 }  // namespace pendular

@@ -19,8 +19,8 @@ std::vector<std::string> readings_table(const Measurements& measurements);
 /// with the reason.
 std::vector<std::string> excluded_table(const Measurements& measurements);
 
-/// Text that counts the rows that import left out, by kind: "44 transients, 6 readings set
-/// aside"; empty where it left out none.
+/// Text that counts the ranges of rows that import left out, by kind: "44 transients, 6 readings
+/// set aside"; empty where no rows were left out.
 std::string excluded_text(const Measurements& measurements);
 
 /// Whether import left out rows other than the transients of steps.
@@ -43,9 +43,9 @@ std::string freedom_text(int degrees_of_freedom);
 /// text says so.
 std::string misfit_text(const Misfit& misfit);
 
-/// Table of the parts of the misfit chi2: by quantity (shear stress, solid fraction), by condition
-/// and, where there are several files, by file. The parts of each division add up to the chi2 of
-/// all readings.
+/// Table of the contributions to chi2 [1]: of each quantity (shear stress, solid fraction), of each
+/// condition and, where there are several files, of each file. The contributions of all quantities
+/// add up to chi2 of all readings, as do those of all conditions and of all files.
 std::vector<std::string> misfit_table(const Comparison& comparison);
 
 /// Table of cohesion lines, straight lines of stress ratio against the inverse reduced pressure,

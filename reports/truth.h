@@ -6,9 +6,10 @@
 
 namespace pendular {
 
-/// JSON of the hidden truth behind the recordings that a virtual laboratory wrote, for users and
-/// scripts: friction and effects, plan of the experiment, and the condition and simulation run of
-/// each step, with all that is needed to repeat the run. The program never reads this JSON.
+/// JSON of the true friction and effects with which a virtual laboratory simulated its recordings,
+/// for comparison with what a diagnosis finds. It also contains the plan of the experiment and, for
+/// each step, the condition and all that is needed to repeat the simulation run. The program never
+/// reads this JSON.
 nlohmann::ordered_json to_json(const LabResult& result);
 
 }  // namespace pendular

@@ -25,7 +25,8 @@ nlohmann::ordered_json to_json(const Diagnosis& diagnosis, const ModelSpace& spa
                                const Evidence& evidence, const Checks& checks);
 
 /// JSON with the number of simulated repetitions of the experiment (`of`) and the number of
-/// repetitions that give the same verdict as the readings (`same`). Null where none were simulated.
+/// repetitions that give the same verdict as the readings (`same`). Null where no repetitions were
+/// simulated.
 nlohmann::ordered_json to_json(const std::optional<Repeated>& repeated);
 
 }  // namespace pendular

@@ -11,7 +11,7 @@
 
 namespace pendular {
 
-/// Options for all work on a study, such as fits and diagnoses: settings and store of the
+/// Options for all computations on a study, such as fits and diagnoses: settings and store of the
 /// simulations, threads, and the listener to progress reports.
 struct SessionOptions {
     Fidelity fidelity;       ///< settings of the simulations, such as the number of grains
@@ -21,14 +21,14 @@ struct SessionOptions {
     /// Store: the user's file of simulated runs, which keeps new runs and provides earlier runs;
     /// null: no store.
     RunStore* store = nullptr;
-    std::stop_token stop = {};  ///< request to stop long work, which then ends by dem::Interrupted
+    std::stop_token stop = {};  ///< request to stop, by dem::Interrupted
     Listener listener = {};     ///< callback for notes and progress; may be empty
 };
 
 /// Options of the fit of a study's parameters.
 struct FitOptions {
-    /// Whether runs simulated at the fitted parameters check the emulator, and the fit is repeated
-    /// with them until prediction and simulation agree.
+    /// Whether the fit is checked by new simulations at the fitted parameters. The emulator is then
+    /// trained on these runs too, and the fit is repeated until emulator and simulation agree.
     bool confirm = false;
     /// Time that the confirming runs may take [s]; empty: no limit.
     std::optional<double> confirming_seconds = {};
@@ -40,7 +40,7 @@ struct FitOptions {
     CohesionOptions cohesion = {};  ///< options of the Mohr-Coulomb lines through the wet readings
 };
 
-/// Whether a fit must simulate all runs on which its emulator is trained. This is so if
+/// Whether a fit must simulate all runs on which its emulator is trained. Runs must be simulated if
 /// `options.cold` is set, or if fewer than 20 runs of the atlas (the runs that come with the
 /// program) and of the store (the user's file of runs) can train an emulator for the study.
 bool begins_cold(const Study& study, const SessionOptions& session, const FitOptions& options);
@@ -50,9 +50,9 @@ bool begins_cold(const Study& study, const SessionOptions& session, const FitOpt
 /// program) and of the store (the user's file of runs) or, if these are too few or `options.cold`
 /// is set, on runs that the fit simulates.
 /// @throws InputError where there is nothing to fit, where a reading cannot be simulated, where the
-///         study has effects on grains but there are no earlier simulations, and where the atlas
-///         cannot be read
-/// @throws dem::Interrupted where the user stops the work; the message says how to continue
+///         study has effects on grains but no earlier simulations exist, and where the atlas cannot
+///         be read
+/// @throws dem::Interrupted where the user requests a stop; the message says how to continue
 Calibration fit_study(const ResolvedStudy& study, const Measurements& measurements,
                       const SessionOptions& session, const FitOptions& options);
 

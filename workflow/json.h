@@ -17,7 +17,7 @@ nlohmann::ordered_json to_json(const Measurements& measurements);
 
 /// JSON of the comparison of a fitted model with the readings, as in out/compare.json.
 /// @param lines cohesion lines, Mohr-Coulomb lines through measured and predicted wet readings
-/// @param where tests of the residuals, which show where the model fails
+/// @param where tests of the residuals, and the groups of readings that deviate most from the model
 nlohmann::ordered_json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
                                const WhereItFails& where);
 

@@ -9,29 +9,30 @@
 
 namespace pendular {
 
-/// Note or progress report of the work on a study, for display.
+/// Note to the user, or progress report of a long computation such as a fit, for display.
 struct Event {
     enum class Kind {
         note,   ///< note for the user: `text`
         stage,  ///< beginning of the stage of work that `text` names
-        runs,   ///< progress of the simulations of the stage `text`
-        round,  ///< end of round `number` of a fit, with its result `fit`
-        refits  ///< progress of the refits that `text` names: `number` of `total`
+        runs,   ///< progress of the simulations in the stage that `text` names
+        round,  ///< end of round `number` (new simulations, then a fit), with the result `fit`
+        refits  ///< progress of the refits that `text` names: `number` of `total` are done
     };
     Kind kind = Kind::note;
     /// Text of the note, or name of the stage of work or of the refits.
     std::string text = {};
     /// Progress of the simulations, for an event of the kind `runs`.
     EnsembleProgress runs = {};
-    /// For the kind `round`, `number` is the number of the round. For the kind `refits`, `number`
-    /// of `total` refits are done.
+    /// For an event of the kind `round`, the number of the round. For an event of the kind
+    /// `refits`, the number of refits that are done, and of all refits.
     std::size_t number = 0, total = 0;
-    /// Fit at the end of a round; valid only while the listener is called.
+    /// Fit at the end of a round, for an event of the kind `round`; valid only while the listener
+    /// is called.
     const Fit* fit = nullptr;
 };
 
-/// Callback that receives notes and progress reports of the work on a study. It is called from one
-/// thread at a time and may be empty.
+/// Callback that receives notes to the user and progress reports of long computations such as fits.
+/// The callback is called from one thread at a time and may be empty.
 using Listener = std::function<void(const Event&)>;
 
 /// Calls a listener with an event; does nothing where the listener is empty.

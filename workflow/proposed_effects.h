@@ -35,7 +35,7 @@ ProposedEffects read_proposed(const std::filesystem::path& file);
 /// Returns the names of the effects of one proposal of a diagnosis.
 /// @param file file of the proposals, such as out/proposed.toml
 /// @param number number of the proposal, from 1
-/// @throws InputError where the file has no such proposal or cannot be read
+/// @throws InputError where the file has no proposal of this number or cannot be read
 std::vector<std::string> proposal(const std::filesystem::path& file, std::int64_t number);
 
 }  // namespace pendular

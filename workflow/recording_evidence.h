@@ -14,31 +14,32 @@ namespace pendular {
 struct RecordingEvidence {
     /// The irregularity, as the import of the recordings found it.
     RecordingFinding finding;
-    /// Share of the excess chi2 - dof of the study's model that one common factor on the readings
-    /// concerned would remove [1], beyond what a change of the calibrated parameters would.
-    /// Negative: not computed, since none of these readings was tested or the diagnosis found no
+    /// Share of the misfit that the irregularity may explain [1]: the reduction of chi2 if the
+    /// affected readings were all multiplied by one fitted factor, divided by chi2 - dof of the
+    /// study's model. What a change of the calibrated parameters can imitate does not count.
+    /// Negative: not computed, since no affected reading was tested or the diagnosis found no
     /// misfit.
     double explains = -1;
-    /// Whether a common factor on the readings that the irregularity concerns reduces chi2 by more
-    /// than each candidate effect would, and significantly (p < 0.01).
+    /// Whether multiplying the affected readings by one fitted factor would reduce chi2
+    /// significantly (p < 0.01), and by more than any effect that the model may lack.
     bool beats_effects = false;
 
-    /// Whether the irregularity explains at least half of the misfit, or more of it than any
-    /// effect.
+    /// Whether the irregularity explains at least half of the misfit, or more of the misfit than
+    /// any physical effect.
     bool explains_most() const { return explains >= 0.5 || (explains > 0 && beats_effects); }
 };
 
-/// Returns the irregularities inside a study's recordings that matter for its diagnosis, the one
-/// that explains most of the misfit first. All saturations and steps between recordings are
-/// included. Others are included if one common factor on the readings concerned would reduce chi2
-/// significantly (p < 0.01).
+/// Returns the irregularities inside a study's recordings that may explain the misfit of its model,
+/// the one with the largest share of the misfit first. Saturated sensors and steps between
+/// recordings are always included. Other irregularities are included if multiplying the affected
+/// readings by one fitted factor would reduce chi2 significantly (p < 0.01).
 /// @param findings all irregularities that the import found in the recordings
 std::vector<RecordingEvidence> recording_evidence(const StudyDiagnosis& diagnosis,
                                                   const std::vector<RecordingFinding>& findings);
 
 /// Text "The recordings themselves show: ..." with up to two sentences on irregularities of the
-/// recordings; it adds how much of the misfit the first one explains if it explains most. Empty
-/// where there are no irregularities.
+/// recordings; if the first irregularity explains most of the misfit, a sentence adds its share.
+/// Empty where `evidence` is empty.
 std::string recordings_line(const std::vector<RecordingEvidence>& evidence);
 
 /// JSON array of irregularities found inside recordings, one object for each, with the share of the

@@ -27,9 +27,9 @@ class Reproduction {
     const std::vector<ScoreboardRow>& rows() const { return rows_; }
     /// Number of published numbers or ranges that agree with the simulated ones.
     std::size_t agreeing() const;
-    /// Parameters of the runs that are still to be simulated: those at the published states for
-    /// which there is no earlier run. Number of grains and stiffness number are those of the
-    /// fidelity, the set of simulation settings.
+    /// Parameters of the runs that are still to be simulated: one for each published state without
+    /// an earlier run. Number of grains and stiffness number are those of the fidelity, the set of
+    /// simulation settings.
     std::vector<dem::RunParameters> missing_runs() const;
 
   private:

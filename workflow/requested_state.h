@@ -13,8 +13,8 @@ namespace pendular {
 /// content.
 struct RequestedState {
     double friction = 0.09, inertial_number = 0;  ///< friction coefficient and inertial number [1]
-    /// Reduced pressure P* [1], volume of a liquid bridge over the cubed grain diameter [1], and
-    /// liquid content Phi_L/Phi_S, the liquid volume over the bead volume [1].
+    /// Reduced pressure P* [1], volume of a liquid bridge divided by the cubed grain diameter [1],
+    /// and liquid content Phi_L/Phi_S, the liquid volume divided by the bead volume [1].
     std::optional<double> reduced_pressure, bridge_volume, liquid_content;
     /// Stiffness number of the grains [1]; 0: the stiffness number of most training runs.
     double stiffness_number = 0;
@@ -32,8 +32,8 @@ struct RequestedState {
     /// @throws InputError for a wet state where no earlier run is wet, and for a dry state where no
     ///         earlier run is dry
     FlowState state(const Emulator& emulator, const KnownRange& known) const;
-    /// Returns a request for another state, `state`. Its amount of liquid is a liquid content if
-    /// this request gives a liquid content, else a bridge volume.
+    /// Returns a request for another state, `state`. The new request gives a liquid content if this
+    /// one does, else a bridge volume.
     RequestedState with(const FlowState& state, const Emulator& emulator) const;
 
     /// Text that describes the requested state, as in "friction 0.3, inertial number 0.01, reduced
@@ -66,10 +66,10 @@ std::string unsupported_text(const RequestedState& requested, const FlowState& s
                              const KnownRange& known, const Fidelity& fidelity,
                              double stiffness_number);
 
-/// Returns a state outside the range of the earlier runs, with its bridge volume computed again
-/// from the requested liquid content by means of the coordination number of the nearest state
-/// within this range. The coordination number that the emulator predicts for the state itself would
-/// be unreliable. Returns `state` unchanged where no liquid content is requested.
+/// Corrects the bridge volume of a state outside the range of the earlier simulation runs. The
+/// volume follows from the requested liquid content and the coordination number, which the emulator
+/// cannot predict reliably for `state`. The coordination number of the nearest state within the
+/// range is used in its place. Returns `state` unchanged where no liquid content is requested.
 FlowState with_known_coordination(const RequestedState& requested, FlowState state,
                                   const Emulator& emulator, const KnownRange& known);
 

@@ -16,8 +16,8 @@ std::vector<std::string> names_of(const std::vector<ListedEffect>& effects);
 
 /// Reads the alternatives to an effect from the result of an earlier diagnosis: the sets of effects
 /// that explained the readings equally well without the effect. Empty where `file`, a
-/// diagnosis.json, does not exist or cannot be read, where no set with the effect explained them,
-/// and where the study now lists other effects than at the diagnosis.
+/// diagnosis.json, does not exist or cannot be read, where no set that contains the effect
+/// explained the readings, and where the study's list of effects has changed since the diagnosis.
 std::vector<std::vector<std::string>> rivals_in(const std::filesystem::path& file,
                                                 const Study& study, const std::string& effect);
 
@@ -32,13 +32,15 @@ std::vector<std::vector<std::string>> rivals_in(const std::filesystem::path& fil
 std::vector<RivalModel> rivals_alive(const StudyDiagnosis& diagnosis, const ResolvedStudy& study,
                                      const Ladder& ladder);
 
-/// Text that names rival models, which the readings do not rule out, with their chi2, and says how
-/// their effects can be measured directly. Empty where there are no rivals.
+/// Text on rival models, in which other effects replace one that the study lists and which the
+/// readings do not rule out: their effects, their chi2, and how these effects can be measured
+/// directly. Empty where `rivals` is empty.
 /// @param chi2 chi2 of the study's model [1]
 std::string rivals_line(const std::vector<RivalModel>& rivals, double chi2,
                         const EffectCatalogue& catalogue);
 
-/// JSON array with the listed effect, the effects in its place and the chi2 of each rival model.
+/// JSON array of rival models: for each, the listed effect that it lacks, the effects that it has
+/// instead, and its chi2 [1].
 nlohmann::ordered_json to_json(const std::vector<RivalModel>& rivals);
 
 }  // namespace pendular

@@ -31,7 +31,7 @@ struct ComparedStudy {
     /// Model of the study whose parameters were fitted.
     StudyModel model;
     Comparison comparison;
-    /// Tests of the residuals, which show where the model deviates from the readings.
+    /// Tests of the residuals, and the groups of readings that deviate most from the model.
     WhereItFails where;
     Belief belief;  ///< judgement whether the fit can be believed
 };
@@ -51,7 +51,7 @@ class Session {
     explicit Session(const std::filesystem::path& study, SessionOptions options = {},
                      OutputPlaces outputs = {});
     /// Opens a session on a study that `read_input` has read. Results go to `folder`. The caller
-    /// must have checked that they replace no file of the study (`protect_inputs`).
+    /// must have checked that the results replace no file of the study (`protect_inputs`).
     Session(StudyInput input, SessionOptions options, std::filesystem::path folder);
 
     const Study& study() const { return input_.study; }
@@ -65,7 +65,7 @@ class Session {
     /// fit_runs.csv to the results folder.
     /// @throws InputError where there is nothing to fit, and where a reading cannot be simulated
     /// @throws std::runtime_error where a file cannot be written
-    /// @throws dem::Interrupted where the user stops the work; the message says how to continue
+    /// @throws dem::Interrupted where the user requests a stop; the message says how to continue
     CalibratedStudy calibrate(const FitOptions& fit = {}) const;
     /// Compares the fit in the results folder with the readings of the study. Writes no file.
     /// @param cohesion options of the cohesion lines (Mohr-Coulomb lines through wet readings);
@@ -85,11 +85,12 @@ class Session {
     /// @param confirming_seconds largest time [s] for new simulations that test the verdict, and
     ///        for the diagnoses that are repeated with their results; empty: nothing is simulated
     /// @param repetitions number of repetitions of the experiment that are simulated (readings with
-    ///        new random errors) and diagnosed, to count how often the verdict is the same; 0: none
+    ///        new random errors) and diagnosed, to count how often the verdict is the same; 0: no
+    ///        repetitions
     /// @throws InputError where there are too few readings or too few earlier simulation runs,
     ///         where a reading is outside the range that can be simulated, and where ladder.json
     ///         cannot be read
-    /// @throws dem::Interrupted where the user stops the work
+    /// @throws dem::Interrupted where the user requests a stop
     StudyDiagnosis diagnose(std::optional<double> confirming_seconds = {},
                             std::size_t repetitions = 0) const;
     /// Plans the next measurement of the study from its diagnosis. The measurement tells apart the
@@ -108,7 +109,7 @@ class Session {
     /// @throws InputError where the effect cannot be added, where ladder.json cannot be read, where
     ///         a fit is impossible, and where study.toml has changed since the session read it
     /// @throws std::runtime_error where a file cannot be written
-    /// @throws dem::Interrupted where the user stops the work
+    /// @throws dem::Interrupted where the user requests a stop
     ChangedStudy add(const std::string& effect, const FitOptions& fit = {},
                      bool same_fidelity = true) const;
     /// Removes an effect from study.toml and fits the study before and after the change. Where the
@@ -121,7 +122,7 @@ class Session {
     ///         read, where a fit is impossible, and where study.toml has changed since the session
     ///         read it
     /// @throws std::runtime_error where a file cannot be written
-    /// @throws dem::Interrupted where the user stops the work
+    /// @throws dem::Interrupted where the user requests a stop
     ChangedStudy drop(const std::string& effect, const FitOptions& fit = {},
                       bool same_fidelity = true) const;
 

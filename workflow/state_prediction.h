@@ -21,9 +21,9 @@ struct StatePrediction {
     std::vector<EmulatedObservable> observables;
     /// Stiffness number of the grains for which predictions hold [1].
     double stiffness_number = 1000;
-    /// Text on the friction, inertial number, reduced pressure and bridge volume of the state that
-    /// lie outside their ranges in the training runs, as in "friction 0.9 is above 0.6"; empty
-    /// where none does.
+    /// Text that names each quantity of the state (friction, inertial number, reduced pressure,
+    /// bridge volume) outside its range in the training runs, as in "friction 0.9 is above 0.6";
+    /// empty where all quantities are within their ranges.
     std::string beyond;
     /// Number of simulation runs on which the emulator is trained.
     std::size_t runs = 0;
@@ -72,9 +72,10 @@ struct PredictionCurve {
     /// Stiffness number of the grains for which predictions hold [1].
     double stiffness_number = 1000;
     /// Number of states of the curve that are left out, since no earlier simulation run is near
-    /// them.
+    /// these states.
     int left_out = 0;
-    /// Reason why the first state that was left out is not covered; empty where none was left out.
+    /// Reason why the first state that was left out cannot be predicted; empty where no state was
+    /// left out.
     std::string why_left_out;
 };
 
@@ -84,7 +85,8 @@ class StatePredictor {
   public:
     /// Trains an emulator on earlier simulation runs: those of the atlas (which come with the
     /// program) and of the user's store.
-    /// @param fidelity settings of the runs that can be simulated where a state cannot be predicted
+    /// @param fidelity settings of the runs that messages and `run_for` suggest where a state
+    ///        cannot be predicted
     /// @param store user's file of runs; null: only the atlas is used
     /// @param stiffness_number stiffness number of the grains to predict [1]
     /// @throws InputError where there are too few earlier runs to train an emulator, and where the
@@ -101,16 +103,16 @@ class StatePredictor {
     const Emulator& emulator() const { return emulator_; }
     double stiffness_number() const { return stiffness_number_; }
 
-    /// Whether a requested state can be predicted from the earlier simulation runs: it lies within
-    /// the convex hull of their states, and the predicted errors are small enough.
+    /// Whether a requested state can be predicted from the earlier simulation runs: the state lies
+    /// within the convex hull of the states of the runs, and the predicted errors are small enough.
     /// @throws InputError for a wet state where no earlier run is wet, and for a dry state where no
     ///         earlier run is dry
     bool supports(const RequestedState& requested) const;
     /// Predicts all observables, such as stress ratio, solid fraction and coordination numbers, at
     /// a requested state of steady shear.
-    /// @throws InputError where the state is outside the range of the earlier simulation runs,
-    ///         naming the nearest state within the range, and where the predicted solid fraction is
-    ///         not that of a dense flow
+    /// @throws InputError where the state is outside the range of the earlier simulation runs (the
+    ///         message names the nearest state within the range), and where the predicted solid
+    ///         fraction is not that of a dense flow
     StatePrediction at(const RequestedState& requested) const;
     /// Predicts all observables along a curve of states: the state `requested`, with the varied
     /// quantity set to each of its values. States outside the range of the earlier simulation runs
@@ -122,8 +124,8 @@ class StatePredictor {
     /// Values of the closures (analytical formulas) of Badetti et al. (2018) for the state of a wet
     /// run. They are computed from the observables of the run and the stress ratio that the
     /// emulator predicts for dry grains at the run's friction and inertial number. Empty for a dry
-    /// run, where the earlier runs do not cover that dry state, and where the run has other damping
-    /// than usual or an effect that changes dry flow too.
+    /// run, where no earlier runs are near this dry state, and where the run has a damping other
+    /// than the default or an effect that also changes dry flow.
     std::optional<closures::ClosureValues> closures_of(const dem::RunResult& run) const;
 
     /// Parameters of the run that simulates a requested state which cannot be predicted from the

@@ -11,8 +11,8 @@ namespace pendular {
 /// number, inverse reduced pressure and bridge volume.
 nlohmann::ordered_json to_json(const StatePrediction& prediction);
 
-/// JSON of the predictions along a curve, as `pendular predict --along --json` writes it: an array
-/// of states that differ in one quantity, each with its observables, standard errors and
+/// JSON of the predictions along a curve of states, as `pendular predict --along --json` writes it:
+/// an array of states that differ in one quantity, each with its observables, standard errors and
 /// derivatives.
 nlohmann::ordered_json to_json(const PredictionCurve& curve);
 

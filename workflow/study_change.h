@@ -26,8 +26,8 @@ struct StudyChange {
 };
 
 /// Checks a change of the effects that a study lists, and prepares the changed study. Nothing is
-/// written. An effect that is not in the study's catalogue may be among the `proposed` ones; its
-/// table [[effect]] is then added to study.toml too.
+/// written. The effect to add may be one that the study's catalogue lacks but that is among
+/// `proposed`; its table [[effect]] is then added to study.toml too.
 /// @throws InputError where an effect to add is unknown (naming the nearest known effect), does not
 ///         apply to the study or is listed already, and where an effect to drop is not listed
 StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect,
@@ -45,8 +45,8 @@ struct Fitted {
     /// Number of conditions in the cross-validation, each predicted by a fit to the other
     /// conditions; 0: there are too few conditions for a cross-validation.
     std::size_t left_out = 0;
-    /// Number of conditions in the cross-validation without which the other readings do not
-    /// determine every parameter of the model.
+    /// Number of conditions that the cross-validation cannot predict: the readings at the other
+    /// conditions alone do not determine every parameter of the model.
     std::size_t undetermined = 0;
 };
 /// Compares a calibration with all readings of the study, and computes its cross-validation errors:
@@ -74,12 +74,12 @@ void apply_change(const StudyChange& change, const LadderStep& before, LadderSte
 /// Result of adding or dropping an effect of a study: the fits before and after the change.
 struct ChangedStudy {
     StudyChange change;
-    /// Fit of the study before the change. Where the study after the change fits all readings and
-    /// the study before it the dry ones alone, `before` is a fit to all readings as well.
+    /// Fit of the study before the change. If the parameters were fitted to the dry readings only
+    /// but are fitted to all readings after the change, `before` is a fit to all readings too.
     Fitted before;
     Fitted after;  ///< fit of the study after the change, as in fit.json
-    /// Fit to all readings after the change, where `before` fits all readings and `after` the dry
-    /// ones alone.
+    /// Fit of the changed study to all readings, for comparison with `before`, which is a fit to
+    /// all readings. Empty unless `after` is a fit to the dry readings only.
     std::optional<Fitted> after_to_all;
     /// Ladder: sequence of the study's models. The last one is the changed model if `written` is
     /// true.
@@ -104,15 +104,15 @@ struct ChangeOptions {
 };
 
 /// Adds an effect to a study or drops one, and fits the study before and after the change. The fit
-/// before is read from the results folder if it was made with comparable settings, else it is made
-/// anew. Then fit.json and ladder.json are written to the folder and, last, study.toml. Nothing is
-/// written where the fit after the change does not converge.
+/// before is read from the results folder if that fit was made with comparable settings; otherwise
+/// the study is fitted again. Then fit.json and ladder.json are written to the folder and, last,
+/// study.toml. Nothing is written where the fit after the change does not converge.
 /// @param effect name of the effect; to add, also one that proposed.toml of the results folder
 ///        defines
 /// @throws InputError where the effect cannot be added or dropped, where ladder.json cannot be
 ///         read, where a fit is impossible, and where study.toml has changed since it was read
 /// @throws std::runtime_error where a file cannot be written; study.toml is then unchanged
-/// @throws dem::Interrupted where the user stops the work; the message says how to continue
+/// @throws dem::Interrupted where the user requests a stop; the message says how to continue
 ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measurements,
                           Action change, const std::string& effect, SessionOptions session,
                           const ChangeOptions& options);

@@ -41,12 +41,12 @@ struct Confirmation {
     /// Whether the verdict is firm: the last runs did not change the verdict and agreed with the
     /// emulator, and the noise of all runs is small compared with the other errors.
     bool settled = false;
-    std::string open = {};  ///< reason why the verdict is not firm; empty where it is
+    std::string open = {};  ///< reason why the verdict is not firm; empty where it is firm
 };
 
-/// Largest number of readings that a diagnosis tests one by one. Of more readings, the diagnosis
-/// tests the means of this many bins, since the time of the tests grows with the third power of
-/// their number.
+/// Largest number of readings that a diagnosis tests one by one. If there are more readings, the
+/// diagnosis divides them into this many bins and tests the mean of each bin. The time of the tests
+/// grows with the third power of the number of readings.
 inline constexpr std::size_t most_tested = 200;
 
 /// Diagnosis of a study, with the readings, models and errors on which it is based.
@@ -62,7 +62,7 @@ struct StudyDiagnosis {
     Evidence evidence;
     Diagnosis diagnosis;  ///< verdict, tests and refitted models
     /// Column of the recordings that was probably read in a wrong unit, which would explain the
-    /// misfit; empty: none was found.
+    /// misfit; empty: no such column was found.
     std::optional<UnitMistake> mistake = {};
     /// Whether the verdict is `suspect_measurement` regardless of the tests, since a column may be
     /// in a wrong unit or implausible readings were kept.
@@ -70,10 +70,10 @@ struct StudyDiagnosis {
     /// Models that the readings do not rule out, with other effects in place of one that the study
     /// lists.
     std::vector<RivalModel> rivals = {};
-    /// Changes of the predictions, without a known cause, that would explain the readings. Only
-    /// searched for where no known effect explains all of the misfit.
+    /// Changes of the predictions by formulas, not by known physical effects, that would explain
+    /// the readings. Empty where known effects explain all of the misfit.
     std::vector<Proposal> proposals = {};
-    /// Simulations that tested the verdict; empty: none were requested.
+    /// Simulations that tested the verdict; empty: no simulations were requested.
     std::optional<Confirmation> confirmed = {};
     /// Number of simulated repetitions of the experiment that give the same verdict; empty: not
     /// computed, or no model fits the readings.
@@ -85,18 +85,19 @@ struct StudyDiagnosis {
 /// Tests which physical effect is missing from a study's model, with an emulator trained on the
 /// runs of the atlas (the runs that come with the program) and of the store (the user's file of
 /// runs). Nothing is simulated.
-/// @throws InputError where there are no more measured values than parameters, readings at one
-///         condition only, or too few runs, where no run has an effect that the study lists, and
-///         where a reading is outside the range that can be simulated
-/// @throws dem::Interrupted where the user stops the work
+/// @throws InputError where the readings contain no more measured values than the model has
+///         parameters, where all readings have one condition, where there are too few runs, where
+///         the study lists an effect that no run has, and where a reading is outside the range that
+///         can be simulated
+/// @throws dem::Interrupted where the user requests a stop
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session);
 /// Tests which physical effect is missing from a study's model, with an emulator trained on the
 /// runs `known`. Nothing is simulated.
-/// @throws InputError where there are no more measured values than parameters, or readings at one
-///         condition only, where no run has an effect that the study lists, and where a reading is
-///         outside the range that can be simulated
-/// @throws dem::Interrupted where the user stops the work
+/// @throws InputError where the readings contain no more measured values than the model has
+///         parameters, where all readings have one condition, where the study lists an effect that
+///         no run has, and where a reading is outside the range that can be simulated
+/// @throws dem::Interrupted where the user requests a stop
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session, KnownRuns known);
 
@@ -111,38 +112,38 @@ KnownRuns runs_for_diagnosis(const ResolvedStudy& study, const SessionOptions& s
 /// @param seed seed of the random errors from which the p values are computed
 Checks checks_of(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
-/// Tests the residuals of the model with the leading effects, which explain most of the misfit but
-/// not all of it: where this model still deviates from the readings. Empty where the diagnosis has
-/// no leading effects.
+/// Tests where the model with the leading effects (which explain most of the misfit but not all of
+/// it) still deviates from the readings. Empty where the diagnosis has no leading effects.
 /// @param seed seed of the random errors from which the p values are computed
 std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
 /// Computes by how much each effect, and each error of measurement, would shift the fitted
-/// parameters of a study's model. Empty where a column is in a wrong unit, since the fit then means
-/// nothing.
+/// parameters of a study's model. Empty where a column is in a wrong unit, since the fitted numbers
+/// are then meaningless.
 /// @param threads largest number of threads
 std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size_t threads);
 
 /// Simulates `count` repetitions of the experiment (readings with new random errors), diagnoses
 /// each, and counts those with the same verdict. Empty where no model fits the readings, and where
 /// the verdict is a suspect measurement regardless of the tests (`StudyDiagnosis::overruled`).
-/// @throws dem::Interrupted where the user stops the work
+/// @throws dem::Interrupted where the user requests a stop
 std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& diagnosis,
                                          const SessionOptions& session, std::size_t count);
 
-/// Discrepancy of the model that would account for the remaining misfit: the standard deviation of
-/// a smooth error of the predicted shear stress, relative to the shear stress [1]. The misfit is
-/// that of the model with the leading effects or, if there are none, of the best refitted model.
-/// Returns 0 where the model fits, no discrepancy is significant, or the misfit varies too quickly
-/// with the conditions.
-/// @param stated discrepancy that the study already states [1]; the result includes it, as the root
-///        of the sum of squares
+/// Standard deviation of a smooth error of the predicted shear stress, relative to the shear stress
+/// [1], that would account for the remaining misfit. The remaining misfit is that of the model with
+/// the leading effects (which explain most of the misfit) or, if there are none, of the best
+/// refitted model. Returns 0 where the model fits, no discrepancy is significant, or the misfit
+/// varies too quickly with the conditions.
+/// @param stated relative error of the model (discrepancy) that study.toml already states [1]; the
+///        result is the root of the sum of the squares of both errors
 double remaining_discrepancy(const StudyDiagnosis& diagnosis, double stated);
 
 /// Returns the models between which the next measurement should decide: those that fit the readings
 /// according to a diagnosis. If no model fits, returns the model with the leading effects (which
 /// explain most of the misfit) or, if there are none, the study's model. If this gives only one
-/// model, the models with other effects in place of a listed one follow it.
+/// model, also returns the models in which other effects replace one that the study lists
+/// (`StudyDiagnosis::rivals`).
 std::vector<Rival> rivals_of(const StudyDiagnosis& diagnosis);
 
 }  // namespace pendular

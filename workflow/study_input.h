@@ -37,9 +37,10 @@ struct OutputPlaces {
     std::optional<std::string> json;
 };
 
-/// Checks, before long work, that output replaces none of the files that a study was read from
-/// (study.toml, its recordings, and links to these files), that no link leads an output out of the
-/// results folder, and that no `file` pattern of the study would read an output as a measurement.
+/// Checks, before a long computation, that output replaces none of the files that a study was read
+/// from (study.toml, its recordings, and links to these files), that no link leads an output out of
+/// the results folder, and that no `file` pattern of the study would read an output as a
+/// measurement.
 /// @throws InputError where an output would replace an input, leave the folder or match a pattern;
 ///         the message says what to do
 void protect_inputs(const Study& study, const OutputPlaces& outputs);
@@ -51,8 +52,8 @@ void protect_inputs(const Study& study, const OutputPlaces& outputs);
 ///         output would replace a file of the study or be read as a measurement
 StudyInput read_input(const std::filesystem::path& file, const OutputPlaces& outputs);
 
-/// Returns the shear cell that study.toml in the folder of `file` describes. Empty where there is
-/// no study.toml, where it cannot be read, and where it describes no cell.
+/// Returns the shear cell that study.toml in the folder of `file` describes. Empty where study.toml
+/// does not exist, cannot be read or describes no cell.
 std::optional<AnnularCell> cell_beside(const std::filesystem::path& file);
 
 }  // namespace pendular

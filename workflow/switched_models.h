@@ -41,25 +41,25 @@ struct SwitchedModel {
 
 /// Options for fitting a study with all combinations of its leading effects.
 struct SwitchOptions {
-    /// Largest number of effects to switch on and off; for n switches, 2^n models are fitted.
+    /// Largest number n of effects to switch on and off; up to 2^n models are fitted.
     std::size_t most = 6;
     /// Conditions, other than those of the readings, at which the models also predict, such as
     /// points of curves.
     std::vector<Condition> along = {};
 };
 
-/// Models of a study with all combinations of its leading effects, the effects that are most likely
-/// to matter; each is fitted to the readings.
+/// Models of a study with all combinations of its leading effects (those that the study lists or
+/// that the diagnosis finds most important), each fitted to the readings.
 struct SwitchedModels {
-    /// The study, with the catalogue of effects from which the models take theirs.
+    /// The study, with the catalogue that defines the effects of the models.
     ResolvedStudy study;
     /// Names of the effects that the models switch on and off.
     std::vector<std::string> switches = {};
-    /// Effects that the study lists and that cannot be switched off, since there are too many to
-    /// switch.
+    /// Names of effects that the study lists and that all models have: those beyond the largest
+    /// number of switches (`SwitchOptions::most`).
     std::vector<std::string> always = {};
-    /// Fitted model of each combination. In the combination with index i, effect k of `switches` is
-    /// on where bit k of i is set. Empty where a combination cannot be fitted.
+    /// Fitted model of each combination. The combination with index i contains effect k of
+    /// `switches` if bit k of i is 1. Empty where a combination cannot be fitted.
     std::vector<std::optional<SwitchedModel>> models = {};
     /// Reason why each combination cannot be fitted, as in "the readings are impossible with these
     /// effects"; empty where it is fitted.
@@ -71,7 +71,7 @@ struct SwitchedModels {
 /// Fits a study with each combination of its leading effects: first the effects that the study
 /// lists, then those that the verdict of the diagnosis names, those of other models that fit, and
 /// those whose refits reduce chi2 most. Nothing is simulated.
-/// @throws dem::Interrupted where the user stops the work
+/// @throws dem::Interrupted where the user requests a stop
 SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis& diagnosis,
                                const SessionOptions& session, const SwitchOptions& options = {});
 

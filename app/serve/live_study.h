@@ -21,11 +21,12 @@
 
 namespace pendular::app {
 
-/// Functions by which a served study does its work. One thread at a time calls them; only `look` is
-/// called by several threads at once.
+/// Functions that `LiveStudy` calls to watch a study for changes, to compute its page and to change
+/// it. One thread at a time calls these functions; only `look` is called by several threads at
+/// once.
 struct StudyWork {
-    /// Returns size, time and number of each file of the study, from which changes are found; takes
-    /// little time.
+    /// Returns size, time of change and inode number of each file of the study, by which changed
+    /// files are found. Must take little time.
     std::function<StudyStamps()> look;
     /// Computes the results of the study and returns the page that shows them, with this version
     /// number.
@@ -42,37 +43,38 @@ struct StudyWork {
     std::chrono::milliseconds interval{1000};
 };
 
-/// Study that `pendular serve` shows: makes its page again whenever its files change, stores
-/// recordings, and adds and drops effects. One thread does this work (`run`). Other threads take
-/// the finished page and leave requests.
+/// Study that `pendular serve` shows: makes its HTML page again whenever its files change, stores
+/// recordings, and adds and drops effects. One thread carries out these tasks (`run`). Other
+/// threads fetch the finished page and queue requests.
 class LiveStudy {
   public:
-    /// Prepares the work on a study; `run` begins it.
-    /// @param first_page page, of version 0, that is shown until the first results are there
+    /// Stores the functions and the first page; no computation begins before `run`.
+    /// @param first_page page, of version 0, that is shown until the first results exist
     LiveStudy(StudyWork work, std::string first_page);
     LiveStudy(const LiveStudy&) = delete;
     LiveStudy& operator=(const LiveStudy&) = delete;
 
-    /// Does the work on the study until a stop is requested. Work in progress then ends at its next
-    /// clean point.
+    /// Makes pages and carries out queued requests until a stop is requested. The computation in
+    /// progress then ends as soon as it can do so cleanly.
     void run(const std::stop_token& end);
 
     /// Returns the newest page that was made without an error, as HTML.
     std::shared_ptr<const std::string> page() const;
-    /// Returns JSON that open pages ask for: version and time of the newest page, what is being
-    /// computed with its share, the error that keeps the page from following the files (`trouble`),
-    /// and up to 20 recent events.
+    /// Returns the JSON that the study's page requests from the server while it is open in a
+    /// browser. It contains the version and time of the newest page, what is being computed and the
+    /// share done, the error because of which no newer page could be made (`trouble`), and up to 20
+    /// recent events.
     std::string state() const;
 
-    /// Stores a recording in the study and returns the answer for the browser. Waits until other
-    /// work has ended; the making of a page is broken off for it. The status is that of
-    /// `StudyWork::store`, 422 where storing failed, and 503 where too many requests wait or the
-    /// program ends.
+    /// Stores a recording in the study and returns the answer for the browser. Waits until earlier
+    /// requests have been carried out. A page that is being made is abandoned, and is made again
+    /// afterwards. The HTTP status is that of `StudyWork::store`, 422 where storing failed, and 503
+    /// where too many requests wait or the program ends.
     /// @param name name of the file
     /// @param bytes content of the file
     Answer receive(std::string name, std::string bytes);
-    /// Starts to add an effect to the study or to drop one, and returns at once. The status is 202
-    /// where the work was started, 409 while another effect is being added or dropped, and 503
+    /// Starts to add an effect to the study or to drop one, and returns at once. The HTTP status is
+    /// 202 where the change was queued, 409 while another effect is being added or dropped, and 503
     /// where too many requests wait. The outcome is among the later events of `state`.
     Answer change(Action action, const std::string& effect);
 
@@ -88,14 +90,15 @@ class LiveStudy {
     void make_page(const std::stop_token& end);
     void take_page(StudyPage page);
     void take_trouble(const std::string& text);
-    /// Prints the outcome of making a page on the console, and adds it to the events for open
-    /// pages.
+    /// Reports the outcome of making a page: prints `line` on the console, and adds `event` to the
+    /// recent events that the page in the browser lists.
+    /// @param ok whether the page was made
     void tell_outcome(const std::string& line, const std::string& event, bool ok);
     Answer change_now(Action action, const std::string& effect, const std::stop_token& end);
     void watch(const std::stop_token& over);
     void begin(const std::string& sentence);
-    /// Returns a listener that stores the progress of the running computation, which the browser
-    /// pages that show the study display.
+    /// Returns a listener that stores the progress of the running computation, for display on the
+    /// study's page in browsers.
     Listener progress();
     void add_event(const std::string& text, bool of_effect, bool ok);
     std::optional<std::future<Answer>> queue(std::function<Answer()> work);
@@ -112,14 +115,14 @@ class LiveStudy {
     bool working_ = false, changing_ = false, ended_ = false;
     /// Whether files of the study differ from those from which the last page was made.
     bool stale_ = true;
-    /// Sizes and times of the study's files when the making of the newest page began.
+    /// State of the study's files when the making of the newest page began.
     StudyStamps made_from_;
-    /// Sizes and times of the study's files for the last page whose outcome was printed on the
-    /// console.
+    /// State of the study's files from which the last page was made whose outcome the console has
+    /// printed.
     StudyStamps told_;
     /// Request that stops the making of the page in progress.
     std::stop_source page_stop_;
-    /// Requests that all work ends.
+    /// Stop token of `run`: a request to stop ends all computations.
     std::stop_token end_;
     std::deque<Job> jobs_;
     /// Recent events, the oldest first, shown on every page of the study that is open in a browser.

@@ -14,7 +14,8 @@ class Server;
 
 namespace pendular::app {
 
-/// Functions that answer the requests of browsers on a study. Several threads call them at once.
+/// Functions that answer the requests of browsers for a study. Several threads may call one
+/// function at the same time.
 struct ServedStudy {
     /// Returns the page of the study, as HTML.
     std::function<std::shared_ptr<const std::string>()> page;

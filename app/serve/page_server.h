@@ -18,7 +18,7 @@ class PageServer {
     explicit PageServer(int port);
     PageServer(const PageServer&) = delete;
     PageServer& operator=(const PageServer&) = delete;
-    /// Stops the server after the requests that are being answered.
+    /// Stops the server once the requests in progress have been answered.
     ~PageServer();
 
     const ServerAddress& address() const;

@@ -23,7 +23,7 @@ struct RequestHead {
 /// Address of a server on this computer: http://127.0.0.1:PORT/TOKEN/.
 struct ServerAddress {
     int port = 0;
-    std::string token;  ///< random secret, which only those know who were given the address
+    std::string token;  ///< random secret; only a user who was given the address knows it
 
     std::string text() const;
 };
@@ -42,16 +42,17 @@ struct Refusal {
     std::string reason;
 };
 
-/// Returns what an HTTP request asks for, or a refusal. The checks keep out web sites that the
-/// user's browser shows: a page of another site knows no token, and a site whose name leads to this
-/// computer sends another Host. Refusals: 403 for another host, another origin or a wrong token;
-/// 405 for a method other than GET and POST; 400 for a path with "..", "%" or "\"; 404 for other
-/// paths. A POST needs the token in the header X-Pendular-Token too, which no other site can set.
+/// Returns the page or action that an HTTP request is for, or a refusal. The checks keep out web
+/// sites that the user's browser shows: a page of another site knows no token, and a site whose
+/// name leads to this computer sends another Host. Refusals: 403 for another host, another origin
+/// or a wrong token; 405 for a method other than GET and POST; 400 for a path with "..", "%" or
+/// "\"; 404 for other paths. A POST needs the token in the header X-Pendular-Token too, which no
+/// other site can set.
 std::variant<Route, Refusal> check_request(const RequestHead& request,
                                            const ServerAddress& address);
 
-/// Whether two texts are equal. The computing time does not depend on where they differ, so that it
-/// does not help to guess a secret.
+/// Whether two texts are equal. The computing time does not depend on where the texts differ, so
+/// that measuring the time does not help to guess a secret.
 bool equal_in_constant_time(std::string_view a, std::string_view b);
 
 /// Returns a random secret of 256 bits from the operating system, as 64 hexadecimal digits.

@@ -11,8 +11,8 @@
 
 namespace pendular::app {
 
-/// Size, time of change and inode number of a file, to find out whether the file has changed. At
-/// least one of them differs after the file was written or replaced.
+/// Size, time of change and inode number of a file, by which a changed file is recognised: at least
+/// one of these numbers differs after the file was written or replaced.
 struct FileStamp {
     /// Size of the file [bytes].
     std::int64_t size = 0;

@@ -8,20 +8,23 @@
 namespace pendular::bench {
 
 struct ForeignStudiesOptions {
-    std::filesystem::path work = "build/foreign-studies";  ///< outcomes so far
+    /// Folder for the outcomes so far, from which a stopped run continues.
+    std::filesystem::path work = "build/foreign-studies";
     std::filesystem::path states = "bench/foreign_worlds/states.csv";
     std::filesystem::path results = "bench/results";
-    std::vector<std::string> only;  ///< names of worlds begin with one of these; empty: all
-    int studies = 20;               ///< recordings of each world, each with noise of its own
-    /// Error of the model that half of the studies state, relative to (stress ratio, solid
-    /// fraction) [1].
+    /// Beginnings of the names of the worlds to use; empty: all worlds.
+    std::vector<std::string> only;
+    int studies = 20;  ///< number of studies of each world, each with different noise
+    /// Errors of the model, relative to (stress ratio, solid fraction) [1], that a study states in
+    /// study.toml. Each study is diagnosed once without and once with these errors.
     std::array<double, 2> discrepancy = {0.005, 0.001};
 };
 
-/// Diagnoses studies of worlds that another code simulated, with and without a stated error of the
-/// model, and writes foreign_worlds.txt, foreign_worlds_confusion.csv and
-/// foreign_worlds_studies.csv. Goes on where it was stopped.
-/// @throws InputError, std::runtime_error
+/// Diagnoses studies whose flow another DEM code (LAMMPS) simulated, without and with a stated
+/// error of the model, and writes foreign_worlds.txt, foreign_worlds_confusion.csv and
+/// foreign_worlds_studies.csv. A run that was stopped continues from its last outcome.
+/// @throws InputError where a table cannot be read
+/// @throws std::runtime_error where a file cannot be written
 void foreign_studies(const ForeignStudiesOptions& options);
 
 }  // namespace pendular::bench

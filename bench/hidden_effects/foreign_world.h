@@ -8,17 +8,18 @@
 
 namespace pendular::bench {
 
-/// Virtual laboratory whose grains another code simulated (bench/foreign_worlds/README.md).
+/// Virtual laboratory whose grains another DEM code (LAMMPS) simulated; see
+/// bench/foreign_worlds/README.md.
 struct ForeignWorld {
-    Truth truth;           ///< named after the world; its effects have no values
-    LabResult laboratory;  ///< recorded steps, without noise of the instrument
+    Truth truth;           ///< hidden truth with the name of the world; its effects have no values
+    LabResult laboratory;  ///< recorded steps, without the noise of the instrument
 };
 
-/// Reads the steady states that another code found and arranges them as recordings of the
-/// benchmark's laboratory. Each recorded step has a simulation of its own. Worlds of which states
-/// are missing are left out.
+/// Reads the steady states that another DEM code (LAMMPS) simulated, and arranges the states as
+/// recordings of the benchmark's virtual laboratory, one simulation for each recorded step. A world
+/// is left out if one of its states is missing.
 /// @param states bench/foreign_worlds/states.csv
-/// @throws InputError where the file is not such a table
+/// @throws InputError where the file is not a table of these states
 std::vector<ForeignWorld> read_foreign_worlds(const std::filesystem::path& states);
 
 }  // namespace pendular::bench

@@ -7,26 +7,32 @@
 namespace pendular::bench {
 
 struct HiddenEffectsOptions {
-    std::filesystem::path work = "build/hidden-effects";  ///< simulations, and outcomes so far
+    /// Folder for simulations and for the outcomes so far.
+    std::filesystem::path work = "build/hidden-effects";
     std::filesystem::path truths = "bench/hidden_effects/truths.csv";
-    /// Simulations made before, which need not be made again.
+    /// Table of earlier simulation runs, which are not simulated again.
     std::filesystem::path runs = "bench/hidden_effects/runs.csv";
     std::filesystem::path results = "bench/results";
-    std::vector<std::string> only;  ///< names of truths begin with one of these; empty: all
-    int worlds = 1;                 ///< in which each truth is simulated, with seeds of their own
-    int studies = 4;                ///< recordings, each with noise of its own, of each truth
-    int resolved_studies = 2;    ///< of them, on which measurements go on where effects cannot be
-                                 ///< told apart
-    int complete_studies = 100;  ///< of the complete model
-    int most_measurements = 12;  ///< further ones
+    /// Beginnings of the names of the truths to use; empty: all truths.
+    std::vector<std::string> only;
+    int worlds = 1;   ///< number of simulations of each truth, with different seeds
+    int studies = 4;  ///< number of studies of each truth, each with different noise
+    /// Number of studies of each truth on which further measurements are made if the diagnosis
+    /// cannot tell effects apart.
+    int resolved_studies = 2;
+    int complete_studies = 100;  ///< number of studies of the complete model, which hides no effect
+    int most_measurements = 12;  ///< largest number of further measurements on a study
     int threads = 1;
-    bool plan = false;     ///< choose the truths anew
-    bool diagnose = true;  ///< likewise
+    bool plan = false;     ///< whether to choose the truths again and replace the file `truths`
+    bool diagnose = true;  ///< whether to diagnose the studies; false: simulate only
 };
 
-/// Hides effects in simulated laboratories, lets the program find them, and writes what came of it.
-/// Goes on where it was stopped.
-/// @throws InputError, std::runtime_error; dem::Interrupted after Ctrl-C
+/// Simulates virtual laboratories with hidden effects, diagnoses their recordings, and reports how
+/// often the diagnosis finds the hidden effects. A run that was stopped continues from its last
+/// outcome.
+/// @throws InputError where a table cannot be read
+/// @throws std::runtime_error where a file cannot be written
+/// @throws dem::Interrupted after Ctrl-C
 void hidden_effects(const HiddenEffectsOptions& options);
 
 }  // namespace pendular::bench

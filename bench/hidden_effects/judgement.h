@@ -10,7 +10,7 @@
 
 namespace pendular::bench {
 
-/// Study of a laboratory: what it hides, and the result of its diagnosis.
+/// Study of a virtual laboratory: the hidden truth, and the outcome of the diagnosis.
 struct LabStudy {
     const Truth* truth;
     const Outcome* outcome;
@@ -19,29 +19,31 @@ using Studies = std::vector<LabStudy>;
 
 bool verdict_is(const LabStudy& study, std::string_view verdict);
 
-/// Whether the diagnosis calls the model incomplete.
+/// Whether the diagnosis says that something is wrong with the model or the measurement: its
+/// verdict is neither "nothing-missing" nor "inconclusive".
 bool alarms(const LabStudy& study);
 
-/// Whether the verdict says that something outside the catalogue is missing, or that a part of the
-/// measurement is wrong.
+/// Whether the verdict is that no known effect explains the misfit ("unknown"), or that a part of
+/// the measurement is wrong ("suspect-measurement").
 bool flagged(const LabStudy& study);
 
-/// Whether a hidden effect is among those that the verdict points at.
+/// Whether the verdict names at least one of the hidden effects, alone or among others.
 bool points_at_truth(const LabStudy& study);
 
-/// Whether the verdict names exactly the effects that are hidden.
+/// Whether the verdict is "missing" and names exactly the hidden effects.
 bool right(const LabStudy& study);
 
-/// Whether a user who believes the verdict is misled: another effect is named, or the model is
-/// called complete although something is hidden.
+/// Whether the verdict misleads a user who believes it: "missing" with an effect that is not
+/// hidden, or "nothing-missing" although an effect is hidden.
 bool confidently_wrong(const LabStudy& study);
 
-/// Column of the confusion matrix to which a study belongs: "nothing", the names of the missing
-/// effects, or the verdict.
+/// Column of the confusion matrix to which a study belongs: "nothing" where the diagnosis raises no
+/// alarm, the names of the missing effects for the verdict "missing", else the verdict.
 std::string confusion_column(const LabStudy& study);
 
-/// Writes the confusion matrix as a CSV file: a row for each of these truths, a column for each
-/// verdict, and the number of studies.
+/// Writes the confusion matrix as a CSV file. A cell contains the number of studies with the hidden
+/// truth of its row and the verdict of its column (`confusion_column`).
+/// @param truths names of the truths, one for each row
 void write_confusion(const std::filesystem::path& file, const std::vector<std::string>& truths,
                      const Studies& studies);
 

@@ -7,22 +7,27 @@
 namespace pendular::bench {
 
 struct OutsideShapesOptions {
-    std::filesystem::path work = "build/outside-shapes";  ///< simulations, and outcomes so far
-    /// Tables of truths; those of effects outside the catalogue are used.
+    /// Folder for simulations and for the outcomes so far.
+    std::filesystem::path work = "build/outside-shapes";
+    /// Tables of hidden truths. Only truths with effects outside the catalogue are used.
     std::filesystem::path truths = "bench/hidden_effects/truths.csv";
     std::filesystem::path more_truths = "bench/hidden_effects/outside_truths.csv";
     std::vector<std::filesystem::path> runs = {"bench/hidden_effects/runs.csv"};
     std::filesystem::path results = "bench/results";
-    std::vector<std::string> only;  ///< names of truths begin with one of these; empty: all
-    int studies = 2;                ///< recordings, each with noise of its own, of each truth
+    /// Beginnings of the names of the truths to use; empty: all truths.
+    std::vector<std::string> only;
+    int studies = 2;  ///< number of studies of each truth, each with different noise
     int threads = 1;
-    bool plan = false;     ///< choose the sizes of `more_truths` anew
-    bool diagnose = true;  ///< false: make simulations only
+    bool plan = false;     ///< whether to choose the sizes of the effects in `more_truths` again
+    bool diagnose = true;  ///< whether to diagnose the studies; false: simulate only
 };
 
-/// Hides effects that the program does not know, lets it propose the shape of what is missing, and
-/// writes how often the shape is right.
-/// @throws InputError, std::runtime_error; dem::Interrupted after Ctrl-C
+/// Simulates virtual laboratories with hidden effects that the program's catalogue lacks, and lets
+/// the diagnosis propose which quantity changes and with which condition. Writes how often such a
+/// proposal is right.
+/// @throws InputError where a table cannot be read
+/// @throws std::runtime_error where a file cannot be written
+/// @throws dem::Interrupted after Ctrl-C
 void outside_shapes(const OutsideShapesOptions& options);
 
 }  // namespace pendular::bench

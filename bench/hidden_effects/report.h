@@ -9,8 +9,10 @@
 
 namespace pendular::bench {
 
-/// Writes hidden_effects.txt (rates, with how they are counted), hidden_effects_studies.csv (a row
-/// for each study), hidden_effects_confusion.csv, hidden_effects_next.csv and a figure to a folder.
+/// Writes the results of the benchmark to a folder: hidden_effects.txt (shares of right and wrong
+/// verdicts, and how these are counted), hidden_effects_studies.csv (one row for each study),
+/// hidden_effects_confusion.csv (confusion matrix), hidden_effects_next.csv (further measurements)
+/// and a figure.
 void write_report(const std::vector<Truth>& truths, const std::vector<Outcome>& outcomes,
                   const std::vector<Resolution>& resolutions, const std::filesystem::path& folder);
 

@@ -9,29 +9,39 @@
 
 namespace pendular::bench {
 
-/// How the next measurement is chosen.
+/// Way to choose the next measurement of a study: the one that `pendular next` plans, or a random
+/// one that the instrument can make.
 enum class Policy { next, random };
 
-/// Result of further measurements on a study whose effects could not be told apart.
+/// Result of further measurements on a study for which several effects explained the readings
+/// equally well.
 struct Resolution {
     std::string truth;
     int study = 0;
     Policy policy = Policy::next;
-    std::size_t rivals = 0;  ///< models that stood at first
-    bool among = true;       ///< what is hidden was one of them
-    /// `next` says that its rig tells what is hidden from all others; of its own policy.
+    /// Number of models that fitted the readings before the further measurements.
+    std::size_t rivals = 0;
+    /// Whether the model with the hidden effect fitted the readings before the further
+    /// measurements.
+    bool among = true;
+    /// Whether `pendular next` expects that the instrument can tell the model with the hidden
+    /// effect from all rival models. Always true with `Policy::random`.
     bool separable = true;
-    int measurements = 0;  ///< made
-    std::string verdict;   ///< at the end
+    int measurements = 0;  ///< number of further measurements that were made
+    std::string verdict;   ///< verdict after the last measurement
     std::vector<std::string> named;
-    bool right = false;  ///< `missing`, and it is what is hidden
+    bool right = false;  ///< whether the verdict is "missing" and names exactly the hidden effect
 };
 
-/// Measures on, in the simulated laboratory, until one effect is named, `next` says that nothing on
-/// the rig separates what stands, or so many measurements are made; not at all where `next` says
-/// at first that its rig does not tell what is hidden from all that stands beside it. The rig goes
-/// beyond what was measured: other stresses, rates, contents and fillings, the torque of the empty
-/// cell and the tare. Empty where the study is not indistinguishable to begin with.
+/// Makes further measurements in a virtual laboratory until the diagnosis is no longer
+/// "indistinguishable", until `pendular next` finds no measurement that tells the remaining models
+/// apart, or until `most_measurements` are made. With `Policy::next`, no measurements are made if
+/// the first plan of `pendular next` cannot tell the hidden effect from all its rivals. The
+/// instrument permits conditions beyond those of the study (normal stresses, shear rates, liquid
+/// contents, fillings), and direct measurements of the torque of the empty cell and of the offset
+/// of the normal force. Empty where the first verdict is not "indistinguishable".
+/// @param study number of the study, which determines the noise of its recordings
+/// @param folder folder for the files of the study; created, and removed at the end
 std::vector<Resolution> resolve(const Truth& truth, const LabResult& laboratory, int study,
                                 Policy policy, int most_measurements, const Workers& workers,
                                 const std::filesystem::path& folder);

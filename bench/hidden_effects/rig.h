@@ -8,18 +8,23 @@
 
 namespace pendular::bench {
 
-/// Fidelity of the truth and of the model fitted to it: its grains have their own stiffness, which
-/// differs from that of the atlas.
+/// Simulation settings of the virtual laboratories and of the models fitted to their recordings.
+/// The stiffness number of the grains is 1500, unlike that of the atlas (the runs that come with
+/// the program).
 Fidelity truth_fidelity();
 
-/// Plan of every laboratory of the benchmark. Set points, number of grains (1.5 times the
-/// fidelity's), stiffness and seeds are none of the atlas'. `world`: seeds of the simulations.
+/// Experimental plan of a virtual laboratory of the benchmark. Set points, number of grains (1.5
+/// times that of the fidelity), stiffness number and seeds differ from those of the runs in the
+/// atlas (the runs that come with the program).
+/// @param friction true friction coefficient [1]
+/// @param world seed of the simulations
 LabPlan rig(double friction, std::uint64_t world);
 
-/// The conditions it asks for, a reading each, as `import` will describe them.
+/// Conditions of all readings of a plan, in the order of its recordings, as `pendular import` would
+/// state them.
 std::vector<Condition> conditions_asked(const LabPlan& plan);
 
-/// The study that its recordings make, without files.
+/// Study of the recordings that a plan produces, without files.
 Study study_of(const LabPlan& plan);
 
 }  // namespace pendular::bench

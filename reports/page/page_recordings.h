@@ -12,7 +12,7 @@
 
 namespace pendular {
 
-/// Recording as the page of a study shows it: stresses against the row, thinned to a few hundred
+/// Recording as a study's HTML report shows it: stresses against the row, thinned to a few hundred
 /// points, and the ranges of rows that are averaged.
 struct PageRecording {
     /// Shear stress [Pa] or normal stress [Pa] (torque [N m] or normal force [N] if the file has no
@@ -21,37 +21,39 @@ struct PageRecording {
         /// Quantity whose course is shown, with its unit.
         std::string label;
         std::vector<std::pair<std::size_t, double>> points;
-        /// Mean of the course over each of `windows`, in the unit of the course; empty where no
+        /// Mean of the quantity over each of `windows`, in the unit of the quantity; empty where no
         /// value in the window is known.
         std::vector<std::optional<double>> means;
     };
-    /// Path of the recording's file, as in the origins of its readings.
+    /// Path of the recording's file, as in `Reading::origin`.
     std::string file;
-    /// Course of the shear stress, then of the normal stress; a course without a known value is
-    /// left out.
+    /// Shear stress, then normal stress, against the row; a stress without a known value is left
+    /// out.
     std::vector<Course> courses;
     /// Ranges of rows of the recording that are averaged.
     std::vector<AveragedWindow> windows;
 };
 
-/// Returns a recording as the page of a study shows it.
+/// Returns a recording as a study's HTML report shows it.
 /// @param readings readings of the study; readings of other files are ignored
 /// @param excluded rows that the study left out
-/// @param most largest number of points of a course
+/// @param most largest number of points for each stress
 PageRecording page_recording(const FileView& view, const std::vector<Reading>& readings,
                              const std::vector<Excluded>& excluded, std::size_t most);
 
-/// Largest number of points of each course on a page with this number of recordings: 400, and down
-/// to 20 where the page would become large.
+/// Largest number of points that a study's HTML report contains for each stress of a recording:
+/// 400, or fewer (at least 20) if many recordings would make the report large.
+/// @param recordings number of recordings in the report
 std::size_t points_of_recordings(std::size_t recordings);
 
-/// JSON of recordings for the page of a study. Each recording has its name, `parts` (courses) and
-/// `windows` (ranges of rows that are averaged). A part has a label and the base64 of its points:
-/// for each point, the number of rows since the point before it (`width` bytes) and a 16-bit number
-/// k, both unsigned and little-endian; the value is low + range k/65535. A window has its first and
-/// last row, a text on its kind, the index of the reading that averages the rows (null: none), and
-/// the mean in each part.
-/// @param readings all readings that the page shows
+/// JSON of recordings for a study's HTML report. Each recording has its name, `parts` (one stress
+/// against the row each) and `windows` (ranges of rows that are averaged). A part has a label, the
+/// keys `low`, `range` and `width`, and its points as base64. Each point is the number of rows
+/// since the point before it (`width` bytes) and a 16-bit number k, both unsigned and
+/// little-endian; the value is low + range k/65535. A window has its first and last row, a text on
+/// its kind, the index of the reading that averages the rows (null: no reading), and the mean in
+/// each part.
+/// @param readings all readings that the report shows
 nlohmann::ordered_json recordings_json(const std::vector<PageRecording>& recordings,
                                        const std::vector<Reading>& readings);
 

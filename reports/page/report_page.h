@@ -16,7 +16,7 @@
 
 namespace pendular {
 
-/// Results on a study that are shown on its HTML page.
+/// Results on a study that its HTML page (the report) shows.
 struct PageContent {
     std::string study;  ///< name of the study
     /// The study as the user named it, for the commands that the page shows.
@@ -25,30 +25,32 @@ struct PageContent {
     /// Readings, with reasons to doubt some of them and notes.
     const Measurements& measurements;
     const StudyDiagnosis& diagnosis;  ///< verdict, tests and refitted models
-    Checks checks;                    ///< tests of the residuals, which show where the model fails
+    Checks checks;                    ///< tests of the residuals of the study's model
     /// Shifts of the fitted friction by effects and errors of measurement; empty: not computed.
     std::optional<ImpactTable> impacts = {};
     /// Ladder: sequence of the study's models, with one effect more or fewer in each step; may be
     /// empty.
     Ladder ladder = {};
-    /// Lines of text on the next measurement to make; empty: none.
+    /// Lines of text on the next measurement to make; empty: not computed.
     std::vector<std::string> next = {};
-    /// Fitted models with all combinations of the leading effects, which the page switches on and
-    /// off.
+    /// Fitted models, one for each combination of the leading effects; the reader of the page
+    /// switches these effects on and off.
     SwitchedModels switched;
     /// Panels of readings, with the curves of the models in `switched`.
     std::vector<PagePanel> panels;
     /// Version of the program that made the page.
     std::string version;
-    /// Options with which the results were computed; the page shows their fidelity and seed.
+    /// Options with which the results were computed; the page states the fidelity (settings of the
+    /// simulations) and the seed.
     SessionOptions options;
     std::size_t runs = 0;     ///< number of simulation runs that the emulator was trained on
     bool calibrated = false;  ///< whether the results folder has a fit of the study
-    /// Number of the page among those that a server on this computer hands out; empty: a page
-    /// without a server.
+    /// Version number of the page, by which a browser finds out that `pendular serve` has a newer
+    /// page; empty: a page without a server.
     std::optional<std::size_t> served_version = {};
 
-    /// Courses of the study's recordings with the rows that are averaged; may be empty.
+    /// Stresses of the study's recordings against the row, with the rows that are averaged; may be
+    /// empty.
     std::vector<PageRecording> recordings = {};
 };
 

@@ -66,8 +66,8 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
-/// Runs an action and returns the message of the InputError that it throws. Where it throws none,
-/// the test fails and the message is empty.
+/// Runs an action and returns the message of the InputError that it throws. If the action throws no
+/// InputError, the test fails and the message is empty.
 inline std::string input_error(const std::function<void()>& action) {
     try {
         action();

@@ -5,9 +5,9 @@
 
 namespace pendular {
 
-/// Writes a study whose instrument has a drag to a new folder: three dry readings as the emulator
-/// predicts them at friction 0.09, less 20 Pa of shear stress. The inertial number is 0.1, so that
-/// simulations of the study are short.
+/// Writes a study to a new folder. Its three dry readings are the emulator's predictions at
+/// friction 0.09, reduced by a shear stress of 20 Pa, as if a drag in the instrument took this part
+/// of the torque. The inertial number is 0.1, so that simulations of the study are short.
 inline void write_drag_study(const std::filesystem::path& folder) {
     std::filesystem::create_directory(folder);
     std::ofstream(folder / "points.csv")

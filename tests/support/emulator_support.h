@@ -49,8 +49,9 @@ inline Study stiff_wet_study() {
     return study;
 }
 
-/// Invented flow law that tests take as the truth: stress ratio [1] and solid fraction [1] as
-/// smooth functions of friction, inertial number, inverse reduced pressure and bridge volume.
+/// Invented flow law from which tests generate runs, so that the true values are known: stress
+/// ratio [1] and solid fraction [1] as smooth functions of friction, inertial number, inverse
+/// reduced pressure and bridge volume.
 struct InventedLaw {
     static double stress_ratio(const FlowState& s) {
         const double dry =
@@ -66,7 +67,7 @@ struct InventedLaw {
     }
 };
 
-/// Returns runs at random states, wet and dry in turn, whose averages follow `InventedLaw` with
+/// Returns runs at random states, alternately wet and dry, whose averages follow `InventedLaw` with
 /// random errors: standard errors of 0.002 (stress ratio) and 0.0004 (solid fraction), correlated
 /// by -0.5.
 /// @param factor factor on the stress ratio of the law [1]

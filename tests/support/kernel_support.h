@@ -9,16 +9,16 @@
 
 namespace pendular {
 
-/// Name of a domain (kind of emulated quantity, by its behaviour for dry grains) for the name of a
-/// test.
+/// Returns the name of a domain for use in the name of a test. A domain is a kind of emulated
+/// quantity, by its behaviour for dry grains.
 inline std::string name_of(Domain domain) {
     return domain == Domain::all_flow   ? "AllFlow"
            : domain == Domain::contacts ? "Contacts"
                                         : "Bridges";
 }
 
-/// Returns hyperparameters of a kernel that all differ, so that a test fails where two are
-/// confused.
+/// Returns hyperparameters of a kernel that all have different values, so that a test fails if the
+/// kernel confuses two hyperparameters.
 inline Hyperparameters uneven_hyperparameters() {
     return {.dry_amplitude = 0.3,
             .dry_x = 0.7,
@@ -32,7 +32,7 @@ inline Hyperparameters uneven_hyperparameters() {
             .between_run_scatter = 0.01};
 }
 
-/// Returns `count` random coordinates of wet states over the range of the emulator.
+/// Returns `count` random coordinates of wet states, spread over the range of the emulator.
 inline std::vector<Coordinates> scattered_places(std::size_t count, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> uniform;
@@ -45,7 +45,7 @@ inline std::vector<Coordinates> scattered_places(std::size_t count, std::uint64_
     return places;
 }
 
-/// Returns coordinates of a state with one of them increased by `by`.
+/// Returns the coordinates `at` of a state, with one coordinate increased by `by`.
 /// @param coordinate the coordinate to increase: 0, x; 1, q; 2, u; 3, v
 inline Coordinates moved(Coordinates at, int coordinate, double by) {
     double* const all[] = {&at.x, &at.q, &at.u, &at.v};
@@ -53,8 +53,9 @@ inline Coordinates moved(Coordinates at, int coordinate, double by) {
     return at;
 }
 
-/// Returns prepared functionals, from which a kernel computes covariances: for each place, the
-/// value and then the derivative by each of its coordinates.
+/// Returns the inputs (prepared functionals) from which a kernel computes covariances. For each
+/// state in `places`, they are the value of the function and then its derivative with respect to
+/// each coordinate.
 inline std::vector<Kernel::Prepared> prepared_with_derivatives(
     const Kernel& kernel, const std::vector<Coordinates>& places) {
     std::vector<Kernel::Prepared> prepared;

@@ -30,13 +30,15 @@ Eigen::VectorXd over_places(Function function) {
                                         [&](Eigen::Index k) { return function(place(k)); });
 }
 
-/// Returns a candidate effect that changes the readings by a function of x.
-/// @param shape change of the reading at x by the value 1 of the candidate
+/// Returns a candidate effect whose change of the readings is proportional to a function of the
+/// position x.
+/// @param shape change of a reading at position x if the candidate's parameter is 1
 inline LinearSpace::Column column(const std::string& name, double (*shape)(double)) {
     return {.name = name, .values = over_places(shape)};
 }
 
-/// Returns the models of a straight line with any of the candidates parabola, wave and jump.
+/// Returns the model space of a straight line to which any set of the candidate effects parabola,
+/// wave and jump can be added.
 /// @param more further candidates
 inline LinearSpace line_and(std::vector<LinearSpace::Column> more = {}) {
     Eigen::MatrixXd base(entries, 2);
@@ -54,11 +56,11 @@ class Measuring {
   public:
     explicit Measuring(std::uint64_t seed) : random_(seed) {}
 
-    /// Returns readings with random errors of standard deviation 1 about true values, with their
-    /// errors.
+    /// Returns readings that scatter about true values with standard deviation 1, and their stated
+    /// standard errors.
     /// @param truth true value of each entry
-    /// @param estimated whether the stated error is the scatter of the replicates; otherwise it is
-    ///        1
+    /// @param estimated true: the stated standard error is estimated from the scatter of the
+    ///        replicates; false: the stated standard error is the true one, 1
     Evidence of(const Eigen::VectorXd& truth, bool estimated = false) {
         Evidence evidence;
         evidence.measured.value = truth;
@@ -92,12 +94,13 @@ class Measuring {
 };
 
 /// Returns the options of a fast diagnosis, with 1000 random draws for its p values. With so few
-/// draws, the results depend on the seed: give each study another seed.
+/// draws, p values depend on the seed: give each study its own seed.
 inline DiagnosisOptions quickly(std::uint64_t seed = 1) {
     return {.draws = 1000, .seed = seed};
 }
 
-/// Returns the values of the straight line 5 + 2 x at all entries, which need no candidate.
+/// Returns the values of the straight line 5 + 2 x at all entries of the readings. The line alone
+/// explains them: no candidate effect is needed.
 inline Eigen::VectorXd plain() {
     return over_places([](double x) { return 5 + 2 * x; });
 }

@@ -18,7 +18,8 @@ namespace pendular {
 /// with the base columns X and their parameters theta.
 class LinearSpace : public ModelSpace {
   public:
-    /// Candidate effect: its column contains the change of all entries of f when its value is 1.
+    /// Candidate effect. `values` contains the change of each entry of f when the effect's
+    /// parameter is 1.
     struct Column {
         std::string name;
         Eigen::VectorXd values;
@@ -27,11 +28,11 @@ class LinearSpace : public ModelSpace {
                                      .upper = 1e6,
                                      .neutral = 0,
                                      .smallest_of_interest = 1};
-        /// Largest magnitude of the value; a prediction with a larger value throws
-        /// std::domain_error.
+        /// Largest magnitude of the effect's parameter that can be predicted; a prediction with a
+        /// larger one throws std::domain_error.
         double possible = 1e9;
-        /// Level of a switch on a ladder of models; 0: on no ladder. Of several chosen switches,
-        /// the model contains the one of the highest level only.
+        /// Rank of the effect among effects that exclude each other: the model contains only the
+        /// chosen effect of the highest rank. 0: the effect excludes no other effect.
         int level = 0;
     };
     LinearSpace(Eigen::MatrixXd base, std::vector<Column> columns)

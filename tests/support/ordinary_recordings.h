@@ -31,14 +31,14 @@ struct OrdinaryNoise {
 inline const AnnularCell ordinary_cell{
     .inner_radius = 0.021, .outer_radius = 0.045, .bead_volume = 0.02 / 1050};
 
-/// One row of a simulated recording, which a test may change: torque [N m], normal force [N] and
-/// gap [m], with the time since the step began [s] and the rotation angle of the lid since then
-/// [rad].
+/// One row of a simulated recording: torque [N m], normal force [N] and gap [m], which a test may
+/// change, with the time [s] and the rotation angle of the lid [rad] since the step began.
 struct RowOfStep {
     double time, angle;
     double &torque, &force, &gap;
 };
-/// Function that changes a row of a simulated recording, in the step with this index, from 0.
+/// Function that changes one row of a simulated recording, such as to imitate a fault. `step` is
+/// the index of the row's step, from 0.
 using Spoil = std::function<void(RowOfStep row, int step)>;
 
 /// Simulates a recording of three steps at normal stresses of 0.5, 1 and 2 kPa. Each step has 450
@@ -46,7 +46,7 @@ using Spoil = std::function<void(RowOfStep row, int step)>;
 /// second.
 /// @param file name of the file that the recording states
 /// @param noise random errors of torque, force and gap
-/// @param spoil function that changes each row after the noise; empty: none
+/// @param spoil function that changes each row after the noise; empty: no row is changed
 inline Recording ordinary_recording(const std::string& file, std::uint64_t seed,
                                     const OrdinaryNoise& noise = {}, const Spoil& spoil = {}) {
     std::mt19937_64 random(seed);

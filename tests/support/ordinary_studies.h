@@ -8,14 +8,14 @@
 
 namespace pendular {
 
-/// Function that changes a row of one of several recordings, given the indices of step and file,
-/// from 0.
+/// Function that changes one row of one of several simulated recordings. `step` and `file` are the
+/// indices of the row's step and recording, from 0.
 using SpoilFile = std::function<void(RowOfStep row, int step, int file)>;
 
 /// Imports a study of simulated recordings (`ordinary_recording`), and returns its measurements.
 /// @param files number of recordings
-/// @param seed seed of the noise; recordings of one study differ
-/// @param spoil function that changes rows of the recordings; empty: none
+/// @param seed seed of the study's noise; each recording of the study has different noise
+/// @param spoil function that changes rows of the recordings; empty: no row is changed
 /// @param import further text for the end of study.toml, such as a table [import]
 inline Measurements study_of(int files, std::uint64_t seed, const OrdinaryNoise& noise = {},
                              const SpoilFile& spoil = {}, const std::string& import = "") {
@@ -36,8 +36,8 @@ inline Measurements study_of(int files, std::uint64_t seed, const OrdinaryNoise&
     return read_measurements(read_study(folder.path()));
 }
 
-/// Counts the studies of undisturbed recordings in which the import finds an irregularity, a false
-/// alarm. Prints each finding.
+/// Counts false alarms: studies of undisturbed recordings in which the import nevertheless finds an
+/// irregularity. Prints each irregularity.
 /// @param studies number of studies
 /// @param files number of recordings of each study
 /// @param first seed of the first study; further studies have the following seeds

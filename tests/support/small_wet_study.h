@@ -6,13 +6,15 @@
 #include "data/study/study.h"
 #include "sim/runs/fidelity.h"
 
-/// Wet study with beads and liquid of Badetti et al. (2018), and a fidelity for runs of a second.
+/// Wet study with beads and liquid of Badetti et al. (2018), and settings with which a simulation
+/// takes about a second.
 namespace small_wet {
 
 using namespace pendular;
 
 /// Settings for the smallest and fastest simulations: 150 grains, stiffness number 300, lowest
-/// inertial number 0.03, strain 2. They show how the program behaves; their numbers are inaccurate.
+/// inertial number 0.03, strain 2. They suffice to test how the program behaves, but the results
+/// are inaccurate.
 inline const Fidelity tiny{"tiny", 150, 300, 0.03, 2};
 
 /// Returns a study of 500 um grains with a liquid, without readings. A reduced pressure of 1 is a

@@ -28,7 +28,7 @@ inline Eigen::MatrixXd some_covariance(Eigen::Index n, std::uint64_t seed) {
 }
 
 /// Returns the prediction of a model without errors: its covariances are zero.
-/// @param jacobian derivatives of the values by the parameters
+/// @param jacobian derivatives of the values with respect to the parameters
 inline Prediction exact_prediction(const Eigen::VectorXd& value, const Eigen::MatrixXd& jacobian) {
     const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(value.size(), value.size());
     return {value, jacobian, none, none};
@@ -50,10 +50,11 @@ double kolmogorov_distance(const Eigen::VectorXd& sample, const Law& distributio
     }
     return largest * std::sqrt(n);
 }
-constexpr double kolmogorov_limit = 1.95;  ///< limit of the statistic at a significance of 0.001
+/// Critical value of the Kolmogorov statistic [1] at a significance of 0.001.
+constexpr double kolmogorov_limit = 1.95;
 
-/// Largest plausible error of the observed share of an event in random draws [1]: 3.3 standard
-/// deviations, which chance exceeds in 1 of 1000 cases, plus the share of one draw.
+/// Largest plausible difference [1] between the observed share of an event in random draws and its
+/// probability: 3.3 standard deviations, which chance exceeds in 1 of 1000 cases, plus 1/`count`.
 /// @param probability true probability of the event [1]
 /// @param count number of draws
 inline double binomial_error(double probability, double count) {

@@ -10,8 +10,9 @@
 #include "calib/fit/study_model.h"
 #include "tests/support/emulator_support.h"
 
-/// Calibrated wet study whose runs and readings follow an invented flow law, close to the values of
-/// Badetti et al. (2018), so that no simulation is needed and every right result is known.
+/// Calibrated wet study whose runs and readings follow an invented flow law, so that no simulation
+/// is needed and the right result of every test is known. The values of the law are close to those
+/// of Badetti et al. (2018).
 namespace planted {
 
 using namespace pendular;
@@ -34,29 +35,34 @@ inline double contact_coordination(double mu) {
 inline double distant_coordination(double volume) {
     return 2 + 0.7 * std::log(volume / bridge_volume_unit);
 }
-/// Effective coordination number Z* = Z_c + 0.5 Z_d of the law [1], with the numbers Z_c of
-/// contacts and Z_d of distant bridges of a grain, at friction `mu` [1] and bridge volume over the
-/// cubed grain diameter `volume` [1].
+/// Effective coordination number Z* = Z_c + 0.5 Z_d [1] of the invented flow law, with the numbers
+/// of contacts Z_c and of distant bridges Z_d per grain.
+/// @param mu friction [1]
+/// @param volume bridge volume divided by the cubed grain diameter [1]
 inline double effective_coordination(double mu, double volume) {
     return contact_coordination(mu) + 0.5 * distant_coordination(volume);
 }
-/// Capillary shear stress of the law, times the squared grain diameter over the pull-off force [1],
-/// at friction `mu` [1] and bridge volume over the cubed grain diameter `volume` [1].
+/// Capillary shear stress of the invented flow law, multiplied by the squared grain diameter and
+/// divided by the pull-off force [1].
+/// @param mu friction [1]
+/// @param volume bridge volume divided by the cubed grain diameter [1]
 inline double capillary_shear_stress(double mu, double volume) {
     return 0.05 - 0.03 * std::log(volume / bridge_volume_unit) + 0.02 * friction_coordinate(mu);
 }
 inline double solid_fraction(double mu, double u) {
     return 0.615 - 0.02 * friction_coordinate(mu) - 0.021 * u;
 }
-/// Stress ratio of the law [1] at friction `mu` [1], inverse reduced pressure u = 1/P* [1] and
-/// bridge volume over the cubed grain diameter `volume` [1]. As a function of u, it bends below a
+/// Stress ratio of the invented flow law [1]. As a function of u, the stress ratio bends below a
 /// straight line, as the data of Badetti et al. (2018) do below P* = 2.3.
+/// @param mu friction [1]
+/// @param u inverse reduced pressure 1/P* [1]
+/// @param volume bridge volume divided by the cubed grain diameter [1]
 inline double stress_ratio(double mu, double u, double volume) {
     const double cohesion = 0.29 + 0.035 * std::log(volume / bridge_volume_unit);
     return dry_ratio(mu) + cohesion * u - 0.028 * u * u;
 }
-/// Volume V0 of a liquid bridge over the cubed grain diameter [1] at a liquid content [1] and the
-/// friction of the study: the solution of
+/// Volume V0 of a liquid bridge divided by the cubed grain diameter [1], at a liquid content
+/// `content` [1] and the friction of the study: the solution of
 ///     content = 3 Z V0/pi,
 /// where the coordination number Z of contacts and distant bridges depends on V0.
 inline double volume_of(double content) {
@@ -81,10 +87,10 @@ inline double normal_stress(double pressure) {
     return pressure / reduced_pressure(1, s.grains, *s.liquid);
 }
 
-/// Returns a run whose averages follow the law exactly, with stated standard errors.
+/// Returns a run whose averages follow the invented flow law exactly, with stated standard errors.
 /// @param mu friction [1]
 /// @param u inverse reduced pressure 1/P* [1]; 0: dry
-/// @param volume bridge volume over the cubed grain diameter [1]
+/// @param volume bridge volume divided by the cubed grain diameter [1]
 inline dem::RunResult run(double mu, double u, double volume) {
     dem::RunResult r;
     r.parameters.friction = mu;
@@ -106,7 +112,8 @@ inline dem::RunResult run(double mu, double u, double volume) {
     return r;
 }
 
-/// Returns dry and wet runs that follow the law, at five frictions about that of the study.
+/// Returns dry and wet runs that follow the invented flow law, at five frictions around that of the
+/// study.
 inline std::vector<dem::RunResult> runs() {
     std::vector<dem::RunResult> result;
     for (const double mu : {0.06, 0.075, 0.09, 0.11, 0.13}) {
@@ -120,8 +127,8 @@ inline std::vector<dem::RunResult> runs() {
     return result;
 }
 
-/// Returns a reading that follows the law with random errors: standard errors of 2 % of the shear
-/// stress and of 0.002 in the solid fraction.
+/// Returns a reading that follows the invented flow law with random errors: standard errors of 2 %
+/// of the shear stress and of 0.002 in the solid fraction.
 /// @param pressure reduced pressure [1], from which the normal stress follows for dry readings too
 /// @param content liquid content [1]; 0: dry
 inline Reading reading(double pressure, double content, std::mt19937_64& random,
@@ -142,7 +149,7 @@ inline Reading reading(double pressure, double content, std::mt19937_64& random,
 }
 
 /// Returns three dry readings, then for each liquid content one wet reading at each of `pressures`;
-/// all follow the law with random errors.
+/// all follow the invented flow law with random errors.
 inline std::vector<Reading> readings(const std::vector<double>& wet_contents = contents) {
     std::mt19937_64 random(3);
     std::vector<Reading> result;
@@ -158,7 +165,7 @@ inline std::vector<Reading> readings(const std::vector<double>& wet_contents = c
 }
 
 /// Returns a calibration of readings whose emulator is trained on `runs()`. Its fitted friction is
-/// set to that of the law, with a standard error of 0.004.
+/// set to the true one of the readings, with a standard error of 0.004.
 inline Calibration calibration(const std::vector<Reading>& readings,
                                const CohesionOptions& cohesion = {}) {
     Calibration c{.readings = readings,
