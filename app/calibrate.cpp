@@ -184,7 +184,7 @@ int calibrate(const std::vector<std::string>& arguments) {
     }
     if (measurements.weight_note) console.note(*measurements.weight_note);
     if (beyond_transients(measurements)) {
-        console.note(fmt::format("Import left out {}. To list them: pendular import {} --all",
+        console.note(fmt::format("Import excluded {}. To list them: pendular import {} --all",
                                  excluded_text(measurements), common->study_word()));
     }
     auto json = to_json(c, comparison);

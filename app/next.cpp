@@ -32,15 +32,15 @@ plan stays within the range of the readings:
   bead_mass = ["30 g", "60 g"]            # fillings of the cell
   repeats = 5                             # largest number of readings at one condition (default 5)
   readings = 12                           # largest number at several conditions together (default 12)
-  wet_cost = 2                            # cost of a wet reading, in dry readings (default 1)
-  filling_cost = 3                        # cost of another filling, in dry readings (default 0)
+  wet_cost = 2                            # cost of a wet reading, in units of a dry reading (default 1)
+  filling_cost = 3                        # cost of each further filling, in units of a dry reading (default 0)
   wait = ["0 h", "4 h"]                   # waiting time after the last reading (default 0)
-  hour_cost = 0.5                         # cost of waiting an hour, in dry readings (default 1)
+  hour_cost = 0.5                         # cost of waiting an hour, in units of a dry reading (default 1)
 
   [[rig.direct]]                          # an effect that can be measured directly, here the
   effect = "torque-offset"                # drag, from the torque of the empty cell
   error = "0.05 mN m"                     # standard error of one such measurement
-  cost = 0.5                              # cost of one, in dry readings (default 1)
+  cost = 0.5                              # cost of one, in units of a dry reading (default 1)
 
 Write the result of a direct measurement into study.toml; every fit and diagnosis then uses it:
 

@@ -67,8 +67,8 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
     if (const Mean& banded = run[dem::Observable::localization];
         banded.value > dem::localised_above) {
         console.note(
-            fmt::format("The shear is localised: the localization is {}, above {} (0: uniform, 1: "
-                        "a thin band).{}",
+            fmt::format("The shear is localised: its localisation (0: uniform shear, 1: a thin "
+                        "band) is {}, above the limit of {}.{}",
                         with_error(banded.value, banded.standard_error), dem::localised_above,
                         banded.value > emulated::banded_above
                             ? " The emulator is not trained on this simulation."

@@ -100,8 +100,8 @@ struct Reading {
 
 /// Rows of a file that were not used for a reading, with the reason.
 struct Excluded {
-    /// What was left out: single rows, such as a spike (`rows`); rows of a step outside its steady
-    /// part, such as a transient (`beside_plateau`); a whole step without a steady part
+    /// Kind of the excluded data: single rows, such as a spike (`rows`); rows of a step outside its
+    /// steady part, such as a transient (`beside_plateau`); a whole step without a steady part
     /// (`step_without_plateau`); or a whole reading (`reading`).
     enum class Kind { rows, beside_plateau, step_without_plateau, reading };
     Position origin;     ///< file, and first line in it, of the rows that were left out

@@ -300,11 +300,11 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
         lines.push_back(finding_line(d, finding, space));
     }
     lines.push_back(
-        "  (chi2 change: predicted for the model with the effect, then refitted; imitated: share "
-        "of the effect that a change of the fitted parameters can reproduce; power: probability "
-        "that these readings detect the effect at its smallest size of interest; p: probability, "
-        "if no effect is present, that the most significant of all tested effects is at least this "
-        "significant)");
+        "  (chi2 change: change of chi2 when the effect is added, predicted; refitted: that change "
+        "in a refit; imitated: share of the effect that a change of the fitted parameters can "
+        "reproduce; power: probability that these readings detect the effect at its smallest size "
+        "of interest; p: probability, if no effect is present, that the most significant of all "
+        "tested effects is at least this significant)");
     if (std::ranges::any_of(
             d.scan, [](const Finding& f) { return f.refitted_reduction.value_or(0) < 0; })) {
         lines.push_back(
@@ -325,7 +325,8 @@ std::vector<std::string> incomplete_lines(const Diagnosis& d, const std::array<d
                     "fraction from {:.2f} % to {:.2f} %.",
                     effects, before[0], after[0], before[1], after[1])};
     lines.push_back(
-        fmt::format("In {1:.1f} % of simulated repetitions of the experiment, {0} would be named.",
+        fmt::format("The diagnosis names {} as the leading effect in {:.1f} % of simulated "
+                    "repetitions of the experiment.",
                     effects, 100 * (1 - d.leaders->rival_share)));
     const std::string trend = strongest_trend(remaining);
     lines.push_back("A misfit remains with " + effects + " in the model" + trend);

@@ -115,7 +115,7 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
     }
     const std::string apart = joined(pair_names(next, true));
     if (steps.size() == 1) {
-        lines.push_back(fmt::format("Measure {}. This tells {} apart.", measure(steps[0]), apart));
+        lines.push_back(fmt::format("Take {}. This tells {} apart.", measure(steps[0]), apart));
         add_forecasts(lines, next, plan_at(next, steps[0].point));
     } else {
         lines.push_back(fmt::format("Take these {} measurements. Together they tell {} apart.",
@@ -134,10 +134,10 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
 std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
     const Sharpening& best = next.sharpenings.front();
     const Rival& model = next.rivals.front();
-    std::vector<std::string> lines = {fmt::format(
-        "Measure {}. Of all conditions considered, this one makes the fitted parameters "
-        "most precise.",
-        to_measure(next.points[best.point], next.most_repeats, next.study))};
+    std::vector<std::string> lines = {
+        fmt::format("Take {}. Of all conditions considered, this one gives the fitted parameters "
+                    "the smallest standard errors.",
+                    to_measure(next.points[best.point], next.most_repeats, next.study))};
     const auto& parameters = model.model->parameters();
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);

@@ -70,7 +70,7 @@ std::string excluded_text(const Measurements& measurements) {
     constexpr std::array<Words, 4> words = {
         {{Kind::beside_plateau, "transient", "transients"},
          {Kind::step_without_plateau, "step without a plateau", "steps without a plateau"},
-         {Kind::reading, "reading excluded", "readings excluded"},
+         {Kind::reading, "reading", "readings"},
          {Kind::rows, "other range of rows", "other ranges of rows"}}};
     std::string text;
     for (const auto& [kind, one, several] : words) {
@@ -157,9 +157,9 @@ std::vector<std::string> predictions_table(const Comparison& comparison, bool wo
             m.normalised(0), m.reading.value(1), m.predicted(1), m.normalised(1), m.chi2.sum()));
     }
     lines.push_back(
-        "  (resid./err.: measured minus model, divided by its standard error; part of chi2: "
-        "contribution of this reading, which is not the sum of both squares where errors are "
-        "correlated)");
+        "  (resid./err.: measured minus model, divided by the standard error of this difference; "
+        "part of chi2: contribution of this reading, which equals the sum of the squares of its "
+        "two resid./err. only if errors are not correlated)");
     for (const DirectMisfit& direct : comparison.direct) {
         const DirectMeasurement& m = direct.measurement;
         lines.push_back(fmt::format(

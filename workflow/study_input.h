@@ -48,8 +48,8 @@ void protect_inputs(const Study& study, const OutputPlaces& outputs);
 /// Reads a study and its recordings, after checking that the files which a command will write
 /// (`outputs`) do not replace them.
 /// @param file study.toml, or the folder that contains it
-/// @throws InputError where a file of the study or an effect that it lists is wrong, and where an
-///         output would replace a file of the study or be read as a measurement
+/// @throws InputError if a file of the study or the definition of a listed effect is invalid, or if
+///         an output would replace a file of the study or match the pattern of its recordings
 StudyInput read_input(const std::filesystem::path& file, const OutputPlaces& outputs);
 
 /// Returns the shear cell that study.toml in the folder of `file` describes. Empty where study.toml

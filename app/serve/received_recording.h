@@ -24,8 +24,8 @@ std::string fault_of_name(const std::string& name);
 /// @param name name of the file, without a folder
 /// @param bytes content of the file
 /// @return HTTP status with a sentence: 201, stored; 200, the study has the file already, with the
-///         same content; 400, a wrong name; 409, another file has the name; 422, no pattern matches
-///         or the recording cannot be read
+///         same content; 400, an invalid name; 409, another file has the name; 422, no pattern
+///         matches or the recording cannot be read
 /// @throws InputError where study.toml cannot be read
 /// @throws std::runtime_error where the file cannot be written
 Answer store_recording(const std::filesystem::path& study, const std::string& name,

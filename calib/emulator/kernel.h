@@ -31,8 +31,8 @@ enum class Domain {
     all_flow,  ///< defined for wet and dry grains, continuous as 1/P* -> 0
     contacts,  ///< defined for wet and dry grains, with a step at 1/P* = 0: in wet flow, bridges
                ///< hold grains without contacts
-    /// Defined for wet grains only, with a finite limit as 1/P* -> 0: bridges exist even where
-    /// their force is negligible.
+    /// The quantity is defined for wet grains only and has a finite limit as 1/P* -> 0, since
+    /// bridges exist even if their force is negligible.
     bridges,
 };
 

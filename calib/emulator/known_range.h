@@ -17,9 +17,10 @@ namespace pendular {
 ///   and `largest_fraction_error` for the solid fraction, and
 /// - both predicted values are physical: stress ratio above 0, solid fraction of 0.4 to 0.74.
 ///
-/// Each run counts at its own inertial number and at 0, since the emulator extrapolates to the
-/// quasi-static limit with an error. Dry runs bound wet states of any bridge volume at 1/P* = 0.
-/// Runs with effects do not count, since the changes by effects are emulated separately.
+/// Each run enters the convex hull twice, at its own inertial number and at inertial number 0,
+/// since the emulator also predicts the quasi-static limit, with a standard error. A dry run enters
+/// it at 1/P* = 0 with every bridge volume. Runs with effects do not enter, since the changes that
+/// effects cause are emulated separately.
 class KnownRange {
   public:
     /// Largest distance of a supported state from the convex hull of the runs, in coordinates

@@ -22,7 +22,7 @@ struct Quantity {
 std::span<const Quantity> quantities();
 
 /// Returns the quantity with a given `Quantity::name`. The program aborts if no quantity has this
-/// name: the names are constants in the source code, so a wrong one is a programming error.
+/// name: names are constants of the program, so that a wrong one is a programming error.
 const Quantity& quantity(std::string_view name);
 
 /// Returns the quantity that a header cell of a table names, or null if the name is unknown. Case

@@ -52,11 +52,12 @@ double mean_stress(const State& state);
 /// Source: Badetti et al. (2018), eq:PcapvsFN.
 double capillary_pressure(const State& state);
 
-/// Estimate of the mean Pcap of the three normal stresses of the bridge forces, in units of F0/a^2
-/// [1] (F0: pull-off force, a: grain diameter). It is negative, since bridges attract.
+/// Estimate of Pcap, the mean of the three normal stresses that liquid bridges contribute. Returns
+/// the dimensionless a^2 Pcap/F0 (F0: pull-off force, a: grain diameter), which is negative, since
+/// bridges attract.
 ///     a^2 Pcap/F0 = -Z* Phi/pi      Phi: solid fraction, Z*: effective coordination number
-/// The contribution of the gaps of bridges between grains that do not touch is neglected; Badetti
-/// et al. (2018) call it negligible.
+/// The lengths of the gaps that bridges span are neglected; Badetti et al. (2018) call their
+/// contribution negligible.
 /// Source: Badetti et al. (2018), eq:cest1.
 double capillary_pressure(double solid_fraction, double effective_coordination);
 

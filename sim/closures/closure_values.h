@@ -11,8 +11,8 @@ namespace pendular::closures {
 struct ClosureValues {
     /// Stress ratio of dry grains at the same friction and inertial number.
     double dry_stress_ratio = 0;
-    /// Stress ratio in wet grains of the stresses that contact forces alone transmit
-    /// (eq:coulombeff).
+    /// Ratio of shear stress to normal stress in wet grains, both from the contact forces alone,
+    /// without the bridge forces (eq:coulombeff).
     double contact_stress_ratio = 0;
     /// Effective coordination number Z* = Z_c + Z_d F_d/F0 (eq:defzstar). Z_c: contacts per grain;
     /// Z_d: distant bridges per grain (bridges between grains that do not touch); F_d: mean force
@@ -49,7 +49,7 @@ struct ClosureQuantity {
 inline constexpr std::array<ClosureQuantity, 10> closure_quantities = {{
     {"dry_stress_ratio", "stress ratio of dry grains, predicted", "stress ratio μ*_0 of dry grains",
      &ClosureValues::dry_stress_ratio},
-    {"contact_stress_ratio", "stress ratio of the contact forces alone",
+    {"contact_stress_ratio", "stress ratio of the contact stresses alone",
      "stress ratio of contacts |σ_{12}^{cont}|/σ_{22}^{cont}",
      &ClosureValues::contact_stress_ratio},
     {"strength1", "stress ratio by Eq. (19), from capillary stresses s22cap, s12cap",

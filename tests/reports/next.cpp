@@ -274,7 +274,7 @@ TEST(NextMeasurement, SaysWhatToMeasureDirectly) {
     next.series = next_series(next.plans, next.rivals, next.points, noise, rig);
     EXPECT_THAT(text_of(next),
                 testing::AllOf(
-                    testing::HasSubstr("Measure 2 direct measurements of friction (a sled). This "
+                    testing::HasSubstr("Take 2 direct measurements of friction (a sled). This "
                                        "tells a and b apart."),
                     testing::HasSubstr("0.300 +- 0.010"), testing::HasSubstr("0.25 +- 0")));
     const auto json = to_json(next);
