@@ -90,7 +90,7 @@ try {
   const page = await open(server.address.href), box = () => page.locator("#switches input").first();
   await check("shows the page and what to measure next", async () => {
     await readings(page, 9);
-    assert.match(await page.locator(".measure").innerText(), /What to measure next: Measure \d+ reading/);
+    assert.match(await page.locator(".measure").innerText(), /What to measure next: Take \d+ reading/);
     assert.match(await page.locator("#status").innerText(), /Results of \d{4}-\d\d-\d\d \d\d:\d\d:\d\d/);
   });
   await check("a recording that is dropped is stored and read; switches stay", async () => {
