@@ -102,7 +102,7 @@ try {
     assert.ok(await page.locator(`input[data-effect=${effect}]`).isChecked(), "the switch is on");
     assert.equal(readFileSync(join(study, "dry_4.csv"), "utf8"), recording(1.01));
     assert.match(await page.locator("#readings").textContent(), /dry_4\.csv:/);
-    await until(() => /dry_4.csv is new: .*Measure/.test(server.text), "line on the console");
+    await until(() => /dry_4.csv is new: .*Take/.test(server.text), "line on the console");
   });
   await check("recordings that would not be read, or replace one, are refused", async () => {
     const now = listing(study);
