@@ -190,7 +190,7 @@ class Page {
     this.plots.push(new Plot(figures, {name: "quantiles", title: "Residuals against a normal distribution", xLabel: "expected from the normal distribution [1]",
       yLabel: "(measured − model)/error [1]", zero: true}, () => this.quantiles(), this));
     this.plots.push(new Plot(figures, {name: "ladder", title: "Error as effects are switched on", xLabel: "number of effects switched on, one after the other",
-      yLabel: "RMS error [%]", fromZero: true, names: () => ["none", ...this.order.map(k => this.data.switches[k].name)]}, () => this.path(), this));
+      yLabel: "relative RMS error [%]", fromZero: true, names: () => ["none", ...this.order.map(k => this.data.switches[k].name)]}, () => this.path(), this));
   }
   // Recordings change with nothing: they are drawn once.
   makeRecordings() {
@@ -260,9 +260,9 @@ class Page {
     const box = document.getElementById("score");
     box.replaceChildren();
     html("p", {class: "big", "data-chi2": chi2}, box, `chi2 = ${chi2.toFixed(2)} for ${model.dof} degrees of freedom`);
-    html("p", {"data-rms": rms.join(" ")}, box, `RMS error: ${rms[0].toFixed(2)} % in shear stress, ${rms[1].toFixed(2)} % in solid fraction`);
+    html("p", {"data-rms": rms.join(" ")}, box, `Relative RMS error: ${rms[0].toFixed(2)} % in shear stress, ${rms[1].toFixed(2)} % in solid fraction`);
     html("p", {}, box, moved ? "Parameters were moved away from the fit." :
-      `p ${model.p < 1e-6 ? "< 1e-6" : "= " + model.p.toPrecision(2)}: probability of a chi2 at least as large from errors alone${model.converged ? "" : ". The fit did not converge"}`);
+      `p ${model.p < 1e-3 ? "< 0.001" : "= " + model.p.toPrecision(2)}: probability of a chi2 at least as large from errors alone${model.converged ? "" : ". The fit did not converge"}`);
     if (model.fitted < this.data.readings.length) html("p", {}, box, `${model.fitted} readings were fitted, ${this.data.readings.length - model.fitted} predicted.`);
     if (this.out >= 0) {
       const [fall, ...shifts] = model.withoutReading(this.out);
