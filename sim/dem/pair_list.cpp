@@ -188,6 +188,10 @@ void Pairs::fill_up(std::size_t batch) {
 void Pairs::remember(std::size_t to, const Pairs& other, std::size_t from) {
     sx[to] = other.sx[from], sy[to] = other.sy[from], sz[to] = other.sz[from];
     root[to] = other.root[from], bridge[to] = other.bridge[from];
+    remember_effects(to, other, from);
+}
+
+void Pairs::remember_effects(std::size_t to, const Pairs& other, std::size_t from) {
     for (std::size_t w = 0; w < contact_history.size(); ++w) {
         contact_history[w][to] = other.contact_history[w][from];
     }
@@ -366,9 +370,17 @@ void PairList::select(Grains& grains, const Cell& cell) {
             if (near != none) {
                 narrow_.remember(narrow_.size() - 1, old_narrow_, near);
             }
+            if (near == none && far != none_distant) {
+                narrow_.remember_effects(narrow_.size() - 1, old_distant_, far);
+            }
             narrow_.bridge.back() = joined;
         } else if (joined || wants_.all_in_reach) {
             distant_.add(i, j, wide_.image[k]);
+            if (near != none) {
+                distant_.remember_effects(distant_.size() - 1, old_narrow_, near);
+            } else if (far != none_distant) {
+                distant_.remember_effects(distant_.size() - 1, old_distant_, far);
+            }
             distant_.bridge.back() = joined;
         }
     }

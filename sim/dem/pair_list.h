@@ -56,6 +56,11 @@ struct Pairs : Neighbours {
     /// @param to index of the pair in this list
     /// @param from index of the pair in the list `other`
     void remember(std::size_t to, const Pairs& other, std::size_t from);
+    /// Copies the values that effects keep for a pair, such as the volume of its bridge, from
+    /// another list.
+    /// @param to index of the pair in this list
+    /// @param from index of the pair in the list `other`
+    void remember_effects(std::size_t to, const Pairs& other, std::size_t from);
     /// Values that physical effects keep for the pair with index `k`.
     std::vector<double> history_of(std::size_t k) const;
 
