@@ -67,7 +67,9 @@ class Design {
     Eigen::VectorXd change(const Effect& effect, const std::vector<double>& values) const {
         const auto model = assemble_model(study_, simulation_, {&effect});
         std::vector<double> parameters = {plan_.friction};
-        if (!effect.is_switch()) parameters.insert(parameters.end(), values.begin(), values.end());
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            if (effect.parameters[k].is_fitted()) parameters.push_back(values[k]);
+        }
         const Eigen::VectorXd all = Eigen::Map<Eigen::VectorXd>(
             parameters.data(), static_cast<Eigen::Index>(parameters.size()));
         return residuals_->project(residuals_->whiten(

@@ -257,6 +257,12 @@ const Emulator::LearnedResponse& Emulator::response_to(const std::string& name,
     return *response->learned;
 }
 
+bool Emulator::knows(const std::string& name) const {
+    return std::ranges::any_of(runs(), [&](const dem::RunResult& run) {
+        return trains(run, name, Observable::stress_ratio);
+    });
+}
+
 std::vector<Emulator::Affected> Emulator::affected(const std::vector<Query>& queries) const {
     std::vector<Affected> result;
     const auto response = [&](const std::string& cause, Observable which) -> Affected& {

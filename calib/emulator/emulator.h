@@ -84,6 +84,9 @@ class Emulator {
     /// only the changes of solid fraction and overlap that are known without training can be
     /// applied.
     bool knows_stiffness() const { return knows_stiffness_; }
+    /// Whether the emulator can predict how the effect `name` changes the flow: a training run has
+    /// it as its only effect, with values that models of studies can have.
+    bool knows(const std::string& name) const;
 
     /// Covariance of the noise of a run's stress ratio and solid fraction [1], in this order. The
     /// noise is the difference between the run and the mean of many runs of the same parameters.

@@ -81,11 +81,7 @@ std::string StudyModels::why_unsupported(double friction, const Condition& condi
 }
 
 bool StudyModels::has_runs(const Effect& effect) const {
-    return !effect.of_grains() ||
-           std::ranges::any_of(simulation_->emulator().runs(), [&](const dem::RunResult& run) {
-               const auto& effects = run.parameters.effects;
-               return effects.size() == 1 && effects[0].effect == effect.name;
-           });
+    return !effect.of_grains() || simulation_->emulator().knows(effect.name);
 }
 
 void StudyModels::add_candidate(const Effect& effect) {

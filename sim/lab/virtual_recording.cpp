@@ -72,7 +72,8 @@ double factor(const Mean& simulated, double scatter, InstrumentNoise& random) {
 /// Steady values that the instrument shows in a step after the transient.
 struct Level {
     double torque, normal_force, height, angular_velocity, shear_rate;
-    const TrueState* state;  ///< state that is shown; the values belong to its condition's time
+    const TrueState* state;  ///< state that is shown
+    CellState shown;  ///< what the instrument shows of it at the condition's time, without noise
 };
 
 /// Returns the state that an ideal instrument, without effects and noise, shows.
@@ -108,7 +109,8 @@ Level level_of(const TrueState& state, const AnnularCell& cell, const GrainPrope
             shown.height / of_height,
             shown.angular_velocity,
             rate,
-            &state};
+            &state,
+            shown};
 }
 
 /// Returns the first row of a step after the transient.
@@ -119,9 +121,9 @@ double first_steady_row(double rows) {
 /// Returns the values of a step at a time [s]: those of its mean time, times what the instrument
 /// shows now over what it shows then.
 Level at_time(Level level, double time) {
-    const TrueState& state = *level.state;
-    if (!state.shown) return level;
-    const CellState then = state.shown(state.condition.time), now = state.shown(time);
+    if (!level.state->shown) return level;
+    const CellState& then = level.shown;
+    const CellState now = level.state->shown(time);
     level.torque *= now.torque / then.torque;
     level.normal_force *= now.normal_force / then.normal_force;
     level.height *= now.height / then.height;

@@ -282,4 +282,18 @@ TEST(EmulatedCalibration, SaysThatNoSimulationEndedInTime) {
     }
 }
 
+TEST(EmulatedCalibration, SaysThatTheTimeEndedBeforeTheFirstOfAllSimulations) {
+    const Study study = stiff_wet_study();
+    const Measurements measured =
+        measured_at({dry_at(1000, 0.06)}, emulated_from(study, tiny, tiny_runs()), 0.25);
+    CalibrationRequest request{.fidelity = tiny, .known = KnownRuns{{}, {}, true}};
+    request.budget = RunBudget(0.001);
+    try {
+        calibrate_study(study, measured, request, {.threads = 1});
+        FAIL();
+    } catch (const dem::SimulationError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("the time for simulations ended"));
+    }
+}
+
 }  // namespace pendular::calib_emulated_simulation_test

@@ -195,6 +195,18 @@ TEST(Emulator, NamesAnEffectThatNoRunHas) {
     }
 }
 
+TEST(Emulator, IsNotTrainedByRunsWithValuesThatOnlySimulationsHave) {
+    const auto with_run_of = [](std::vector<double> values) {
+        auto runs = invented_runs(60, 1);
+        runs.push_back(runs.front());
+        runs.back().parameters.effects = {{"unequal-bridges", std::move(values)}};
+        return Emulator(runs, shipped_hyperparameters());
+    };
+    EXPECT_TRUE(with_run_of({0.5, 0}).knows("unequal-bridges"));
+    EXPECT_FALSE(with_run_of({0.5, 3}).knows("unequal-bridges"));  // bridges exchange liquid
+    EXPECT_FALSE(with_run_of({0.5, 0}).knows("rolling-resistance"));
+}
+
 TEST(Kernel, HasTheGradientOfItsLikelihood) {
     const auto runs = invented_runs(60, 1);
     Observations known;

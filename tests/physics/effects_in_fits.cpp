@@ -30,7 +30,7 @@ Eigen::VectorXd planted(const Model& model, const Effect& effect) {
     truth(0) = planted_friction;
     Eigen::Index next = 1;
     for (const EffectParameter& p : effect.parameters) {
-        if (!p.is_switch()) {
+        if (p.is_fitted()) {
             truth(next++) =
                 effect.given_by_liquid
                     ? 0.03

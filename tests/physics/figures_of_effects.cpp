@@ -139,7 +139,7 @@ struct Planted {
         Eigen::Index next = 1;
         for (const Effect* effect : model->effects()) {
             for (const EffectParameter& p : effect->parameters) {
-                if (p.is_switch()) continue;
+                if (!p.is_fitted()) continue;
                 c.fit.parameters(next) = planted_value(*effect, p);
                 error(next++) = 0.1 * p.smallest_of_interest;
             }
