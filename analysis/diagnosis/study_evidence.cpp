@@ -258,6 +258,42 @@ ErrorKnowledge knowledge_of(const std::vector<Reading>& readings, const Replicat
     return knowledge;
 }
 
+/// Readings of a recording and of all later recordings, in ascending order, with a name, for each
+/// recording but the first. An instrument that changes between two recordings, such as a torque
+/// transducer that is knocked, shows wrong values in all later recordings. Empty if the order of
+/// the recordings is not known.
+std::vector<std::pair<std::string, std::vector<std::size_t>>> parts_since(
+    const std::vector<Reading>& readings) {
+    std::map<std::string, double> begins;
+    for (const Reading& reading : readings) {
+        const double time = reading.condition.time;
+        auto& first = begins.emplace(reading.origin.file, time).first->second;
+        first = std::min(first, time);
+    }
+    std::set<double> times;
+    for (const auto& [file, time] : begins) {
+        times.insert(time);
+    }
+    if (times.size() < begins.size()) return {};
+    std::vector<std::size_t> wet;  // a change between dry and wet recordings is due to the liquid
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        if (!readings[k].condition.dry()) wet.push_back(k);
+    }
+    std::vector<std::pair<std::string, std::vector<std::size_t>>> parts;
+    for (const auto& [file, time] : begins) {
+        if (time == *times.begin()) continue;
+        std::vector<std::size_t> later;
+        for (std::size_t k = 0; k < readings.size(); ++k) {
+            if (begins.at(readings[k].origin.file) >= time) later.push_back(k);
+        }
+        if (later == wet) continue;
+        const std::string name = std::filesystem::path(file).filename().string();
+        parts.emplace_back(fmt::format("the readings of {} and of all later recordings", name),
+                           std::move(later));
+    }
+    return parts;
+}
+
 }  // namespace
 
 Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
@@ -285,6 +321,12 @@ Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatte
             evidence.suspects.push_back(
                 suspect("the readings of " + std::filesystem::path(file).filename().string(),
                         "files", members, evidence.measured.value));
+        }
+    }
+    for (auto& [name, later] : parts_since(readings)) {
+        if (suspected.insert(later).second) {
+            evidence.suspects.push_back(
+                suspect(std::move(name), "changes in time", later, evidence.measured.value));
         }
     }
     add_direct(evidence, direct, 2 * static_cast<Eigen::Index>(readings.size()));

@@ -35,4 +35,32 @@ TEST(RunOrder, IsKnownWithinOneTableOrByTime) {
     EXPECT_TRUE(knows_order(timed));
 }
 
+std::vector<std::string> suspects_of(const std::vector<Reading>& readings) {
+    std::vector<std::string> names;
+    for (const SuspectMeasurement& suspect : evidence_of(readings, {}).suspects) {
+        names.push_back(suspect.name);
+    }
+    return names;
+}
+
+TEST(SuspectMeasurements, HoldAllRecordingsSinceAChangeOfTheInstrument) {
+    using namespace testing;
+    std::vector<Reading> readings =
+        from({"dry_1.csv", "dry_2.csv", "wet_1.csv", "wet_2.csv", "wet_1.csv"});
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        readings[k].value = {200, 0.6};
+        readings[k].covariance = Eigen::Matrix2d::Identity();
+        readings[k].condition.liquid_content = k < 2 ? 0 : 0.03;
+    }
+    EXPECT_THAT(suspects_of(readings), Each(Not(HasSubstr("later")))) << "the order is not known";
+    const std::vector<double> times = {0, 100, 200, 400, 300};
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        readings[k].condition.time = times[k];
+    }
+    // Not from wet_1.csv on, since the liquid is added there, nor wet_2.csv alone a second time.
+    const std::vector<std::string> names = suspects_of(readings);
+    EXPECT_THAT(names, Contains("the readings of dry_2.csv and of all later recordings"));
+    EXPECT_THAT(names, Contains(HasSubstr("later")).Times(1));
+}
+
 }  // namespace covariates_test

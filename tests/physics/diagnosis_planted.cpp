@@ -84,6 +84,24 @@ TEST(PlantedDiagnosis, TellsTheAngleFromTheTensionByNothing) {
     EXPECT_THAT(d.effects, Contains("capillary-bridges"));
 }
 
+TEST(PlantedDiagnosis, SuspectsAllRecordingsSinceTheTorqueChanged) {
+    std::vector<Reading> readings = readings_with({}, 5);
+    // A recording for each content and inertial number; the torque shows 8 % too much from the
+    // sixth of eight recordings on.
+    int recording = 0;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        const Condition& c = readings[k].condition;
+        if (k == 0 || c.liquid_content != readings[k - 1].condition.liquid_content) ++recording;
+        readings[k].origin.file = "recording_" + std::to_string(recording) + ".csv";
+        if (recording >= 6) readings[k].value(0) *= 1.08;
+    }
+    ASSERT_EQ(recording, 8);
+    const Diagnosis d = diagnose(models(), evidence_of(readings, {}));
+    EXPECT_EQ(d.verdict, Verdict::suspect_measurement);
+    EXPECT_THAT(d.suspects,
+                Contains("the readings of recording_6.csv and of all later recordings"));
+}
+
 TEST(PlantedDiagnosis, FindsNothingWhereNothingIsMissing) {
     // Each is wrong in 5 of 100 cases: 2 of 3 would be one in 140.
     int alarms = 0;
