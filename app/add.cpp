@@ -80,7 +80,8 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
         "check the new fit by new simulations, for at most MINUTES (default: no limit)");
     options.add_switch(
         "cold", &own.fit.cold,
-        "use neither the atlas nor stored simulations: simulate all states that the fit needs");
+        "simulate all states that the fit needs anew, without the simulations that come with the "
+        "program (the atlas) and without those in the store");
     std::int64_t number = 0;
     if (adds) {
         options.add(
@@ -200,7 +201,7 @@ int change_study(Action what, const std::string& effect, const AddOptions& own,
         console.answer(answer_on(changed));
         print_doubts(console, belief, 0,
                      changed.after_to_all
-                         ? "Warning on the fit of 'pendular calibrate', to the dry readings alone: "
+                         ? "Warning from 'pendular calibrate', which fits the dry readings alone: "
                          : "Warning on the new fit: ");
         const auto& readings = changed.before.calibration.readings;
         const bool earlier_dry = changed.before.calibration.fitted == readings.size() &&

@@ -154,8 +154,9 @@ int calibrate(const std::vector<std::string>& arguments) {
                        "do not check the fit by new simulations (with --cold: simulations are made "
                        "for the fit, but none to check it)");
     options.add_switch("cold", &fit.cold,
-                       "use neither the atlas nor stored simulations: simulate all states that "
-                       "the fit needs, and keep the results in the store");
+                       "simulate all states that the fit needs anew, without the simulations "
+                       "that come with the program (the atlas) and without those in the store; "
+                       "the new simulations are kept in the store");
     options.add(
         "lowest-reduced-pressure", &fit.cohesion.lowest_reduced_pressure,
         "fit the cohesion only to points with at least this reduced pressure P* = a^2 s22/F0 [1] "

@@ -50,7 +50,8 @@ that describe the readings. Verdicts:
                         the smallest size of interest
   missing               one effect, or one set of effects, explains all or most of the misfit
   indistinguishable     several effects explain the residuals equally well
-  suspect-measurement   an error in one condition or file explains the residuals
+  suspect-measurement   an error in one condition, in one file, or in all files from one
+                        on explains the residuals
   unknown               something is missing, and no known effect explains it
 If no known effect explains the residuals, the command tries empirical corrections, for example a
 torque that depends on the normal stress. Corrections that explain the readings are written to
@@ -282,7 +283,8 @@ int diagnose(const std::vector<std::string>& arguments) {
                     "  pendular diagnose my-study --json - --quiet\n"
                     "  pendular diagnose my-study --confirm 5\n",
                     true);
-    options.set_threads(0, "number of refits, or of simulations, at a time");
+    options.set_threads(0,
+                        "number of threads; each fits one model or simulates one sample at a time");
     std::int64_t seed = 1;
     options.add(
         "seed", &seed,

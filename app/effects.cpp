@@ -35,7 +35,7 @@ A study may also define its own effects by formulas. The option --study lists th
   unit = "mN m s/rad"
   lower = -1
   upper = 1
-  torque = "torque + drag*angular_velocity"   # displayed torque, as a function of the true one
+  torque = "torque + drag*angular_velocity"   # left: displayed torque; right: true torque
 
 Optional keys: neutral (value at which the effect vanishes, default 0), matters (smallest size of
 interest, default a tenth of the range), summary. A formula sets a quantity that the instrument
@@ -92,7 +92,8 @@ void show_one(Console& console, const EffectEntry& entry) {
 
 void show_all(Console& console, const std::vector<EffectEntry>& entries) {
     console.answer(fmt::format(
-        "The catalogue has {} effects. To describe one: pendular effects NAME", entries.size()));
+        "The catalogue has {} effects. 'pendular effects NAME' describes the effect NAME.",
+        entries.size()));
     for (const auto& line : effects_table(entries)) {
         console.line(line);
     }

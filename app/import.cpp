@@ -127,10 +127,10 @@ int import(const std::vector<std::string>& arguments) {
     }
     if (measurements.weight_note) console.note(*measurements.weight_note);
     if (measurements.readings.empty()) {
-        console.note(
-            fmt::format("No reading could be made. For the reason of each range of rows: pendular "
-                        "import {} --all",
-                        common->study_word()));
+        console.note(fmt::format(
+            "No step of the recordings gave a reading. 'pendular import {} --all' lists "
+            "the excluded rows with the reasons.",
+            common->study_word()));
     } else {
         console.next(fmt::format("pendular calibrate {}", common->study_word()));
     }

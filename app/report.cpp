@@ -33,7 +33,7 @@ int report(const std::vector<std::string>& arguments) {
                     "  pendular report my-study\n"
                     "  pendular report my-study --switches 4 --out results\n",
                     true);
-    options.set_threads(0, "number of refits at a time");
+    options.set_threads(0, "number of threads; each fits one model at a time");
     std::int64_t seed = 1;
     options.add("seed", &seed,
                 "seed of the simulated random errors from which p values and power are computed "

@@ -45,8 +45,9 @@ RunEffects::RunEffects(Options& options, const std::vector<std::string>& argumen
                       "grain diameter a");
           options.add("surface-tension", &surface_tension_,
                       "nominal surface tension Gamma of the liquid, with its unit (default 20.6 "
-                      "mN/m), which sets the normal stress of wet grains; a different true one is "
-                      "given by --capillary-bridges.surface_tension");
+                      "mN/m); the normal stress on wet grains is computed from it. If the liquid "
+                      "has another surface tension, state that one with "
+                      "--capillary-bridges.surface_tension");
           return {options, arguments,
                   "Effects on grains and liquid (values with their unit, \"3 uN\"; a number "
                   "without a unit is in SI units)",

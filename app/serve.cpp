@@ -101,7 +101,7 @@ int serve(const std::vector<std::string>& arguments) {
         "  pendular serve my-study --port 8080 --switches 3   # a fixed port, switches for three "
         "effects\n",
         true);
-    options.set_threads(0, "number of refits at a time");
+    options.set_threads(0, "number of threads; each fits one model at a time");
     ServeOptions own;
     options.add("port", &own.port, "port of the address (default: any free one)");
     options.add("seed", &own.seed,

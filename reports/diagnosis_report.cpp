@@ -419,10 +419,10 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space, 
     if (d.verdict == Verdict::indistinguishable) lines.push_back(alike_line(d));
     if (d.verdict == Verdict::inconclusive) {
         lines.push_back(
-            "To rule out one of these effects, measure it directly ('pendular effects NAME' says "
-            "how, where possible) or add readings where it is larger. 'pendular next' plans "
-            "readings that make the fitted parameters more precise, which does not rule out "
-            "effects.");
+            "To rule out an effect, measure the effect directly ('pendular effects NAME' says how, "
+            "where possible) or add readings at conditions where the effect is larger. 'pendular "
+            "next' plans readings that reduce the standard errors of the fitted parameters; such "
+            "readings do not rule out effects.");
     }
     if (d.verdict == Verdict::unknown) {
         if (const Explanation* best = best_of(d.tried); best && !best->suspect) {

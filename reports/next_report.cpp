@@ -135,8 +135,8 @@ std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
     const Sharpening& best = next.sharpenings.front();
     const Rival& model = next.rivals.front();
     std::vector<std::string> lines = {
-        fmt::format("Take {}. Of all conditions considered, this one gives the fitted parameters "
-                    "the smallest standard errors.",
+        fmt::format("Take {}. Of all conditions considered, readings at this condition reduce the "
+                    "standard errors of the fitted parameters most.",
                     to_measure(next.points[best.point], next.most_repeats, next.study))};
     const auto& parameters = model.model->parameters();
     for (std::size_t k = 0; k < parameters.size(); ++k) {

@@ -252,12 +252,12 @@ std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines) 
     }
     const auto estimate = [](const Estimate& e) { return with_error(e.value, e.standard_error); };
     std::vector<std::string> table = {
-        "Cohesion: straight lines, stress ratio = intercept + (reduced cohesion c*)/(reduced "
-        "pressure P*)",
+        "Cohesion, from straight lines fitted to the stress ratio against 1/P* (P*: reduced "
+        "pressure): stress ratio = intercept + c*/P*",
         fmt::format("  {:<10} {:>8} {:>9} {:>18} {:>18} {:>11} {:>16} {:>9} {:>7}", "line",
-                    "liquid", "inertial", "", "reduced", "", "", "lowest", ""),
-        fmt::format("  {:<10} {:>8} {:>9} {:>18} {:>18} {:>11} {:>16} {:>9} {:>7}", "through",
-                    "content", "number", "intercept", "cohesion c*", "correlation", "cohesion [Pa]",
+                    "liquid", "inertial", "", "reduced", "correlation", "", "lowest", ""),
+        fmt::format("  {:<10} {:>8} {:>9} {:>18} {:>18} {:>11} {:>16} {:>9} {:>7}", "fitted to",
+                    "content", "number", "intercept", "cohesion c*", "of the two", "cohesion [Pa]",
                     "P*", "points")};
     for (const auto& line : measured_beside_simulated(lines)) {
         table.push_back(fmt::format(

@@ -21,12 +21,12 @@ void net_limit(const dem::PairBatch& batch, const dem::PairContext& context) {
 Effect capillary_coulomb() {
     return {
         .summary =
-            "a contact slides where the tangential force exceeds the friction times the net normal "
-            "force (elastic minus capillary), instead of times the elastic force alone",
+            "the Coulomb limit of a contact is proportional to the net normal force (elastic minus "
+            "capillary) instead of the elastic force alone",
         .equation = "|F_T| <= friction max(0, F_N - F_capillary)",
         .parameters = {on_switch(
-            "the tangential force of a contact is at most the friction times the "
-            "net normal force (elastic minus capillary), instead of "
+            "the tangential force of a contact is at most the friction coefficient "
+            "times the net normal force (elastic minus capillary), instead of "
             "times the elastic force alone")},
         .change = dem::ChangePairs{.limit = net_limit},
         .touches = Touches::wet,

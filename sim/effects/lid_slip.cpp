@@ -9,8 +9,9 @@ namespace pendular {
 Effect lid_slip() {
     return {
         .summary =
-            "grains slip along the lid, so that the sample is sheared more slowly than the lid "
-            "turns",
+            "grains slip along the lid, which makes the shear rate smaller than the velocity of "
+            "the "
+            "lid suggests",
         .equation =
             "omega_shown = omega/(1 - fraction)      omega: angular velocity of a lid that shears "
             "the grains equally fast without slip",

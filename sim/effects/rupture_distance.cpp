@@ -7,7 +7,7 @@ namespace pendular {
 /// change this rupture distance. With a larger rupture distance there are more bridges, and they
 /// exert forces at gaps where the base law has none.
 Effect rupture_distance() {
-    return {.summary = "the gap at which bridges break differs from V0^(1/3)",
+    return {.summary = "bridges break at a gap that differs from V0^(1/3) (V0: volume of a bridge)",
             .equation = "D0 = factor V0^(1/3)",
             .parameters = {{.name = "factor",
                             .unit = "1",
