@@ -9,73 +9,83 @@
 
 namespace pendular {
 
-/// One or two sentences that say which effect the study's model lacks: "Missing: torque-offset
-/// (0.410 +- 0.030 mN m). Adding it brings chi2/dof from 9.8 to about 1.1." If no known effect
-/// explains the misfit, the sentence names the strongest significant trend among `checks`, the
-/// tests of the residuals.
+/// Returns one or two sentences that say which effect the study's model lacks: "Missing:
+/// torque-offset (torque 0.410 +- 0.030 mN m). Adding it brings chi2/dof from 9.80 to about 1.10."
+/// If no known effect explains the misfit, the sentence names the strongest significant trend of
+/// the residuals.
+/// @param checks tests of the residuals of the study's model
 std::string verdict_line(const Diagnosis& diagnosis, const ModelSpace& space, const Checks& checks);
 
-/// Returns the text of an effect's first parameter as a diagnosis estimates it, with its standard
-/// error and unit. The estimate comes from a refit with the effect if one converged, else from the
-/// score test (linear). An estimate at a bound of the parameter has no error. For an effect that is
-/// on or off, the text is "switch".
-/// @param finding result for the effect, one of `diagnosis.scan`
+/// Returns the text of the first parameter of an effect as a diagnosis estimates the parameter,
+/// with standard error and unit. The estimate comes from a refit with the effect if a refit
+/// converged, else from the linear score test, which uses the residuals alone. An estimate at a
+/// bound of the parameter has no standard error. For an effect that is on or off, the text is
+/// "switch".
+/// @param finding result for the effect, an element of `diagnosis.scan`
 std::string estimate_of(const Diagnosis& diagnosis, const Finding& finding,
                         const ModelSpace& space);
 
-/// Returns the text of a reduction of chi2 [1] as a negative number: "-686.7" for a reduction of
-/// 686.7.
+/// Returns the text of a reduction of chi2 [1] as a negative number, such as "-686.7" for a
+/// reduction of 686.7.
 std::string chi2_change(double reduction);
 
-/// Table of the effects that a diagnosis tested, one line per effect, the largest reduction of chi2
-/// first. The lines of effects follow a heading; lines that explain the columns come last.
+/// Returns a table of the effects that a diagnosis tested, the effect with the largest reduction of
+/// chi2 first. The first line is the heading. One line follows for each effect. The last lines
+/// explain the columns.
 std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const ModelSpace& space);
 
-/// Sentence on the fit of the study's model without further effects: its chi2 and degrees of
-/// freedom, and the p values of two tests. One tests the mean of each condition for lack of fit,
-/// the other the readings for a missing effect.
+/// Returns sentences on the fit of the study's model without further effects. The sentences state
+/// chi2, the degrees of freedom and the p values of two tests. The first test compares the mean
+/// reading of each condition with the model (lack of fit). The second test asks whether the model
+/// lacks a known effect.
 std::string fit_line(const Diagnosis& diagnosis);
 
-/// Sentences on a diagnosis that found effects which explain most of the misfit but not all of it.
-/// They state the RMS errors without and with these effects, in how many of 100 simulated
-/// repetitions of the experiment the best model would contain the effects, and the trend that
-/// remains in the residuals. Empty for any other diagnosis.
-/// @param before RMS relative errors [%] of (shear stress, solid fraction) without the effects
-/// @param after RMS relative errors [%] of (shear stress, solid fraction) with the effects in the
-///        model
+/// Returns sentences on a diagnosis that found effects which explain most of the misfit but not all
+/// of the misfit. The first sentence states the relative RMS errors without and with these effects.
+/// The second sentence states the percentage of simulated repetitions of the experiment in which
+/// the best model contains these effects. The third sentence states the trend that remains in the
+/// residuals. Returns an empty list for any other diagnosis.
+/// @param before relative RMS errors [%] without the effects: first of the shear stress, second of
+///        the solid fraction
+/// @param after relative RMS errors [%] with the effects in the model: first of the shear stress,
+///        second of the solid fraction
 /// @param remaining tests of the residuals of the model with the effects
 std::vector<std::string> incomplete_lines(const Diagnosis& diagnosis,
                                           const std::array<double, 2>& before,
                                           const std::array<double, 2>& after,
                                           const Checks& remaining);
 
-/// Sentence that states how large an error of the model, varying smoothly with the conditions,
-/// would account for the misfit which known effects leave; empty where `size` is 0.
-/// @param size standard deviation of the error relative to the shear stress [1]
+/// Returns a sentence on a systematic error of the model that varies smoothly with the conditions
+/// and would explain the misfit which known effects leave. The sentence also says how study.toml
+/// can allow for the systematic error. Returns an empty text if `size` is 0.
+/// @param size standard deviation of the systematic error divided by the shear stress [1]
 std::string discrepancy_line(double size);
 
-/// Sentence that names the measurements (conditions or files) that the model fits worse than the
-/// others with p < 0.05: up to three measurements, the smallest p first, and the number of the
-/// others. Empty if no measurement has p < 0.05, or if more than eight do.
+/// Returns a sentence that names the suspect measurements with p < 0.05. A suspect measurement is a
+/// part of the measurement that may be wrong, such as all readings of one condition. The sentence
+/// names up to three suspect measurements, the measurement with the smallest p first, and states
+/// how many more there are. Returns an empty text if no suspect measurement has p < 0.05, or if
+/// more than eight have p < 0.05.
 std::string suspects_line(const Diagnosis& diagnosis, const Evidence& evidence);
 
-/// Table of the effects that the study's readings cannot exclude: an effect of the smallest size of
-/// interest could be present and remain undetected. Below a heading, one line names the effects
-/// that these readings could detect at no size; one line follows for each other effect. Empty
-/// unless the verdict of the diagnosis is inconclusive.
+/// Returns a table of the effects that the study's readings cannot exclude: an effect of the
+/// smallest size of interest could be present and remain undetected. The first line is the heading.
+/// One line names the effects that these readings could not detect at any size. One line follows
+/// for each further effect, with the smallest size that these readings could detect. Returns an
+/// empty list unless the verdict of the diagnosis is inconclusive.
 std::vector<std::string> unseen_table(const Diagnosis& diagnosis, const ModelSpace& space);
 
-/// Sentences of advice after a diagnosis: how similar the changes by indistinguishable effects are,
-/// which readings to repeat or to add, and whether standard errors of readings are assumed rather
-/// than measured.
-/// @param proposes whether the diagnosis proposes changes of unknown cause
+/// Returns sentences of advice after a diagnosis. The sentences say how similarly indistinguishable
+/// effects change the readings, which readings to repeat or to add, and whether standard errors of
+/// readings are assumed rather than measured.
+/// @param proposes whether the diagnosis proposes changes of the model of unknown cause
 std::vector<std::string> advice_on(const Diagnosis& diagnosis, const ModelSpace& space,
                                    bool proposes = false);
 
-/// Text that says what to do after a diagnosis: the `pendular` command to give next or, for a
-/// suspect measurement, what to repeat.
+/// Returns the text that says what to do after a diagnosis: the `pendular` command to give next or,
+/// if an error of measurement explains the misfit, which readings to repeat.
 /// @param study the study's name as the user gave it
-/// @param proposes whether the diagnosis proposes changes of unknown cause
+/// @param proposes whether the diagnosis proposes changes of the model of unknown cause
 std::string next_step(const Diagnosis& diagnosis, const std::string& study, bool proposes = false);
 
 }  // namespace pendular

@@ -9,11 +9,13 @@
 
 namespace pendular {
 
-/// Whether a study lists a physical effect, and whether the effect can be added to the study.
+/// Relation of a physical effect to a study: whether the study lists the effect, and whether the
+/// effect can be added to the study.
 struct EffectStatus {
-    /// Whether study.toml lists the effect, so that the study's model has it.
+    /// Whether study.toml lists the effect, so that the study's model has the effect.
     bool listed = false;
-    /// Reason why the effect does not apply to the study; empty: it applies.
+    /// Reason why the effect does not apply to the study. If there is no reason, the effect
+    /// applies.
     std::optional<Obstacle> obstacle;
 };
 
@@ -21,33 +23,34 @@ struct EffectStatus {
 /// effects` prints.
 struct EffectEntry {
     const Effect* effect;
-    /// Whether the user defined the effect by formulas in study.toml; false: a built-in effect.
+    /// Whether the user defined the effect by formulas in study.toml. If false, the effect is built
+    /// into the program.
     bool written = false;
-    /// Whether the user's study lists the effect, and whether the effect applies to it; empty where
-    /// the user named no study.
+    /// Relation of the effect to the user's study: whether the study lists the effect, and whether
+    /// the effect applies to the study. Empty if the user named no study.
     std::optional<EffectStatus> status = {};
 };
 
-/// Table of physical effects as lines of text, one line per parameter of an effect, grouped by the
-/// part of the experiment that the effects change.
+/// Returns a table of physical effects as lines of text, one line per parameter of an effect. The
+/// effects are grouped by the part of the experiment that they change.
 std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries);
 
-/// Full description of one physical effect as lines of text, with the settings in study.toml and
-/// the command-line options that switch the effect on.
+/// Returns the full description of one physical effect as lines of text, with the settings in
+/// study.toml and the command-line options that switch the effect on.
 std::vector<std::string> effect_page(const EffectEntry& entry);
 
-/// Page of the manual on one physical effect, in Markdown.
+/// Returns the page of the manual on one physical effect, in Markdown.
 /// @param figure Markdown of the figure that shows how the effect changes the readings, or the
 ///        reason why this figure does not exist
 std::string manual_page(const EffectEntry& entry, const std::string& figure);
 
-/// First page of the manual of effects, in Markdown: tables with one row per effect and a link to
-/// the page of the effect, NAME.md.
+/// Returns the first page of the manual of effects, in Markdown. The page has tables with one row
+/// per effect. Each row has a link to the page of the effect, NAME.md.
 std::string manual_index(const std::vector<EffectEntry>& entries);
 
-/// JSON of an entry of the catalogue of effects: name, equation, and parameters with their bounds.
-/// If the user named a study, also whether the study lists the effect and whether the effect
-/// applies to the study.
+/// Returns the JSON of one entry of the catalogue of effects: name, equation, and parameters with
+/// their bounds. If the user named a study, the JSON also states whether the study lists the effect
+/// and whether the effect applies to the study.
 nlohmann::ordered_json to_json(const EffectEntry& entry);
 
 }  // namespace pendular

@@ -10,31 +10,32 @@
 
 namespace pendular {
 
-/// Study for which the signature figures are computed. A signature is how an effect changes the
-/// readings. Grains, liquid and cell are the defaults of `pendular virtual-lab`. The study lists
-/// `effects`, so that its emulator (which interpolates between simulation runs) also uses runs with
-/// these effects.
+/// Returns the study for which the signature figures are computed. A signature is the change of the
+/// readings by an effect. Grains, liquid and cell are the defaults of `pendular virtual-lab`. The
+/// study lists `effects`, so that the emulator of the study (which interpolates between
+/// simulations) also uses simulations with these effects.
 Study signature_study(const std::vector<Effect>& effects);
 
-/// Returns the dry and the wet condition from which the signature figures start. Each curve of a
-/// figure varies one quantity of one of the two conditions.
+/// Returns the dry and the wet condition (normal stress, inertial number, liquid content) from
+/// which the signature figures start. Each curve of a signature figure varies one quantity of the
+/// dry or of the wet condition.
 std::vector<Condition> signature_conditions(const Study& study);
 
-/// Figure of how an effect of its smallest size of interest changes the predicted readings (its
-/// signature). The reference is the model without the effect or, for a property of the liquid, with
-/// the value of the study's liquid. Upper row: change of the shear stress [%]. Lower row: 1000
-/// times the change of the solid fraction [1]. The four columns show the changes against reduced
-/// pressure [1], liquid content [1], inertial number [1] and height of the sample [mm]. For effects
-/// on grains, a band shows one standard error of the change.
-/// @param simulation emulator, which interpolates between the study's simulation runs
-/// @throws std::invalid_argument where the emulator has no run with the effect
+/// Returns a figure of how an effect of the smallest size of interest changes the predicted
+/// readings. The reference is the model without the effect or, for a property of the liquid, with
+/// the value of the study's liquid. The upper row of panels shows the change of the shear stress
+/// [%]. The lower row shows 1000 times the change of the solid fraction [1]. The four columns show
+/// the changes against reduced pressure [1], liquid content [1], inertial number [1] and height of
+/// the sample [mm]. For effects on grains, a band shows one standard error of the change.
+/// @param simulation emulator, which interpolates between the simulations known for the study
+/// @throws std::invalid_argument where the emulator has no simulation with the effect
 /// @throws std::domain_error where, with the effect, no possible state of the grains gives the
-///         stress and height that the instrument shows at a condition of the figure
+///         normal stress and height that the instrument shows at a condition of the figure
 Figure signature_figure(const Effect& effect, const Study& study,
                         const std::shared_ptr<const EmulatedSimulation>& simulation);
 
-/// Caption of the figure that `signature_figure` returns for the effect, with the values of the
-/// quantities that stay constant along the curves.
+/// Returns the caption of the figure that `signature_figure` returns for the effect. The caption
+/// states the quantities that stay constant along the curves, with their values.
 std::string signature_caption(const Effect& effect, const Study& study);
 
 }  // namespace pendular

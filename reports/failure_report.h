@@ -8,28 +8,31 @@
 
 namespace pendular {
 
-/// Text of a probability p [1] with two significant digits: "= 0.02", or "< 0.001" below 0.001.
+/// Returns the text of a p value [1] with two significant digits: "= 0.02", or "< 0.001" for a p
+/// value below 0.001.
 /// @param equals text in place of "= "
 std::string p_text(double p, const char* equals = "= ");
 
 /// Returns the tests of a model's residuals that are each significant by themselves (p < 0.05), the
-/// smallest p first. The pointers point into `checks`.
+/// test with the smallest p first. The pointers point into `checks`.
 std::vector<const Check*> significant_checks(const Checks& checks);
 
-/// Lines of text that say where a model fails. The first line states the p value of all tests of
-/// the residuals together. One line follows for each test with p < 0.05; all tests of the
+/// Returns lines of text that say where a model fails. The first line states the p value of all
+/// tests of the residuals together. One line follows for each test with p < 0.05. All tests of the
 /// correlation between residuals of neighbouring conditions share one line.
 std::vector<std::string> checks_table(const Checks& checks);
 
-/// Sentence on measurements that a model fits badly: it names up to three measurements with the
-/// smallest p and states the number of the others. Empty for an empty list. Empty also for more
-/// than eight measurements, since the model then fails as a whole.
-/// @param measurements names of measurements, each with its p value: the probability [1] that
-///        chance alone makes its deviation from the model as large
+/// Returns a sentence on measurements that a model fits badly. The sentence names up to three
+/// measurements with the smallest p and states the number of all further measurements. Returns an
+/// empty text for an empty list. Returns an empty text also for more than eight measurements, since
+/// the model then fails as a whole.
+/// @param measurements names of measurements, each with a p value: the probability [1] that chance
+///        alone makes the deviation of the measurement from the model as large
 std::string deviating_line(std::vector<std::pair<std::string, double>> measurements);
 
-/// Lines of text that say where a model fails: the significant tests of its residuals, then the
-/// conditions and files whose readings deviate most from the model, if there are any.
+/// Returns lines of text that say where a model fails. First come the significant tests of the
+/// residuals. The last line names the conditions and files whose readings deviate most from the
+/// model, if there are any.
 std::vector<std::string> failure_table(const WhereItFails& where);
 
 }  // namespace pendular

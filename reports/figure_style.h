@@ -19,60 +19,62 @@ inline const std::string measured_colour = "#1b1b1b", model_colour = "#0b62a4",
                          explaining_colour =
                              "#606060";  ///< colour of key entries that explain all series of data
 
-/// Stress ratio [1] and solid fraction [1], in this order, with their standard errors: the values
-/// of a reading or prediction as figures draw them.
+/// Values of a reading or prediction as figures draw them, with their standard errors: first the
+/// stress ratio [1], second the solid fraction [1].
 struct Shown {
     std::array<double, 2> value, error;
 };
-/// Returns the measured stress ratio [1] and solid fraction [1] of a reading, with their standard
-/// errors.
+/// Returns the measured stress ratio [1] and solid fraction [1] of a reading (measured state at one
+/// condition), with their standard errors.
 Shown shown(const Reading& reading);
 
-/// Returns the predicted stress ratio [1] and solid fraction [1] of one reading, with their
-/// standard errors.
+/// Returns the predicted stress ratio [1] and solid fraction [1] at the condition of one reading,
+/// with their standard errors.
 /// @param place index of the reading in `predicted`
 /// @param normal_stress normal stress of the reading [Pa], by which the shear stress is divided
 Shown shown(const Prediction& predicted, Eigen::Index place, double normal_stress);
 
-/// Returns the means of several stress ratios and solid fractions, weighted by 1/standard error^2.
-/// The standard errors of the means hold if the values are independent.
+/// Returns the means of several stress ratios and solid fractions, weighted by 1/(standard
+/// error)^2. The standard errors of the means hold if the errors of the values are independent.
 Shown mean_of(const std::vector<Shown>& all);
 
-/// Means of measured and of predicted stress ratio [1] and solid fraction [1] of the same readings.
+/// Means of the stress ratio [1] and the solid fraction [1] over some readings, first as measured,
+/// second as the model predicts the readings.
 struct MeasuredAndModel {
     Shown measured, model;
 };
-/// Returns the means of measured and of predicted stress ratio and solid fraction over some
-/// readings of a calibration. Predictions are weighted like the measured values, by 1/(standard
-/// error of the measured value)^2.
+/// Returns the means of the measured and of the predicted stress ratio [1] and solid fraction [1]
+/// over some readings of a calibration. The weight of a reading in all means is 1/(standard error
+/// of the measured value)^2.
 /// @param places indices of the readings in the calibration
 MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibration& calibration);
 
 /// Whether a figure may draw one mean prediction for some readings. True if the predicted stress
-/// ratio and solid fraction of each reading differ from the means over these readings by at most
-/// `same_point` standard errors of the measured reading.
+/// ratio and solid fraction of each reading differ from the mean predictions for these readings by
+/// at most `same_point` standard errors of the measured values.
 /// @param places indices of the readings in the calibration
 bool mean_suffices(const std::vector<std::size_t>& places, const Calibration& calibration);
 
 /// Largest difference between two predictions that figures draw as one point, divided by the
-/// standard error of the measured reading [1].
+/// standard error of the measured value [1].
 constexpr double same_point = 0.25;
 
-/// Adds a point with its error bar to a curve.
+/// Adds a point with an error bar of one standard error to a curve.
 /// @param x position along the x axis
 /// @param o quantity that is drawn as y: 0 for the stress ratio in `shown`, 1 for the solid
 ///        fraction
 void add_point(Curve& curve, double x, const Shown& shown, std::size_t o);
 
-/// Text that names effects in the title or key of a figure: "lid-slip", "lid-slip and
-/// torque-offset" or "3 effects"; empty for no effect.
+/// Returns a text that names effects in the title or key of a figure: "lid-slip", "lid-slip and
+/// torque-offset" or "3 effects". The text is empty if there is no effect.
 std::string names_of(const std::vector<const Effect*>& effects);
 
 /// Whether values suit a logarithmic axis: all are positive, and the greatest is more than 10 times
 /// the least.
 bool spans_decade(const std::vector<double>& values);
 
-/// Text of an inertial number in a figure: "I = 0.003", or "I → 0" for the quasi-static limit 0.
+/// Returns the text of an inertial number in a figure: "I = 0.003", or "I → 0" for the quasi-static
+/// limit 0.
 std::string inertial_text(double inertial_number);
 
 }  // namespace pendular

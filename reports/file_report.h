@@ -7,34 +7,42 @@
 
 namespace pendular {
 
-/// Sentence on the layout of a file of measurements, and the numbers of its intervals and rows.
+/// Returns a sentence on the layout of a file of measurements, with the numbers of intervals (steps
+/// of constant set points) and rows in the file.
 std::string file_sentence(const FileView& view);
 
-/// Sentence on the encoding, the delimiter of cells and the decimal mark of a file of measurements.
+/// Returns a sentence on a file of measurements that states the character encoding, the delimiter
+/// of cells and the decimal mark.
 std::string encoding_sentence(const FileView& view);
 
-/// Table of the columns of a file of measurements, one line per column below a heading: name, unit,
-/// the quantity as which the column is read, and in how many intervals it occurs.
+/// Returns a table of the columns of a file of measurements, one line per column below a heading.
+/// The line states the name and the unit of the column, the quantity as which the column is read,
+/// and in how many intervals (steps of constant set points) the column occurs.
 std::vector<std::string> columns_table(const FileView& view);
 
-/// Table of the intervals of a file of measurements, one line per interval below a heading: number,
-/// role, rows, lines, median normal stress [Pa] (or normal force [N]), largest shear stress [Pa]
-/// (or torque [N m]), and the reason for the role.
+/// Returns a table of the intervals (steps of constant set points) of a file of measurements, one
+/// line per interval below a heading. The line states number, role, number of rows, line numbers in
+/// the file, median normal stress [Pa] (or normal force [N]), largest shear stress [Pa] (or torque
+/// [N m]), and the reason for the role.
 std::vector<std::string> intervals_table(const FileView& view);
 
-/// Heading and sentences on what the checks of a file of measurements found: lines of the file,
-/// what is wrong, and what was done. A sentence says so if the checks found nothing.
-/// @param all whether all lines of the file are named; otherwise at most 8 ranges of lines for each
-///        finding
+/// Returns a heading and sentences on the faults that the checks of a file of measurements found.
+/// Each sentence states the lines of the file, the fault, and the remedy that was applied. If the
+/// checks found no fault, one sentence says so.
+/// @param all whether each sentence names all lines of the file that have the fault; otherwise a
+///        sentence names at most 8 ranges of lines
 std::vector<std::string> checks_lines(const FileView& view, bool all);
 
-/// Tables of the yield loci of a file of measurements: the points of failure, by the sample of
-/// largest shear stress and by the smoothed peak [Pa], and what follows from the line through them,
-/// such as cohesion and unconfined strength [Pa]. Empty where the file has no yield locus.
+/// Returns tables of the yield loci in a file of measurements. Each table lists the normal stress
+/// and the shear stress [Pa] of the points of failure, first at the data point of largest shear
+/// stress, second at the smoothed peak. Below the points, the table states the results of the
+/// straight line through these points, such as cohesion and unconfined strength [Pa]. Returns an
+/// empty list if the file has no yield locus.
 std::vector<std::string> yield_locus_lines(const FileView& view);
 
-/// Sentence on the quantities that readings of steady shear need and a file of measurements lacks,
-/// and on what can be done nevertheless; empty if the file has all these quantities.
+/// Returns a sentence on the quantities that readings of steady shear need and that a file of
+/// measurements lacks, with the remedy. Returns an empty text if the file has all these quantities,
+/// or if the file is a report of yield loci.
 std::string missing_sentence(const FileView& view);
 
 }  // namespace pendular

@@ -7,21 +7,25 @@
 
 namespace pendular {
 
-/// At most two sentences on how much the effects or measurements that a verdict names shift the
-/// friction at their estimated sizes. If the verdict names no effect or measurement that would
-/// shift the friction, the sentences state the largest shifts by effects of their smallest sizes of
-/// interest: "If wall-friction of 0.05 were present, the fitted friction would be 0.012 lower."
-/// Shifts below a tenth of the friction's standard error are left out. Empty where no known effect
-/// explains the readings.
+/// Returns at most two sentences on how much the effects or errors of measurement that a verdict
+/// names shift the fitted friction coefficient at their estimated sizes. If the verdict names no
+/// effect or error that would shift the friction coefficient, the sentences state the largest
+/// shifts by effects at their smallest sizes of interest, as in "With wall-friction in the model at
+/// coefficient 0.05, the friction fitted to all readings would be 0.1080 instead of 0.1200." Shifts
+/// below a tenth of the standard error of the friction coefficient are left out. Returns an empty
+/// list if no known effect explains the readings.
 std::vector<std::string> impact_lines(const ImpactTable& table, const Diagnosis& diagnosis);
 
-/// Name of an effect; for an error of measurement, the quantity in error and the readings: "shear
-/// stress, the readings of dry_1.csv".
+/// Returns the name of an effect. For an error of measurement, returns the quantity that is in
+/// error and the readings concerned: "shear stress, the readings of dry_1.csv".
 std::string impact_name(const Impact& impact);
 
-/// Table that states how much each effect and each error of measurement shifts the fitted friction
-/// [1]. It has a heading, one row for each effect or error, one row for each group of effects or
-/// errors, and lines that explain the columns.
+/// Returns a table that states by how much each effect and each error of measurement shifts the
+/// fitted friction coefficient [1]. The first line is the heading. One row follows for each effect
+/// or error that shifts the friction coefficient by at least 0.05 standard errors. One row states
+/// the number of effects and errors with smaller shifts. One row follows for each group of effects
+/// or errors. The last line explains the columns. The table is empty if `table` lists no effect or
+/// error.
 std::vector<std::string> impact_table(const ImpactTable& table);
 
 }  // namespace pendular

@@ -6,7 +6,8 @@
 
 namespace pendular {
 
-/// Returns words as a list for a sentence, with `last` before the last one: "a, b and c" for "and".
+/// Returns words as a list for a sentence, with the word `last` before the final element: "a, b and
+/// c" if `last` is "and".
 inline std::string joined(const std::vector<std::string>& words, const std::string& last) {
     std::string text;
     for (std::size_t k = 0; k < words.size(); ++k) {

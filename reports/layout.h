@@ -11,29 +11,29 @@ namespace pendular {
 /// Least and greatest value on an axis of a figure, in the unit of the axis.
 using AxisRange = std::pair<double, double>;
 
-/// Position of the axes of a panel on the page of a figure, and the ranges of values along the
+/// Position of the axes of a panel on the page of a figure, with the ranges of values along the
 /// axes.
 struct PanelPlace {
-    /// Edges of the panel's axes on the page [inch], measured from the page's left edge and lower
-    /// edge.
+    /// Edges of the panel's axes on the page [inch]: distances from the left edge of the page
+    /// (`left`, `right`) and from the lower edge of the page (`bottom`, `top`).
     double left = 0, right = 0, bottom = 0, top = 0;
     AxisRange x, y;
     bool log_x = false, log_y = false;
 
-    /// Returns the point on the page [inch] at which a point with these values on the axes is
-    /// drawn.
+    /// Returns the point on the page [inch] at which the figure shows the data point with these
+    /// values on the axes.
     PaperPoint at(double value_x, double value_y) const;
 };
 
 /// Height of one line of the names that an x axis shows in place of numbers [inch].
 constexpr double name_line = 0.19;
 
-/// Layout of the page of a figure: sizes and positions in inches, known before the figure is drawn,
-/// so that symbols and key keep their shape.
+/// Layout of the page of a figure, in inches. The layout is known before the figure is drawn, so
+/// that symbols and key keep their shape.
 struct Page {
     /// Width and height of the figure's page [inch].
     double width = 0, height = 0;
-    /// Title of the figure, with line ends where it would be wider than the page.
+    /// Title of the figure. Line ends divide a title that would be wider than the page.
     std::string title;
     std::vector<PanelPlace> panels;
 };

@@ -7,10 +7,12 @@
 
 namespace pendular {
 
-/// Returns figures that show how a model misses the readings: `qq`, the ordered residuals against
-/// the quantiles of a normal distribution (from three readings on), and `chi2_ledger`, the
-/// contributions to chi2 [1] of shear stress and solid fraction, of files and of conditions, beside
-/// the contributions that are expected if the model is correct.
+/// Returns figures that show how a model misses the readings (measured states). `qq` shows the
+/// ordered residuals against the quantiles of a normal distribution. `chi2_ledger` shows
+/// contributions to chi2, each divided by the number of contributing measured values [1], beside
+/// the value 1 that is expected for a correct model. The contributions come from shear stress and
+/// solid fraction, from up to six files and from up to ten conditions, the largest first. `qq` is
+/// left out for fewer than three readings.
 std::vector<Figure> misfit_figures(const Comparison& comparison);
 
 }  // namespace pendular

@@ -8,10 +8,10 @@
 
 namespace pendular {
 
-/// Returns figures of a fit's parameters: `profile`, the profile likelihood of each parameter
-/// beside the parabola of its standard error, and `corner`, the confidence region of each pair of
-/// parameters. A parameter that the readings do not determine is left out. `corner` needs two
-/// parameters.
+/// Returns figures of the parameters of a fit. `profile` shows the profile likelihood of each of up
+/// to eight parameters beside the parabola that follows from the standard error. `corner` shows the
+/// confidence region of each pair of up to five parameters. A parameter that the readings do not
+/// determine is left out. `corner` is left out if there is only one parameter.
 std::vector<Figure> parameter_figures(const StudyModel& model, const Calibration& calibration);
 
 }  // namespace pendular

@@ -7,17 +7,17 @@
 
 namespace pendular {
 
-/// Sentence, without a full stop, that states one fitted change of the readings of unknown physical
-/// cause: "The shown torque is 9.8 +- 0.4 % larger than in the model where the time is above 12 s".
+/// Returns a sentence, without a full stop, that states one fitted change of the readings, of
+/// unknown physical cause: "The shown torque is 9.8 +- 0.4 % larger than in the model where the
+/// time since the first recording began is above 12 s, and as in the model below".
 std::string sentence_on(const FittedShape& shape);
-/// Sentence, without a full stop, that states all changes of one proposal, joined by "and". A
-/// proposal is a set of changes of the readings, of unknown physical cause, that would explain the
-/// misfit.
+/// Returns a sentence, without a full stop, that states all changes of one proposal. A proposal is
+/// a set of changes of the readings, of unknown physical cause, that would explain the misfit.
 std::string sentence_on(const Proposal& proposal);
 
-/// Lines of text on changes of unknown physical cause that would explain the readings, one set of
-/// changes per proposal. For the best proposal, the lines also state by how much it reduces chi2.
-/// Empty where `proposals` is empty.
+/// Returns lines of text on changes of unknown physical cause that would explain the readings. Each
+/// proposal is a set of changes. For the best proposal, the lines also state chi2 per degree of
+/// freedom without and with the changes. Returns an empty list if `proposals` is empty.
 /// @param chi2 chi2 of the model without the changes [1]
 /// @param dof degrees of freedom of `chi2`
 std::vector<std::string> proposal_lines(const std::vector<Proposal>& proposals, double chi2,

@@ -11,57 +11,61 @@
 
 namespace pendular {
 
-/// Range of rows of a recording that are averaged, and whether their mean is used as a reading.
+/// Range of rows of a recording that are averaged, with the statement whether the mean of the rows
+/// is used as a reading (measured state of a study).
 struct AveragedWindow {
     enum class Kind { used, no_plateau, set_aside };
-    /// First row of the range in the recording, counted from 0, and the row after the last one.
+    /// First row of the range in the recording, counted from 0 (`begin`), and the row after the
+    /// last row of the range (`end`).
     std::size_t begin = 0, end = 0;
     Kind kind = Kind::used;
-    /// Number of the first line, in the file, of the reading that averages the rows; 0: no reading
-    /// averages them.
+    /// Number of the first line in the file of the reading that averages the range; 0: no reading
+    /// averages the range.
     int line = 0;
 };
 
-/// Text for the key of a figure on how a range of averaged rows is used, such as "averaged, no
-/// plateau".
+/// Returns a text for the key (legend) of a figure that says how a range of averaged rows is used,
+/// such as "averaged, no plateau".
 const char* text_of(AveragedWindow::Kind kind);
 
 /// Returns the ranges of rows of a recording that are averaged: the steady parts whose means are
 /// the readings of a study, readings that were set aside, and steps that reach no plateau. Where
 /// both `readings` and `excluded` are empty, returns the ends of preshears and the smoothed peaks
 /// of intervals that were sheared to failure.
-/// @param readings readings of a study; readings of other files are ignored
+/// @param readings readings (measured states) of a study; readings from files other than `view` are
+///        ignored
 /// @param excluded rows that a study left out
 std::vector<AveragedWindow> windows_of(const FileView& view, const std::vector<Reading>& readings,
                                        const std::vector<Excluded>& excluded);
 
-/// Course of the shear stress or the normal stress [Pa] of a recording against the number of the
-/// row, over all intervals. If the file has no stresses, the course is that of torque [N m] or
-/// normal force [N].
+/// Shear stress or normal stress [Pa] of a recording against the number of the row, over all
+/// intervals. If the file has no stresses, torque [N m] or normal force [N] takes the place of the
+/// stress.
 class RecordingCourse {
   public:
-    /// Reads the course from a file of measurements.
+    /// Reads the shear stress or the normal stress from a file of measurements.
     /// @param shear true: magnitude of the shear stress (or torque); false: normal stress (or
-    ///        force)
+    ///        normal force)
     RecordingCourse(const FileView& view, bool shear);
 
-    /// Name of the quantity with its unit, such as "shear stress [Pa]".
+    /// Returns the name of the quantity with its unit, such as "shear stress [Pa]".
     std::string label() const;
-    /// Number of rows of the recording.
+    /// Returns the number of rows of the recording.
     std::size_t size() const { return values_.size(); }
 
-    /// Returns the known values of the course with the numbers of their rows, from 1, in the order
-    /// of the rows. If more than `most` values are known, divides them into most/2 equal parts and
-    /// returns the least and the greatest value of each part, so that no peak is lost.
+    /// Returns the known values of the quantity with the numbers of their rows, from 1, in the
+    /// order of the rows. If more than `most` values are known, divides these values into most/2
+    /// equal parts and returns the least and the greatest value of each part, so that no peak is
+    /// lost.
     std::vector<std::pair<std::size_t, double>> points(std::size_t most) const;
 
-    /// Mean of the known values in a range of rows, in the unit of the course; empty if no value is
-    /// known.
+    /// Returns the mean of the known values in a range of rows, in the unit of the quantity.
+    /// Returns nothing if no value is known.
     std::optional<double> mean(const AveragedWindow& window) const;
 
   private:
-    /// Value of the course in each row of the recording, in its unit; not a number where it is
-    /// unknown.
+    /// Value of the quantity in each row of the recording, in the unit of the quantity; not a
+    /// number where the value is unknown.
     std::vector<double> values_;
     bool shear_, is_stress_ = false;
 };

@@ -7,12 +7,13 @@
 
 namespace pendular {
 
-/// Returns figures of the residuals of a fit. A residual is measured minus predicted value, divided
-/// by the standard error [1].
+/// Returns figures of the residuals of a fit. A residual is the measured value minus the predicted
+/// value, divided by the standard error of this difference [1].
 /// - `residuals`: residuals of shear stress and solid fraction of each reading, in one panel for
-///   each quantity that varies between the readings;
+///   each quantity that varies between the readings
 /// - `residual_map`: mean residual of each condition in the plane of normal stress and inertial
-///   number, with one panel for each liquid content, for shear stress and for solid fraction.
+///   number, with one panel for each liquid content and for shear stress and solid fraction. The
+///   figure is left out if all readings have one inertial number.
 std::vector<Figure> residual_figures(const Comparison& comparison);
 
 }  // namespace pendular

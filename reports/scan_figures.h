@@ -7,10 +7,11 @@
 
 namespace pendular {
 
-/// Returns two figures of how a diagnosis tested all candidate effects (effects that the model may
-/// lack). `scan`: the predicted reduction of chi2 by each effect, beside the reduction in a refit.
-/// `cosines`: how similarly the leading effects change the readings. A figure has no panels if no
-/// effect can be drawn.
+/// Returns two figures of how a diagnosis tested the candidate effects (effects that the model may
+/// lack). `scan` shows the predicted reduction of chi2 by each of up to 20 effects, beside the
+/// reduction of chi2 in a refit. `cosines` shows how similarly up to ten effects with the largest
+/// reductions change the readings. `scan` has no panels if the readings could reveal no effect.
+/// `cosines` has no panels if the readings could reveal fewer than two effects.
 std::vector<Figure> scan_figures(const Diagnosis& diagnosis, const ModelSpace& space);
 
 }  // namespace pendular

@@ -7,10 +7,10 @@
 
 namespace pendular {
 
-// Code of the symbols in figures: the shape shows the friction, colour and filling show the liquid
-// content. Source: Badetti et al. (2018), tab:symbols.
+// Code of the symbols in figures: the shape shows the friction coefficient, colour and filling show
+// the liquid content. Source: Badetti et al. (2018), tab:symbols.
 
-/// Shape of the symbols in figures for one value of the intergranular friction.
+/// Shape of the symbols in figures for one value of the intergranular friction coefficient.
 struct FrictionCode {
     double friction;  ///< intergranular friction coefficient [1]
     Shape shape;
@@ -34,23 +34,25 @@ inline constexpr std::array<ContentCode, 5> content_code = {
      {0.030, "#111111", Filling::crossed},      // black
      {0.063, "#8e2fb5", Filling::top_half}}};   // purple
 
-/// Colour and filling of symbols for dry readings: grey, filled. Badetti et al. (2018) state none.
+/// Colour and filling of symbols for dry readings: grey, filled. Badetti et al. (2018) state no
+/// symbols for dry grains.
 inline constexpr ContentCode dry_code{0, "#808080", Filling::filled};
 
-/// Returns the shape of symbols for grains with this friction coefficient [1]: that of the nearest
-/// friction in `friction_code`.
+/// Returns the shape of symbols for grains with this friction coefficient [1]. The shape belongs to
+/// the nearest friction coefficient in `friction_code`.
 Shape shape_of(double friction);
 
-/// Returns the colour and filling of symbols for this liquid content [1]: those of the nearest
-/// liquid content in `content_code`, by the logarithm, or `dry_code` for 0.
+/// Returns the colour and filling of symbols for this liquid content [1]. Colour and filling belong
+/// to the liquid content in `content_code` whose logarithm is nearest, or to `dry_code` for the
+/// liquid content 0.
 const ContentCode& code_of(double liquid_content);
 
-/// Returns the symbol of a simulated or predicted state: the shape encodes the friction [1], colour
-/// and filling encode the liquid content (liquid volume divided by solid volume) [1].
+/// Returns the symbol of a simulated or predicted state. The shape encodes the friction coefficient
+/// [1]. The filling encodes the liquid content (liquid volume divided by grain volume) [1].
 Symbol simulated_symbol(double friction, double liquid_content);
 
-/// Symbol of measured points: a plus, since the friction of the measured grains is not known. The
-/// colour encodes the liquid content.
+/// Symbol of measured points: a plus, since the friction coefficient of the measured grains is not
+/// known.
 inline constexpr Symbol measured_symbol{Shape::plus, Filling::hollow};
 
 }  // namespace pendular

@@ -10,48 +10,53 @@ namespace pendular {
 
 // Text tables, one string per line, with the units in the header.
 
-/// Table of the imported readings, one line per reading below a heading: normal stress [Pa],
-/// inertial number [1], liquid content [1], shear stress [Pa] and solid fraction [1], the last two
-/// with standard errors.
+/// Returns a table of the imported readings, one line per reading below a heading. A reading is the
+/// mean over the steady part of a step, or a point of failure. The columns are normal stress [Pa],
+/// inertial number [1], liquid content [1], and, with standard errors, shear stress [Pa] and solid
+/// fraction [1].
 std::vector<std::string> readings_table(const Measurements& measurements);
 
-/// Table of the rows of the measured files that import left out, one line for each range of rows,
-/// with the reason.
+/// Returns a table of the rows of the measured files that import left out, one line with the reason
+/// for each range of rows.
 std::vector<std::string> excluded_table(const Measurements& measurements);
 
-/// Text that counts the ranges of rows that import left out, by kind: "44 transients, 6 readings
-/// set aside"; empty where no rows were left out.
+/// Returns a text that counts the ranges of rows that import left out, by kind: "44 transients, 6
+/// readings". The text is empty if no rows were left out.
 std::string excluded_text(const Measurements& measurements);
 
 /// Whether import left out rows other than the transients of steps.
 bool beyond_transients(const Measurements& measurements);
 
-/// Table of the scatter of shear stress and solid fraction between repeated readings [% of the
-/// value]: between steps of a recording, and between fillings of the cell. Empty where the scatter
-/// is neither estimated nor stated.
+/// Returns a table of the scatter of shear stress and solid fraction between repeated readings [%
+/// of the value]: first the scatter that is independent in each step of a recording, second the
+/// scatter that all steps of one filling of the cell share. Returns an empty list if the scatter is
+/// neither estimated nor stated.
 std::vector<std::string> scatter_table(const Measurements& measurements);
 
-/// Table of measured and predicted shear stresses [Pa] and solid fractions [1], one line per
-/// reading, then one line per direct measurement of a parameter.
-/// @param worst_first true: readings with the largest chi2 come first; false: order of the readings
+/// Returns a table of measured and predicted shear stresses [Pa] and solid fractions [1], one line
+/// per reading (measured state), then one line per direct measurement of a parameter.
+/// @param worst_first true: the reading with the largest contribution to chi2 comes first; false:
+///        the lines are in the order of the readings
 std::vector<std::string> predictions_table(const Comparison& comparison, bool worst_first = false);
 
-/// Text of a number of degrees of freedom: "46 degrees of freedom", "1 degree of freedom".
+/// Returns the text of a number of degrees of freedom: "46 degrees of freedom", "1 degree of
+/// freedom".
 std::string freedom_text(int degrees_of_freedom);
-/// Text on a misfit for use in a sentence: "chi2 = 45.72 for 46 degrees of freedom (p = 0.51)".
-/// Where the p value includes an allowance for errors that are estimated from few repetitions, the
-/// text says so.
+/// Returns a text on a misfit for use in a sentence: "chi2 = 45.7 for 46 degrees of freedom (p =
+/// 0.51)". If the p value allows for standard errors that are estimated from few repetitions, and
+/// is much larger for this reason, the text says so.
 std::string misfit_text(const Misfit& misfit);
 
-/// Table of the contributions to chi2 [1]: of each quantity (shear stress, solid fraction), of each
-/// condition and, where there are several files, of each file. The contributions of all quantities
-/// add up to chi2 of all readings, as do those of all conditions and of all files.
+/// Returns a table of the contributions to chi2 [1]: first of shear stress and solid fraction,
+/// second of each condition, third, where there are several files, of each file. The sum of the
+/// contributions of shear stress and solid fraction is the chi2 of all readings. The sums over all
+/// conditions and over all files are the chi2 of all readings too.
 std::vector<std::string> misfit_table(const Comparison& comparison);
 
-/// Table of cohesion lines, straight lines of stress ratio against the inverse reduced pressure,
-/// stress ratio = intercept + c*/P* with the reduced cohesion c*. The measured and the simulated
-/// line of a liquid content and inertial number are one below the other. Empty where there are no
-/// lines.
+/// Returns a table of cohesion lines. A cohesion line is a straight line of the stress ratio
+/// against the inverse reduced pressure, stress ratio = intercept + c*/P* with the reduced cohesion
+/// c*. For each liquid content and inertial number, the line through the readings and the line
+/// through the model are one below the other. Returns an empty list if `lines` is empty.
 std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines);
 
 }  // namespace pendular

@@ -8,39 +8,44 @@
 
 namespace pendular {
 
-/// One series of readings in a panel of a study's HTML report, with the points of a model curve
-/// along the conditions of these readings. The readings differ only in the quantity on the x axis.
+/// Series of readings (measured states) in a panel of a study's HTML report, with the points of a
+/// model curve along the conditions of these readings. The readings differ mainly in the quantity
+/// on the x axis.
 struct PageSeries {
-    /// Quantity by which the series differs from others, with its unit.
+    /// Text of the quantity by which the series differs from the remaining series of the panel,
+    /// with its unit.
     std::string label;
     /// Indices of the readings in the study, in the order of rising x.
     std::vector<std::size_t> members;
-    /// Values on the x axis of the points of the curve; empty: no curve.
+    /// Values on the x axis of the points of the curve. The list is empty if the series has no
+    /// curve.
     std::vector<double> x;
     /// Conditions of the points of the curve, in the order of `x`.
     std::vector<Condition> along;
 };
 
-/// Panel (pair of axes) of a study's HTML report. It shows measured and predicted stress ratios or
-/// solid fractions.
+/// Panel (pair of axes) of a study's HTML report. The panel shows measured and predicted stress
+/// ratios or solid fractions.
 struct PagePanel {
     std::string title, x_label;
     bool log_x = false;
-    /// Value on the x axis of each reading of the study; NaN for a reading that belongs to none of
-    /// `series`.
+    /// Values on the x axis, one for each reading of the study. The value is NaN for a reading that
+    /// belongs to none of `series`.
     std::vector<double> x;
     std::vector<PageSeries> series;
 };
 
-/// Divides the readings of a study into panels of its HTML report: dry readings against normal
-/// stress or inertial number, whichever varies more, and wet readings against 1/P*, the inverse of
-/// the reduced pressure. A panel has one series for each value of the other quantities. If readings
-/// with equal x have different bead masses or heights, the series is divided further by bead mass
-/// or by file, since one curve at their mean condition would not describe any of these readings.
+/// Divides the readings of a study into panels of the study's HTML report. Dry readings are shown
+/// against the normal stress or the inertial number, whichever varies by the larger factor. Wet
+/// readings are shown against 1/P*, the inverse of the reduced pressure. A panel has one series for
+/// each value of the quantities that are not on the x axis, and separate series for points of
+/// failure. If readings with equal x have different bead masses or heights, the series is divided
+/// further by bead mass or by file, since one curve at the mean condition of the series would not
+/// describe any of these readings.
 std::vector<PagePanel> page_panels(const std::vector<Reading>& readings, const Study& study);
 
-/// Returns the conditions of the points of all model curves, in the order of panels, of series in a
-/// panel, and of points in a series.
+/// Returns the conditions of the points of all model curves: panel by panel, in a panel series by
+/// series, in a series point by point.
 std::vector<Condition> points_of_curves(const std::vector<PagePanel>& panels);
 
 }  // namespace pendular

@@ -12,48 +12,49 @@
 
 namespace pendular {
 
-/// Recording as a study's HTML report shows it: stresses against the row, thinned to a few hundred
-/// points, and the ranges of rows that are averaged.
+/// Recording as a study's HTML report shows the recording: stresses against the row, thinned to a
+/// few hundred points, with the ranges of rows that are averaged.
 struct PageRecording {
-    /// Shear stress [Pa] or normal stress [Pa] (torque [N m] or normal force [N] if the file has no
-    /// stresses) against the number of the row, from 1.
+    /// Shear stress [Pa] or normal stress [Pa] against the number of the row, from 1. If the file
+    /// has no stresses, torque [N m] or normal force [N] takes the place of the stress.
     struct Course {
-        /// Quantity whose course is shown, with its unit.
+        /// Name of the quantity that is shown against the row, with its unit.
         std::string label;
         std::vector<std::pair<std::size_t, double>> points;
-        /// Mean of the quantity over each of `windows`, in the unit of the quantity; empty where no
-        /// value in the window is known.
+        /// Mean of the quantity over each of `windows`, in the unit of the quantity. Empty for a
+        /// window in which no value is known.
         std::vector<std::optional<double>> means;
     };
     /// Path of the recording's file, as in `Reading::origin`.
     std::string file;
-    /// Shear stress, then normal stress, against the row; a stress without a known value is left
+    /// Shear stress, then normal stress, against the row. A stress without a known value is left
     /// out.
     std::vector<Course> courses;
     /// Ranges of rows of the recording that are averaged.
     std::vector<AveragedWindow> windows;
 };
 
-/// Returns a recording as a study's HTML report shows it.
-/// @param readings readings of the study; readings of other files are ignored
+/// Returns a recording as a study's HTML report shows the recording.
+/// @param readings readings (measured states) of the study; readings from files other than `view`
+///        are ignored
 /// @param excluded rows that the study left out
 /// @param most largest number of points for each stress
 PageRecording page_recording(const FileView& view, const std::vector<Reading>& readings,
                              const std::vector<Excluded>& excluded, std::size_t most);
 
-/// Largest number of points that a study's HTML report contains for each stress of a recording:
-/// 400, or fewer (at least 20) if many recordings would make the report large.
+/// Returns the largest number of points that a study's HTML report contains for each stress of a
+/// recording: 400, or fewer (at least 20) if many recordings would make the report large.
 /// @param recordings number of recordings in the report
 std::size_t points_of_recordings(std::size_t recordings);
 
-/// JSON of recordings for a study's HTML report. Each recording has its name, `parts` (one stress
-/// against the row each) and `windows` (ranges of rows that are averaged). A part has a label, the
-/// keys `low`, `range` and `width`, and its points as base64. Each point is the number of rows
-/// since the point before it (`width` bytes) and a 16-bit number k, both unsigned and
-/// little-endian; the value is low + range k/65535. A window has its first and last row, a text on
-/// its kind, the index of the reading that averages the rows (null: no reading), and the mean in
-/// each part.
-/// @param readings all readings that the report shows
+/// Returns the JSON of recordings for a study's HTML report. Each recording has its name, `parts`
+/// (stresses against the row) and `windows` (ranges of rows that are averaged). A part has a label,
+/// the keys `low`, `range` and `width`, and the points as base64. Each point consists of two
+/// unsigned little-endian numbers: first the number of rows since the point before (`width` bytes),
+/// second a 16-bit number k. The value at the point is low + range k/65535. A window has its first
+/// and last row, a text on its kind, the index of the reading that averages the rows (null: no
+/// reading), and the mean in each part.
+/// @param readings all readings (measured states) that the report shows
 nlohmann::ordered_json recordings_json(const std::vector<PageRecording>& recordings,
                                        const std::vector<Reading>& readings);
 

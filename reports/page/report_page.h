@@ -16,47 +16,54 @@
 
 namespace pendular {
 
-/// Results on a study that its HTML page (the report) shows.
+/// Results on a study that the HTML page of the study (the report) shows.
 struct PageContent {
     std::string study;  ///< name of the study
-    /// The study as the user named it, for the commands that the page shows.
+    /// The study as the user named the study, for the commands that the page shows.
     std::string study_argument;
-    const ResolvedStudy& resolved;  ///< the study with its catalogue of effects
-    /// Readings, with reasons to doubt some of them and notes.
+    /// Study with its catalogue of effects (list of known physical effects).
+    const ResolvedStudy& resolved;
+    /// Readings (measured states) of the study, with notes and with reasons to doubt some of the
+    /// readings.
     const Measurements& measurements;
-    const StudyDiagnosis& diagnosis;  ///< verdict, tests and refitted models
-    Checks checks;                    ///< tests of the residuals of the study's model
-    /// Shifts of the fitted friction by effects and errors of measurement; empty: not computed.
+    /// Verdict on the effects that the model lacks, with tests and refitted models.
+    const StudyDiagnosis& diagnosis;
+    Checks checks;  ///< tests of the residuals of the study's model
+    /// Shifts of the fitted friction coefficient by effects and by errors of measurement. Empty if
+    /// the shifts were not computed.
     std::optional<ImpactTable> impacts = {};
-    /// Ladder: sequence of the study's models, with one effect more or fewer in each step; may be
+    /// Ladder: sequence of the study's models, with one effect more or fewer in each step. May be
     /// empty.
     Ladder ladder = {};
-    /// Lines of text on the next measurement to make; empty: not computed.
+    /// Lines of text on the next measurement to make. The list is empty if no measurement was
+    /// planned.
     std::vector<std::string> next = {};
-    /// Fitted models, one for each combination of the leading effects; the reader of the page
+    /// Fitted models, one for each combination of the leading effects. The reader of the page
     /// switches these effects on and off.
     SwitchedModels switched;
-    /// Panels of readings, with the curves of the models in `switched`.
+    /// Panels that show readings, with the curves of the models in `switched`.
     std::vector<PagePanel> panels;
     /// Version of the program that made the page.
     std::string version;
-    /// Options with which the results were computed; the page states the fidelity (settings of the
-    /// simulations) and the seed.
+    /// Options with which the results were computed. The page states the fidelity (number of
+    /// grains, stiffness number, strain) and the seed.
     SessionOptions options;
-    std::size_t runs = 0;     ///< number of simulation runs that the emulator was trained on
+    /// Number of simulations on which the emulator, which interpolates simulations, was trained.
+    std::size_t runs = 0;
     bool calibrated = false;  ///< whether the results folder has a fit of the study
     /// Version number of the page, by which a browser finds out that `pendular serve` has a newer
-    /// page; empty: a page without a server.
+    /// page. Empty for a page without a server.
     std::optional<std::size_t> served_version = {};
 
-    /// Stresses of the study's recordings against the row, with the rows that are averaged; may be
-    /// empty.
+    /// Stresses of the study's recordings against the row, with the ranges of rows that are
+    /// averaged. The list may be empty.
     std::vector<PageRecording> recordings = {};
 };
 
-/// Returns the page of a study as one HTML file that needs no other files: verdict, figures with
-/// switches for the leading effects and sliders for the parameters, fit, effects, impacts, ladder,
-/// next measurement and provenance.
+/// Returns the page of a study as one HTML file that needs no further files. The page shows the
+/// verdict, figures with switches for the leading effects and sliders for the parameters, the fit,
+/// the effects, their impacts on the friction coefficient, the ladder (sequence of the study's
+/// models), the next measurement and the provenance.
 std::string report_page(const PageContent& content);
 
 /// Returns the HTML page that a server shows until the first results on a study exist.
@@ -64,9 +71,9 @@ std::string report_page(const PageContent& content);
 /// @param version version of the program
 std::string waiting_page(const std::string& study, const std::string& version);
 
-/// Returns the Content-Security-Policy of a page, which permits the browser to load nothing from
-/// other sources.
-/// @param served whether the page's script may send requests to the server that the page came from
+/// Returns the Content-Security-Policy of a page, which forbids the browser to load anything that
+/// is not part of the page.
+/// @param served whether the page's script may send requests to the server of the page
 std::string page_policy(bool served);
 
 }  // namespace pendular
