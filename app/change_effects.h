@@ -8,26 +8,27 @@
 
 namespace pendular::app {
 
-/// Returns the names of the files and folders in the results folder that `pendular add` and
-/// `pendular drop` write: fit.json, fit_runs.csv, ladder.json and figures.
+/// Returns the names of the files and folders that `pendular add` and `pendular drop` write in the
+/// results folder: fit.json, fit_runs.csv, ladder.json and figures.
 std::vector<std::filesystem::path> outputs_of_change();
 
-/// Adds an effect to the study of a session or drops one, and fits the study before and after the
-/// change.
+/// Adds an effect to the study of a session or drops an effect from the study, and fits the study
+/// before and after the change.
 /// @param action whether to add or to drop the effect
 /// @param effect name of the effect
 /// @param fit options of the fits
-/// @param same_fidelity whether to use the fidelity (simulation settings) of the fit in the results
-///        folder
+/// @param same_fidelity whether to use the fidelity (number of grains, stiffness number, strain) of
+///        the fit in the results folder
 /// @throws InputError where the effect cannot be added or dropped, where a fit is impossible, and
-///         where study.toml has changed since it was read
+///         where study.toml has changed since the session read study.toml
 /// @throws std::runtime_error where a file cannot be written
 /// @throws dem::Interrupted where the user requests a stop
 ChangedStudy change_effects(const Session& session, Action action, const std::string& effect,
                             const FitOptions& fit, bool same_fidelity);
 
-/// Sentence on the result of adding or dropping an effect: the errors of the model before and after
-/// the change or, if the fit did not converge, the statement that the study is unchanged.
+/// Returns a sentence on the result of adding or dropping an effect. The sentence states the errors
+/// of the model before and after the change or, if the fit did not converge, that the study is
+/// unchanged.
 std::string answer_on(const ChangedStudy& changed);
 
 /// Draws the figure of a ladder (the sequence of a study's models) to a folder, and returns the

@@ -10,18 +10,18 @@
 namespace pendular::app {
 
 /// Prints the values that the closures (analytical formulas) of Badetti et al. (2018) give for a
-/// wet state, one per line; all are dimensionless.
+/// wet state, one value per line. All values are dimensionless.
 /// @param stress_ratio stress ratio of the state itself [1], printed for comparison
 void print_closures(const closures::ClosureValues& values, double stress_ratio, Console& console);
 
 /// Computes and prints the values that the closures (analytical formulas) of Badetti et al. (2018)
-/// give for a wet run. The values follow from the averages of the run and from the stress ratio of
-/// dry grains, which is predicted from earlier simulation runs. If the earlier runs do not allow
-/// this prediction, prints a line that says so.
-/// @param store user's file of runs, which is used besides the runs that come with the program;
-///        null: no further runs
-/// @return the printed values; empty for a dry run and where the stress ratio of dry grains is
-///         unknown
+/// give for a wet simulation. The values follow from the averages of the observables of the
+/// simulation and from the stress ratio of dry grains, which is predicted from earlier simulations.
+/// If the earlier simulations do not allow this prediction, prints a sentence that says so.
+/// @param store user's file of simulations, which is used besides the simulations supplied with
+///        Pendular; null: the user has no file
+/// @return the printed values; empty for a dry simulation and where the stress ratio of dry grains
+///         is unknown
 std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& run,
                                                          const CommonOptions& common,
                                                          const RunStore* store, Console& console);

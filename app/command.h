@@ -11,18 +11,18 @@
 
 namespace pendular::app {
 
-/// Subcommand of the program `pendular`, such as `calibrate`: name and summary for the help text,
-/// and the function that runs it.
+/// Subcommand of the program `pendular`, such as `calibrate`: the name and the summary for the help
+/// text, and the function that runs the command.
 struct Command {
     std::string_view name;
     std::string_view summary;
-    /// Runs the command with the words after its name on the command line, and returns the exit
-    /// code of the program, an `ExitCode`. Throws InputError for wrong input.
+    /// Function that runs the command with the words after the command's name, and returns the exit
+    /// code of the program, an `ExitCode`. The function throws InputError for wrong input.
     int (*run)(const std::vector<std::string>& arguments);
 };
 
-// Functions of the commands, each with the words after the command's name. They return the exit
-// code and throw InputError for wrong input.
+// Functions of the commands. Each function receives the words after the command's name, returns the
+// exit code of the program, and throws InputError for wrong input.
 
 int import(const std::vector<std::string>& arguments);
 int simulate(const std::vector<std::string>& arguments);
@@ -41,7 +41,7 @@ int campaign(const std::vector<std::string>& arguments);
 int runs(const std::vector<std::string>& arguments);
 int virtual_lab(const std::vector<std::string>& arguments);
 
-/// Commands for one purpose, such as simulation, in the order of their use.
+/// Group of commands for one purpose, such as simulation, in the order of their use.
 struct CommandGroup {
     const char* heading;
     std::vector<Command> commands;
@@ -62,7 +62,7 @@ struct ProgramTexts {
 extern const ProgramTexts program_texts;
 
 /// Exit codes of the program `pendular`, equal for all its commands. `not_converged`: the fit did
-/// not converge, or the fitted numbers are meaningless (`Belief::meaningless`). `interrupted`: a
+/// not converge, or the fitted parameters are meaningless (`Belief::meaningless`). `interrupted`: a
 /// signal such as Ctrl-C stopped the command.
 enum ExitCode {
     done = 0,
@@ -72,8 +72,8 @@ enum ExitCode {
     interrupted = 130
 };
 
-/// Runs the program `pendular` and returns its exit code. Prints the text of exceptions on standard
-/// error; throws no std::exception.
+/// Runs the program `pendular` and returns the exit code. Prints the text of exceptions on standard
+/// error. Throws no std::exception.
 /// @param arguments words after the program's name on the command line, the command's name first
 int run_program(const std::vector<std::string>& arguments);
 

@@ -13,10 +13,10 @@
 
 namespace pendular::app {
 
-/// Prints a command's output in a fixed order: the answer, the evidence, the notes, the figures,
-/// the next command. Text goes to standard output, or to standard error where JSON takes standard
-/// output. Progress goes to standard error unless --quiet is given. Bold type appears on a terminal
-/// only, and never if NO_COLOR is set.
+/// Printer of a command's output in a fixed order: the answer, the evidence, the notes, the
+/// figures, the next command. Text goes to standard output, or to standard error where JSON takes
+/// standard output. Progress goes to standard error unless --quiet is given. Bold type appears on a
+/// terminal only, and never if NO_COLOR is set.
 class Console {
   public:
     explicit Console(const CommonOptions& options) : options_(options) {}
@@ -29,39 +29,42 @@ class Console {
     void answer(const std::string& text);
     /// Prints one line of text on standard output, or on standard error with --json -.
     void line(const std::string& text);
-    /// Prints a table: a heading and at most `most_rows` rows below it, or all rows with --all,
-    /// then the number of hidden rows. Rows that begin with "  (" explain the columns and are
-    /// always printed.
+    /// Prints a table: a heading, then at most `most_rows` rows, or all rows with --all, then the
+    /// number of hidden rows. Rows that begin with "  (" explain the columns. Explaining rows are
+    /// always printed, below the table.
     void table(const std::vector<std::string>& heading_and_rows, std::size_t most_rows);
     /// Stores a remark for the user, which is printed as "Note: ..." before the figures and the
-    /// next command. Without --all, at most three notes are printed. If several notes differ only
-    /// in words with digits, the first one is printed with the number of the others.
+    /// next command. Without --all, at most three notes are printed, then the number of hidden
+    /// notes. If several notes differ only in words with digits, only the first of these notes is
+    /// printed, with the number of notes left out.
     void note(const std::string& text);
     /// Prints the stored notes, then one line with the names of the figure files in `folder`.
-    /// @param names names of the figures, without extension; empty: only the notes are printed
+    /// @param names names of the figures, without extension; if the list is empty, only the notes
+    ///        are printed
     void figures(const std::filesystem::path& folder, const std::vector<std::string>& names);
     /// Prints the stored notes, then the line "Next: ..." with the command that the user should
     /// give next.
     void next(const std::string& command);
     /// Writes the command's result as JSON to the file that option --json names, or to standard
-    /// output for "-"; does nothing without --json.
+    /// output for "-". Does nothing without --json.
     void json(const nlohmann::ordered_json& json);
 
-    /// Prints the progress of simulation runs as a bar with the time left. A terminal shows one
-    /// line that changes. Elsewhere, a new line is printed for every ten per cent, but at most
+    /// Prints the progress of simulations as a bar with the time left. A terminal shows one line
+    /// that changes. Without a terminal, a new line is printed for every ten per cent, but at most
     /// every ten seconds. Prints nothing with --quiet.
     /// @param what name of the simulations, printed before the bar
     void progress(const std::string& what, const EnsembleProgress& progress);
     /// Removes the progress bar from a terminal.
     void end_progress();
-    /// Whether the user gave --all: print all rows of tables and all notes.
+    /// Whether the user gave --all, which prints all rows of tables and all notes.
     bool all() const { return options_.all; }
 
   private:
     void print_notes();
 
-    /// Note for the user with its pattern, the text with "#" for each word that contains a digit,
-    /// such as a number or file name. Notes with equal patterns are printed once.
+    /// Note for the user, with the pattern of the note. The pattern is the text with "#" in place
+    /// of each word that contains a digit, such as a number or file name. Of the notes with equal
+    /// patterns, one is printed.
     struct Note {
         std::string text, pattern;
         /// Number of stored notes that have this pattern.
@@ -73,7 +76,8 @@ class Console {
     bool drawn_ = false;
     /// Name of the simulations in the last progress line that was printed.
     std::string stage_;
-    /// Share of the simulations that was done when the last progress line was printed [1].
+    /// Share of the simulations that was done when the last progress line was printed [1]; -1: no
+    /// line was printed.
     double fraction_shown_ = -1;
     std::chrono::steady_clock::time_point last_{};
 };

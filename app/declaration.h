@@ -5,33 +5,35 @@
 
 namespace pendular::app {
 
-/// Kind of values that an option, or a word after a command's name, accepts: text, a file, a
-/// folder, a study or one of a few words. It determines the placeholder in the help text and the
+/// Kind of value that an option, or a word after a command's name, accepts: text, a file, a folder,
+/// a study or one of a few words. The kind determines the placeholder in the help text and the
 /// completion of the value in a shell.
 struct ValueKind {
     enum class Kind { none, text, file, folder, study, choice };
     Kind kind = Kind::text;
-    /// Words that are accepted: all of them for `choice`; words besides files for `file`, such as
-    /// "-".
+    /// Accepted words. For the kind `choice`, no value but these words is accepted. For the kind
+    /// `file`, words that are accepted besides files, such as "-".
     std::vector<std::string> choices = {};
 
-    /// Word that stands for the value in the help text: FILE, DIR, STUDY, NAME or X.
+    /// Returns the word that stands for the value in the help text: FILE, DIR, STUDY, NAME or X.
     const char* placeholder() const;
 };
 
-/// Value that is a file, or one of the words `choices`, such as "-" for standard output.
+/// Returns the kind of value that is a file, or one of the words `choices`, such as "-" for
+/// standard output.
 inline ValueKind a_file(std::vector<std::string> choices = {}) {
     return {ValueKind::Kind::file, std::move(choices)};
 }
-/// Value that is a folder.
+/// Returns the kind of value that is a folder.
 inline ValueKind a_folder() {
     return {ValueKind::Kind::folder};
 }
-/// Value that is a study: its folder, or the file study.toml in it.
+/// Returns the kind of value that is a study: the folder of the study, or the file study.toml in
+/// the folder.
 inline ValueKind a_study() {
     return {ValueKind::Kind::study};
 }
-/// Value that is one of the words `choices`.
+/// Returns the kind of value that is one of the words `choices`.
 inline ValueKind one_of(std::vector<std::string> choices) {
     return {ValueKind::Kind::choice, std::move(choices)};
 }
@@ -39,35 +41,35 @@ inline ValueKind one_of(std::vector<std::string> choices) {
 /// Name and texts of one command-line option, as the help text shows them.
 struct OptionDeclaration {
     std::string name;  ///< name of the option, without the leading hyphens
-    /// Word that stands for the option's value in the help text, with the default; empty: the
-    /// option has no value.
+    /// Word that stands for the option's value in the help text, with the default. The text is
+    /// empty if the option has no value.
     std::string argument;
     std::string description;  ///< meaning of the option, on one line
-    /// Kind of values that the option accepts.
+    /// Kind of value that the option accepts.
     ValueKind value;
 };
 
-/// Options of a command that are listed under one heading of the help text.
+/// Section of a command's help text: options under one heading.
 struct OptionSection {
     std::string heading;
     std::vector<OptionDeclaration> options;
 };
 
-/// Declaration of a command, from which its help text, its manual page and its completion in a
-/// shell are written: texts, options, and words after its name.
+/// Declaration of a command: texts, options, and words after the command's name. The help text, the
+/// manual page and the completion in a shell are written from the declaration.
 struct CommandDeclaration {
     std::string usage, about, examples;
     std::vector<OptionSection> sections;
-    /// Values that the first word after the command's name may have.
+    /// Kind of value that the first word after the command's name may have.
     ValueKind first_word = {ValueKind::Kind::none};
-    /// Values that the words after the first one may have.
+    /// Kind of value that each word after the first word may have.
     ValueKind other_words = {ValueKind::Kind::none};
 };
 
-/// Returns texts and options of a command, as `run` declares them when the user requests its help.
-/// Does not carry out the command.
-/// @param run function that carries out the command with the words after its name, and returns its
-///        exit code
+/// Returns the texts and options of a command, as `run` declares them when the user requests the
+/// help of the command. Does not carry out the command.
+/// @param run function that carries out the command with the words after the command's name, and
+///        returns the exit code
 CommandDeclaration declaration_of(int (*run)(const std::vector<std::string>& arguments));
 
 }  // namespace pendular::app

@@ -10,8 +10,8 @@
 
 namespace pendular::app {
 
-/// Function that returns the reason why a physical effect cannot be switched on in a command, for
-/// messages; an empty text where the effect can be switched on.
+/// Function that returns the reason, as text for messages, why a physical effect cannot be switched
+/// on in a command. The text is empty if the effect can be switched on.
 using WhyNot = std::function<std::string(const Effect&)>;
 
 /// Command-line options --EFFECT.PARAMETER, one for each parameter of every built-in physical
@@ -19,36 +19,39 @@ using WhyNot = std::function<std::string(const Effect&)>;
 /// plain number in the SI unit of the parameter.
 class EffectOptions {
   public:
-    /// Adds the options to a command, and checks the names of effects and parameters on its command
-    /// line.
+    /// Adds the options to a command, and checks the names of effects and parameters on the command
+    /// line of the command.
     /// @param arguments words of the command line
     /// @param meaning heading above these options in the help text
-    /// @param why_not reason why an effect has no option in this command; empty: every effect has
-    ///        options
+    /// @param why_not function that returns the reason why an effect has no option in this command;
+    ///        empty: every effect has options
     /// @throws InputError where an argument names an effect or parameter that does not exist, or an
     ///         effect for which `why_not` returns a reason
     EffectOptions(Options& options, const std::vector<std::string>& arguments,
                   const std::string& meaning, const WhyNot& why_not = {});
 
     /// Returns the effects that the options switch on, with their parameters in SI units, in the
-    /// order of `built_in_effects`. An effect whose parameters are all neutral is left out, unless
-    /// its parameter is a property of the liquid (`given_by_liquid`).
-    /// @throws InputError where a value is not a number, has a unit of another dimension or is out
-    ///         of the parameter's bounds
+    /// order of `built_in_effects`. An effect whose parameters all have their neutral values (no
+    /// effect) is left out, unless a parameter of the effect is a property of the liquid
+    /// (`given_by_liquid`).
+    /// @throws InputError where a value is not a number, has a unit of the wrong dimension or is
+    ///         out of the parameter's bounds
     std::vector<ActiveEffect> effects() const;
 
   private:
-    /// Values of the options as the user typed them, by "EFFECT.PARAMETER"; empty: not given.
+    /// Options as the user typed them. The key is "EFFECT.PARAMETER". The value is the text after
+    /// the option, empty if the user did not give the option.
     std::map<std::string, std::string> words_;
 };
 
 /// Returns the names of all built-in physical effects.
 std::vector<std::string> names_of_effects();
 
-/// Returns an option for the examples in a help text, "--EFFECT.PARAMETER VALUE". It sets the first
-/// parameter of one effect to the smallest value of interest.
-/// @param wanted whether an effect may be the example; the first effect for which it returns true
-///        is used; the text is empty where no effect qualifies
+/// Returns an option for the examples in a help text, "--EFFECT.PARAMETER VALUE". The option sets
+/// the first parameter of one effect to the smallest value of interest. Returns an empty text if no
+/// effect qualifies.
+/// @param wanted function that returns whether an effect may be the example; the first effect for
+///        which the function returns true is used
 std::string example_of(const std::function<bool(const Effect&)>& wanted);
 
 }  // namespace pendular::app

@@ -10,24 +10,27 @@
 
 namespace pendular::app {
 
-/// Options of `pendular import FILE`, which state how the file is to be read and what to write.
+/// Options of `pendular import FILE`, which state how the file is to be read and which files are to
+/// be written.
 struct ImportFileOptions {
     std::string layout, encoding, sheet, decimal;
     /// Names and units of the file's columns as the user states them: header cells `name [unit]`,
-    /// separated by semicolons.
+    /// separated by semicolons, or an array as in study.toml.
     std::string columns;
-    /// Folder of the new study that is made from the file; empty: no study is made.
+    /// Folder of the new study that is made from the file. If the text is empty, no study is made.
     std::string study;
-    /// CSV file to which all rows of the file are written in SI units; empty: no file is written.
+    /// CSV file to which all rows of the file are written in SI units. If the text is empty, no CSV
+    /// file is written.
     std::string tidy;
-    /// Folder for the figures of the file or study; empty: no figures are drawn.
+    /// Folder for the figures of the file or study. If the text is empty, no figures are drawn.
     std::string figures;
 
     /// Adds the options to the command line of `pendular import`.
     void declare(Options& options);
-    /// Checks that the user gave none of the options for a single file when importing a study.
-    /// @throws InputError where such an option was given; the message says that study.toml must
-    ///         state the setting instead
+    /// Checks that the user gave none of the options that only a single file can have when
+    /// importing a study. The option --figures is allowed.
+    /// @throws InputError where an option for a single file was given; the message says that
+    ///         study.toml must state the setting instead
     void refuse_for_studies(const Options& options) const;
 };
 
@@ -39,10 +42,12 @@ void draw_all(const std::vector<Figure>& figures, const std::filesystem::path& f
 /// extension is not .toml.
 bool is_bare_file(const std::filesystem::path& path);
 
-/// Runs `pendular import FILE`: prints layout, columns, intervals and checks of a file of
-/// measurements, and makes a new study from it if the user asked for one. Returns the exit code.
-/// @throws InputError where the file cannot be read, and where the folder for the new study
-///         contains a study already
+/// Runs `pendular import FILE` and returns the exit code. Prints layout, columns, intervals (steps
+/// of constant set points) and checks of a file of measurements. Makes a new study from the file if
+/// the user requested a new study.
+/// @throws InputError where the file cannot be read, where the folder for the new study already
+///         contains a file that has the name of a file of the new study, and where option --tidy
+///         names a file that cannot be written or has other content than a table of --tidy
 int import_file(const std::filesystem::path& path, const ImportFileOptions& options,
                 Console& console);
 

@@ -5,15 +5,15 @@
 
 namespace pendular::app {
 
-/// Turns the signals SIGINT (Ctrl-C), SIGTERM and SIGHUP into a request to stop, so that simulation
-/// runs end at a clean point and no file is left half-written. The program ends at most 20 s after
-/// the first signal, even if a computation does not check `token`. A second signal ends the program
-/// at once.
+/// Handler that turns the signals SIGINT (Ctrl-C), SIGTERM and SIGHUP into a request to stop, so
+/// that simulations end at a clean point and no file is left half-written. The program ends at most
+/// 20 s after the first signal, even if a computation does not check `token`. A second signal ends
+/// the program at once.
 class InterruptGuard {
   public:
     InterruptGuard();
-    /// Token that long computations must check: a stop is requested within about 50 ms of the first
-    /// signal.
+    /// Returns the token that long computations must check. A stop is requested within about 50 ms
+    /// of the first signal.
     std::stop_token token() const { return stop_.get_token(); }
 
   private:

@@ -16,46 +16,47 @@
 
 namespace pendular::app {
 
-/// Returns the paths that a command writes to: its folder for results, `files` in this folder, and
+/// Returns the paths that a command writes to: the folder for results, `files` in this folder, and
 /// the file of option --json.
 OutputPlaces places_of(const CommonOptions& options, std::vector<std::filesystem::path> files);
 
 /// Sets whether new simulations check a fit, and how long these simulations may take.
-/// @param seconds largest time [s]; infinity: no limit; empty: nothing is simulated
+/// @param seconds longest time [s]; infinity: no limit; empty: nothing is simulated
 void set_confirmation(const std::optional<double>& seconds, FitOptions& fit);
 
-/// Session in which one command works on a study, with the user's store (the SQLite file that keeps
-/// simulation runs) opened. Progress appears on the console, or goes to a listener. Ctrl-C, or a
+/// Session in which one command works on a study. The session opens the user's store (SQLite file
+/// that keeps simulations). Progress appears on the console, or goes to a listener. Ctrl-C, or a
 /// stop request, ends long computations without half-written files.
 class OpenSession {
   public:
     enum class Access { reads, changes };
-    /// Reads the study `options.study`, and opens the user's store, the SQLite file of simulation
-    /// runs.
+    /// Reads the study `options.study`, and opens the user's store (SQLite file of simulations).
     /// @param files paths in the folder for results that the command writes to
     /// @param seed seed of all random numbers, 0 or more
-    /// @param access whether the command changes the study or its fit; a command that does waits
-    ///        until no other command is changing the study
+    /// @param access whether the command changes the study or the fit of the study; a command with
+    ///        `changes` waits until no other command is changing the study
     /// @throws InputError for a mistake in the study's files, for results that would replace an
     ///         input, for a negative seed, and for a store that cannot be read
     /// @throws std::runtime_error where a store that the user named cannot be written, and where
-    ///         another command keeps changing the study for more than a minute
-    /// @throws dem::Interrupted where the user stops the command while it waits
+    ///         another command keeps changing the study for longer than a minute or
+    ///         $PENDULAR_LOCK_SECONDS [s]
+    /// @throws dem::Interrupted where the user stops the command while the command waits
     OpenSession(Console& console, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
                 Access access = Access::reads);
     /// Opens a session without a console, such as for `pendular serve`. Notes and progress go to
-    /// `listener`; long computations end at a request of `stop`.
+    /// `listener`. Long computations end at a request of `stop`.
     /// @param stop request to stop long computations
     /// @param listener callback for notes and progress; may be empty
     /// @param files paths in the folder for results that the command writes to
     /// @param seed seed of all random numbers, 0 or more
-    /// @param access whether the command changes the study or its fit; a command that does waits
-    ///        until no other command is changing the study
+    /// @param access whether the command changes the study or the fit of the study; a command with
+    ///        `changes` waits until no other command is changing the study
     /// @throws InputError for a mistake in the study's files, for results that would replace an
     ///         input, for a negative seed, and for a store that cannot be read
     /// @throws std::runtime_error where a store that the user named cannot be written, and where
-    ///         another command keeps changing the study for more than a minute
+    ///         another command keeps changing the study for longer than a minute or
+    ///         $PENDULAR_LOCK_SECONDS [s]
     /// @throws dem::Interrupted where a stop is requested while the command waits
     OpenSession(const std::stop_token& stop, const Listener& listener, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
@@ -75,7 +76,7 @@ class OpenSession {
 
     std::unique_ptr<InterruptGuard> guard_;
     std::unique_ptr<StudyLock> lock_;
-    /// The study as it was read, until `session_` takes it over.
+    /// Study as read from its files, until `session_` takes the study over.
     StudyInput input_;
     std::unique_ptr<RunStore> store_;
     Session session_;

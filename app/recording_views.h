@@ -12,15 +12,15 @@
 namespace pendular::app {
 
 /// Reads each recording of a study, in the order of study.toml.
-/// @param note called with a sentence for each recording that cannot be read and drawn, with the
-///        reason
-/// @param take called with each recording that can be read
+/// @param note function that is called with a sentence for each recording that cannot be read and
+///        drawn; the sentence states the reason
+/// @param take function that is called with each recording that can be read
 void for_each_recording(const Study& study, const std::function<void(const std::string&)>& note,
                         const std::function<void(const FileView&)>& take);
 
-/// Returns the recordings of a session's study for its page, each with the rows that its readings
-/// average.
-/// @param note called with the reason for each recording that cannot be drawn
+/// Returns the recordings of a session's study for the HTML page of the study. Each recording
+/// includes the ranges of rows that the readings (measured states) average.
+/// @param note function that is called with the reason for each recording that cannot be drawn
 std::vector<PageRecording> recordings_of(const Session& session,
                                          const std::function<void(const std::string&)>& note);
 

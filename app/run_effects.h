@@ -11,30 +11,33 @@
 
 namespace pendular::app {
 
-/// Physical effects of a single simulation run, as the user gives them by options. Parameters in SI
-/// units are converted to the reduced units of the run by a scale: diameter and density of the
-/// beads, normal stress, and surface tension.
+/// Physical effects of a single simulation, as the user gives the effects by options. A scale
+/// converts parameters in SI units to the reduced units of the simulation. The scale consists of
+/// diameter and density of the grains, normal stress, and surface tension.
 class RunEffects {
   public:
-    /// Adds the options for the effects, --EFFECT.PARAMETER, and for the scale to a command.
+    /// Adds the options for the effects, --EFFECT.PARAMETER, and for the scale (grains, normal
+    /// stress, surface tension) to a command.
     /// @param arguments words of the command line
     /// @throws InputError where an argument names an effect or parameter that does not exist, or an
-    ///         effect that a single run cannot have
+    ///         effect that a single simulation cannot have
     RunEffects(Options& options, const std::vector<std::string>& arguments);
 
-    /// Returns the parameters of a run with the effects of the parsed options applied.
+    /// Returns the parameters of a simulation with the effects of the parsed options applied.
     /// @throws InputError for an option's value that is malformed or out of bounds, for a scale
-    ///         that contradicts the run, and for an effect that cannot change this run, such as an
-    ///         effect of the liquid for a dry run
+    ///         that contradicts the simulation, and for an effect that cannot change this
+    ///         simulation, such as an effect of the liquid for dry grains
     dem::RunParameters changed(const dem::RunParameters& run, const Options& options);
 
-    /// Prints a line with the effects that `RunEffects::changed` applied, and with the friction and
-    /// reduced pressure of the run if an effect changed these. Then prints the scale if an effect
-    /// has parameters in SI units.
-    /// @param changed parameters of the run with the effects
+    /// Prints a line with the effects that `RunEffects::changed` applied, and with the friction
+    /// coefficient and reduced pressure of the simulation if an effect changed these quantities.
+    /// Then prints the scale (grains, normal stress, surface tension) if an effect has parameters
+    /// in SI units. If no effect has such parameters but the user gave the scale, prints a note
+    /// that the scale changes nothing.
+    /// @param changed parameters of the simulation with the effects
     void print(Console& console, const dem::RunParameters& changed) const;
-    /// Adds to the JSON of a run the key `effects` and, if an effect has parameters in SI units,
-    /// the key `scale` in SI units. Adds nothing where the run has no effects.
+    /// Adds to the JSON of a simulation the key `effects` and, if an effect has parameters in SI
+    /// units, the key `scale` in SI units. Adds nothing if the simulation has no effects.
     void add_to(nlohmann::ordered_json& json) const;
 
   private:
@@ -47,12 +50,13 @@ class RunEffects {
     RunScale scale_;
     bool scaled_ = false;       ///< whether an effect has parameters that `scale_` converts
     bool scale_given_ = false;  ///< whether the user gave an option for a part of `scale_`
-    /// Parameters of the run before the effects were applied.
+    /// Parameters of the simulation before the effects were applied.
     dem::RunParameters without_;
 };
 
-/// Returns an option for the examples in a help text, "--EFFECT.PARAMETER VALUE". It sets the first
-/// built-in effect on grains that has a parameter to the smallest value of interest.
+/// Returns an option for the examples in a help text, "--EFFECT.PARAMETER VALUE". The option sets
+/// the first parameter of an effect to the smallest value of interest. The effect is the first
+/// built-in effect on grains that is not a switch (on or off).
 std::string example_of_run();
 
 }  // namespace pendular::app

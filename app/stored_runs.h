@@ -9,15 +9,16 @@
 
 namespace pendular::app {
 
-/// Opens the user's store, the SQLite file that keeps simulation runs. Returns null, with a note on
-/// standard error, where the user named no store and the folder of the default store cannot be
-/// written.
-/// @throws InputError for a file that is not a store, is corrupt or is from a newer version
+/// Opens the user's store, the SQLite file that keeps simulations. If the user named no store and
+/// the folder of the default store cannot be written, prints a note on standard error and returns
+/// null.
+/// @throws InputError for a file that is not a store, is corrupt or is from a newer version of the
+///         program
 /// @throws std::runtime_error where a store that the user named cannot be written
 std::unique_ptr<RunStore> open_store(const CommonOptions& options);
 
-/// Returns the number of a stored simulation run that the user typed. Does not check that a run
-/// with this number exists in the store, the user's file of runs.
+/// Returns the number of a stored simulation that the user typed. Does not check that the store
+/// (the user's file of simulations) has a simulation with this number.
 /// @throws InputError where the word is not a whole number
 std::int64_t run_number(const std::string& word);
 

@@ -8,8 +8,9 @@
 
 namespace pendular::app {
 
-/// Lock of a study, so that commands that change the study run one after the other. A study in a
-/// folder without write permission is not locked, since no command can change it.
+/// Lock of a study. Each command that changes the study locks the study first, so that these
+/// commands run one after the other. A study in a folder without write permission is not locked,
+/// since no command can change the study.
 class StudyLock {
   public:
     /// Locks a study. While another process has the lock, names this process on standard error and
@@ -17,7 +18,8 @@ class StudyLock {
     /// @param folder folder of the study
     /// @param stop request to stop waiting
     /// @throws dem::Interrupted where a stop is requested while waiting
-    /// @throws std::runtime_error where the other process keeps the lock for longer than that
+    /// @throws std::runtime_error where the process that has the lock keeps the lock for longer
+    ///         than the waiting time
     StudyLock(const std::filesystem::path& folder, const std::stop_token& stop);
 
   private:

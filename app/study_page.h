@@ -14,26 +14,26 @@ namespace pendular::app {
 /// Page of a study as HTML, and the results that the console prints when the page is made.
 struct StudyPage {
     std::string html;
-    /// Sentence on the verdict of the diagnosis.
+    /// One or two sentences on the verdict of the diagnosis: which physical effect the model lacks.
     std::string answer;
-    /// Name of the diagnosis's verdict as in JSON, such as "missing".
+    /// Name of the verdict of the diagnosis as in JSON, such as "missing".
     std::string verdict;
     /// Command that the user should give next, after reading the page.
     std::string next;
-    /// Sentence that says which measurement to make next, or why no measurement can be suggested.
+    /// Text that says which measurement to make next, or why no measurement can be suggested.
     std::string measure;
     std::vector<std::string> switches;  ///< names of the effects that the page switches on and off
     /// Number of combinations of the switched effects for which a fitted model exists.
     std::size_t models = 0;
-    /// Number of readings that the diagnosis tested.
+    /// Number of readings (measured states) that the diagnosis tested.
     std::size_t readings = 0;
     /// Sentences on recordings that the page cannot draw, with the reasons.
     std::vector<std::string> notes;
 };
 
 /// Makes the page of a study: diagnoses the study, plans the next measurement, and fits all
-/// combinations of the leading effects. Nothing is simulated; no file is written.
-/// @param switches largest number of effects with a switch
+/// combinations of the leading effects. Nothing is simulated, and no file is written.
+/// @param switches largest number of effects that a reader of the page can switch on and off
 /// @param version version number of the page, by which a browser finds out that `pendular serve`
 ///        has a newer page; empty: a page that needs no server
 /// @throws InputError where the study cannot be diagnosed, such as with too few readings, and where
@@ -42,8 +42,8 @@ struct StudyPage {
 StudyPage study_page(const Session& session, const CommonOptions& common, std::size_t switches,
                      std::optional<std::size_t> version = {});
 
-/// Name of a study on its page: the name of the folder that contains its study.toml.
-/// @param file path of study.toml
+/// Returns the name of a study on its page: the name of the folder that contains study.toml.
+/// @param file path of study.toml, or of the folder of the study
 std::string study_name(const std::filesystem::path& file);
 
 }  // namespace pendular::app

@@ -5,8 +5,8 @@
 
 namespace pendular::app {
 
-/// Prints a line with all unprintable characters replaced, and flushes the stream. All text of
-/// commands is printed by this function.
+/// Prints a line with all unprintable characters replaced, and flushes the stream. All results,
+/// notes and error messages are printed by this function.
 void print_line(std::FILE* stream, std::string_view text);
 
 /// Prints an error message after `prefix` on standard error. The middle of a message longer than
@@ -14,7 +14,7 @@ void print_line(std::FILE* stream, std::string_view text);
 void print_error(std::string_view prefix, std::string_view message);
 
 /// Prints the message of the exception that is being handled, and returns the exit code of the
-/// program (`ExitCode`). Call it in a catch block only.
+/// program (`ExitCode`). The function may be called in a catch block only.
 int report_exception();
 
 }  // namespace pendular::app

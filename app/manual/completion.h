@@ -7,16 +7,17 @@
 
 namespace pendular::app {
 
-/// Returns a script for the shell bash that completes the names of commands, their options, and the
-/// values of options: words where an option accepts few, else files, folders or studies.
+/// Returns a script for the shell bash that completes the names of commands, the names of options,
+/// and the values of options: words where an option accepts a few words, else files, folders or
+/// studies.
 std::string bash_completion(const std::vector<DeclaredCommand>& commands);
 
-/// Returns a script for the shell zsh that completes the names of commands, their options and the
-/// values of options, and shows descriptions.
+/// Returns a script for the shell zsh that completes the names of commands, the names of options
+/// and the values of options, and shows descriptions.
 std::string zsh_completion(const std::vector<DeclaredCommand>& commands);
 
-/// Returns a script for the shell fish that completes the names of commands, their options and the
-/// values of options, and shows descriptions.
+/// Returns a script for the shell fish that completes the names of commands, the names of options
+/// and the values of options, and shows descriptions.
 std::string fish_completion(const std::vector<DeclaredCommand>& commands);
 
 }  // namespace pendular::app

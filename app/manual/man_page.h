@@ -15,13 +15,13 @@ struct ManHeading {
     std::string version;
 };
 
-/// Returns the manual page of the program, pendular(1), in roff: its commands by group and its exit
-/// codes.
+/// Returns the manual page of the program, pendular(1), in roff: commands by group, commands of a
+/// first session, and exit codes.
 std::string man_page_of_program(const std::vector<DeclaredCommand>& commands,
                                 const ManHeading& heading);
 
-/// Returns the manual page of one command, pendular-COMMAND(1), in roff, with the texts of its
-/// help: usage, description, options and examples.
+/// Returns the manual page of one command, pendular-COMMAND(1), in roff, with the texts of the
+/// command's help (usage, description, options and examples) and the exit codes.
 std::string man_page_of(const DeclaredCommand& command, const ManHeading& heading);
 
 }  // namespace pendular::app

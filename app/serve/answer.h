@@ -4,7 +4,8 @@
 
 namespace pendular::app {
 
-/// Answer of the server to a request of a browser: HTTP status, and a text that the page shows.
+/// Answer of the server to a request of a browser: the HTTP status, and a text that the page in the
+/// browser shows.
 struct Answer {
     int status = 200;
     std::string text;

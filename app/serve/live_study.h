@@ -21,61 +21,63 @@
 
 namespace pendular::app {
 
-/// Functions that `LiveStudy` calls to watch a study for changes, to compute its page and to change
-/// it. One thread at a time calls these functions; only `look` is called by several threads at
-/// once.
+/// Functions that `LiveStudy` calls to watch a study for changes, to compute the page of the study,
+/// and to change the study. One thread at a time calls these functions. Only `look` is called by
+/// several threads at once.
 struct StudyWork {
-    /// Returns size, time of change and inode number of each file of the study, by which changed
-    /// files are found. Must take little time.
+    /// Function that returns size, time of change and inode number of each file of the study, by
+    /// which changed files are found. The function must take little time.
     std::function<StudyStamps()> look;
-    /// Computes the results of the study and returns the page that shows them, with this version
-    /// number.
+    /// Function that computes the results of the study and returns the page that shows the results,
+    /// with this version number.
     std::function<StudyPage(std::size_t version, const std::stop_token&, const Listener&)> page;
-    /// Stores a recording in the study, given the name and the content of its file.
+    /// Function that stores a recording in the study, given the name and the content of the
+    /// recording's file.
     std::function<Answer(const std::string& name, const std::string& bytes)> store;
-    /// Adds an effect to the study or drops one.
+    /// Function that adds an effect to the study or drops an effect from the study.
     std::function<Answer(Action, const std::string& effect, const std::stop_token&,
                          const Listener&)>
         change;
-    /// Prints one line on the console.
+    /// Function that prints one line on the console.
     std::function<void(const std::string&)> print;
     /// Time between two checks of the study's files for changes [ms].
     std::chrono::milliseconds interval{1000};
 };
 
-/// Study that `pendular serve` shows: makes its HTML page again whenever its files change, stores
-/// recordings, and adds and drops effects. One thread carries out these tasks (`run`). Other
-/// threads fetch the finished page and queue requests.
+/// Study that `pendular serve` shows. The object makes the HTML page of the study again whenever
+/// files of the study change, stores recordings, and adds and drops effects. One thread carries out
+/// these tasks (`run`). All further threads fetch the finished page and queue requests.
 class LiveStudy {
   public:
-    /// Stores the functions and the first page; no computation begins before `run`.
+    /// Stores the functions and the first page. No computation begins before `run`.
     /// @param first_page page, of version 0, that is shown until the first results exist
     LiveStudy(StudyWork work, std::string first_page);
     LiveStudy(const LiveStudy&) = delete;
     LiveStudy& operator=(const LiveStudy&) = delete;
 
     /// Makes pages and carries out queued requests until a stop is requested. The computation in
-    /// progress then ends as soon as it can do so cleanly.
+    /// progress then ends as soon as it can end without half-written files.
     void run(const std::stop_token& end);
 
     /// Returns the newest page that was made without an error, as HTML.
     std::shared_ptr<const std::string> page() const;
-    /// Returns the JSON that the study's page requests from the server while it is open in a
-    /// browser. It contains the version and time of the newest page, what is being computed and the
-    /// share done, the error because of which no newer page could be made (`trouble`), and up to 20
-    /// recent events.
+    /// Returns the JSON that the study's page requests from the server while the page is open in a
+    /// browser. The JSON contains the version and time of the newest page, the name and the
+    /// finished share of the computation in progress, the error because of which no newer page
+    /// could be made (`trouble`), and up to 20 recent events.
     std::string state() const;
 
     /// Stores a recording in the study and returns the answer for the browser. Waits until earlier
     /// requests have been carried out. A page that is being made is abandoned, and is made again
     /// afterwards. The HTTP status is that of `StudyWork::store`, 422 where storing failed, and 503
     /// where too many requests wait or the program ends.
-    /// @param name name of the file
-    /// @param bytes content of the file
+    /// @param name name of the recording's file
+    /// @param bytes content of the recording's file
     Answer receive(std::string name, std::string bytes);
-    /// Starts to add an effect to the study or to drop one, and returns at once. The HTTP status is
-    /// 202 where the change was queued, 409 while another effect is being added or dropped, and 503
-    /// where too many requests wait. The outcome is among the later events of `state`.
+    /// Starts to add an effect to the study or to drop an effect, and returns at once. The HTTP
+    /// status is 202 where the change was queued, 409 while another effect is being added or
+    /// dropped, and 503 where too many requests wait or the program ends. The outcome is among the
+    /// later events of `state`.
     Answer change(Action action, const std::string& effect);
 
   private:
@@ -97,15 +99,15 @@ class LiveStudy {
     Answer change_now(Action action, const std::string& effect, const std::stop_token& end);
     void watch(const std::stop_token& over);
     void begin(const std::string& sentence);
-    /// Returns a listener that stores the progress of the running computation, for display on the
-    /// study's page in browsers.
+    /// Returns a listener that stores the progress of the computation, so that the study's page can
+    /// show the progress in browsers.
     Listener progress();
     void add_event(const std::string& text, bool of_effect, bool ok);
     std::optional<std::future<Answer>> queue(std::function<Answer()> work);
     void end_jobs();
 
     const StudyWork work_;
-    /// Guards all members below.
+    /// Mutex that guards all members declared after `mutex_`.
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;
     std::shared_ptr<const std::string> page_;
@@ -113,16 +115,17 @@ class LiveStudy {
     std::string made_, trouble_, sentence_;
     std::optional<double> share_;
     bool working_ = false, changing_ = false, ended_ = false;
-    /// Whether files of the study differ from those from which the last page was made.
+    /// Whether a new page must be made: files of the study have changed since the last page was
+    /// made, or no page has been made.
     bool stale_ = true;
-    /// State of the study's files when the making of the newest page began.
+    /// Sizes and times of change of the study's files when the making of the newest page began.
     StudyStamps made_from_;
-    /// State of the study's files from which the last page was made whose outcome the console has
-    /// printed.
+    /// Sizes and times of change of the study's files from which the last page was made whose
+    /// outcome the console has printed.
     StudyStamps told_;
-    /// Request that stops the making of the page in progress.
+    /// Source of the request that stops the making of the page in progress.
     std::stop_source page_stop_;
-    /// Stop token of `run`: a request to stop ends all computations.
+    /// Stop token of `run`. A request to stop ends all computations.
     std::stop_token end_;
     std::deque<Job> jobs_;
     /// Recent events, the oldest first, shown on every page of the study that is open in a browser.

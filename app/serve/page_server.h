@@ -7,8 +7,8 @@
 
 namespace pendular::app {
 
-/// HTTP server that shows the page of a study to browsers on this computer. It is bound to the
-/// address 127.0.0.1 and answers only requests that `check_request` accepts.
+/// HTTP server that shows the page of a study to browsers on this computer. The server is bound to
+/// the address 127.0.0.1 and answers only requests that `check_request` accepts.
 class PageServer {
   public:
     /// Binds a port of this computer, and chooses a random token, a secret part of the address.
@@ -22,8 +22,8 @@ class PageServer {
     ~PageServer();
 
     const ServerAddress& address() const;
-    /// Starts to answer requests on a study, in threads of the server. The study must outlive the
-    /// server.
+    /// Starts to answer requests on a study, in threads of the server. The object `study` must
+    /// outlive the server.
     void start(LiveStudy& study);
 
   private:

@@ -11,21 +11,22 @@ namespace pendular::app {
 /// Largest size of a recording that a server receives [bytes].
 constexpr std::size_t largest_received = 64u << 20;
 
-/// Returns the reason why a received file must not have this name; empty where the name is allowed.
-/// A name must be printable text in UTF-8 of at most 200 bytes, name no folder, and begin with
-/// neither a dot nor a hyphen.
+/// Returns the reason why a received file must not have this name. Returns an empty text if the
+/// name is allowed. An allowed name is printable text in UTF-8 of at most 200 bytes, names no
+/// folder, and begins with neither a dot nor a hyphen.
 std::string fault_of_name(const std::string& name);
 
-/// Stores a recording in the folder of a study, or in the subfolder that its pattern in study.toml
-/// names. Checks first that the pattern of a [[recording]] matches the name, that no other file
-/// would be replaced, and that the recording can be read and has the quantities of steady shear.
-/// Nothing is stored if a check fails.
+/// Stores a recording in the folder of a study, or in the subfolder that the file pattern of the
+/// recording in study.toml names. Checks first that the file pattern of a [[recording]] in
+/// study.toml matches the name, that no file of different content would be replaced, and that the
+/// recording can be read and has the quantities of steady shear. Nothing is stored if a check
+/// fails.
 /// @param study folder of the study, or its study.toml
 /// @param name name of the file, without a folder
 /// @param bytes content of the file
-/// @return HTTP status with a sentence: 201, stored; 200, the study has the file already, with the
-///         same content; 400, an invalid name; 409, another file has the name; 422, no pattern
-///         matches or the recording cannot be read
+/// @return HTTP status with a sentence: 201, stored; 200, the study has the file already, with
+///         equal content; 400, an invalid name; 409, a file of different content has the name; 422,
+///         no pattern matches or the recording cannot be read
 /// @throws InputError where study.toml cannot be read
 /// @throws std::runtime_error where the file cannot be written
 Answer store_recording(const std::filesystem::path& study, const std::string& name,

@@ -6,8 +6,8 @@
 
 namespace pendular::app {
 
-/// Parts of an HTTP request by which a server decides whether to answer it. A header that the
-/// request lacks is empty.
+/// Parts of an HTTP request by which a server decides whether to answer the request. A header that
+/// the request lacks is empty.
 struct RequestHead {
     /// Method of the HTTP request, such as GET or POST.
     std::string method;
@@ -23,7 +23,7 @@ struct RequestHead {
 /// Address of a server on this computer: http://127.0.0.1:PORT/TOKEN/.
 struct ServerAddress {
     int port = 0;
-    std::string token;  ///< random secret; only a user who was given the address knows it
+    std::string token;  ///< random secret, known only to a user who was given the address
 
     std::string text() const;
 };
@@ -33,7 +33,7 @@ enum class Route {
     page,       ///< GET /TOKEN/: the page of the study
     state,      ///< GET /TOKEN/state: version of the page, progress and events, as JSON
     recording,  ///< POST /TOKEN/recording: stores a recording in the study
-    change      ///< POST /TOKEN/change: adds an effect to the study or drops one
+    change      ///< POST /TOKEN/change: adds an effect to the study or drops an effect
 };
 
 /// Answer to a request that the server does not accept: HTTP status, and the reason as text.
@@ -43,11 +43,11 @@ struct Refusal {
 };
 
 /// Returns the page or action that an HTTP request is for, or a refusal. The checks keep out web
-/// sites that the user's browser shows: a page of another site knows no token, and a site whose
-/// name leads to this computer sends another Host. Refusals: 403 for another host, another origin
-/// or a wrong token; 405 for a method other than GET and POST; 400 for a path with "..", "%" or
-/// "\"; 404 for other paths. A POST needs the token in the header X-Pendular-Token too, which no
-/// other site can set.
+/// sites that the user's browser shows: the page of a foreign site knows no token, and a site whose
+/// name leads to this computer sends a foreign Host. A refusal has the status 403 for a foreign
+/// host, a foreign origin or a wrong token, 405 for a method that is neither GET nor POST, 400 for
+/// a path with "..", "%" or "\", and 404 for an unknown path. A POST also needs the token in the
+/// header X-Pendular-Token, which no foreign site can set.
 std::variant<Route, Refusal> check_request(const RequestHead& request,
                                            const ServerAddress& address);
 

@@ -11,44 +11,49 @@
 
 namespace pendular::app {
 
-/// Size, time of change and inode number of a file, by which a changed file is recognised: at least
+/// Size, time of change and inode number of a file, by which a changed file is recognised. At least
 /// one of these numbers differs after the file was written or replaced.
 struct FileStamp {
     /// Size of the file [bytes].
     std::int64_t size = 0;
-    /// Time of the last change since 1970 [s], and its fraction [ns].
+    /// Time of the last change of the file since 1970: whole seconds [s] and the fraction [ns].
     std::int64_t seconds = 0, nanoseconds = 0;
     /// Inode number of the file on its disk.
     std::uint64_t number = 0;
     bool operator==(const FileStamp&) const = default;
 };
 
-/// State of the files from which the page of a study is made: size, time of change and inode number
-/// of each file, by its path.
+/// Size, time of change and inode number of the files from which the page of a study is made.
 struct StudyStamps {
-    /// State of study.toml and of each file of measurements, by path.
+    /// Stamps of study.toml and of each file of measurements. The key is the path of the file. The
+    /// value is size, time of change and inode number of the file.
     std::map<std::string, FileStamp> inputs;
-    /// State of fit.json and ladder.json in the results folder, by path.
+    /// Stamps of fit.json and ladder.json in the results folder. The key is the path of the file.
+    /// The value is size, time of change and inode number of the file.
     std::map<std::string, FileStamp> results;
     bool operator==(const StudyStamps&) const = default;
 };
 
-/// Returns phrases that name the files of a study which differ between two states: "dry_4.csv is
-/// new", "study.toml has changed" or "dry_2.csv is gone", new files first. Results are named only
-/// where study.toml and the measurements are unchanged.
+/// Returns phrases that name the files of a study which differ between two times: "dry_4.csv is
+/// new", "study.toml has changed" or "dry_2.csv is gone", new files first. Files of results are
+/// named only if study.toml and the measurements are unchanged.
+/// @param before sizes and times of change of the files at the first time
+/// @param after sizes and times of change of the files at the second time
 std::vector<std::string> changes_between(const StudyStamps& before, const StudyStamps& after);
 
-/// Finds changes of the files from which the page of a study is made: study.toml, the measurements
-/// that its patterns match (within the study's folder, unless the study allows others), and
-/// fit.json and ladder.json of the results folder. Several threads may use it at once.
+/// Watcher that finds changes of the files from which the page of a study is made: study.toml, the
+/// measurements that the file patterns in study.toml match, and fit.json and ladder.json of the
+/// results folder. Measurements outside of the study's folder are watched only if study.toml
+/// permits measurements outside. Several threads may use one watcher at once.
 class StudyWatch {
   public:
-    /// Sets the files to watch; `look` reads their state.
+    /// Sets the files to watch. `look` reads their sizes and times of change.
     /// @param study folder of the study, or its study.toml
     /// @param results folder for results
     StudyWatch(std::filesystem::path study, std::filesystem::path results);
-    /// Returns the present state of the files. While study.toml cannot be read, the patterns of its
-    /// last readable version are used.
+    /// Returns the present sizes, times of change and inode numbers of study.toml, of the files
+    /// that study.toml names, and of the results. While study.toml cannot be read, the file
+    /// patterns come from the last version of study.toml that could be read.
     StudyStamps look();
 
   private:
@@ -58,7 +63,8 @@ class StudyWatch {
     std::filesystem::path file_;
     std::filesystem::path results_;
     std::mutex mutex_;
-    /// State of study.toml when `patterns_` were read from it.
+    /// Size, time of change and inode number of study.toml when `patterns_` were read from
+    /// study.toml.
     FileStamp stamp_;
     std::vector<std::string> patterns_;
 };
