@@ -7,59 +7,60 @@
 
 namespace pendular {
 
-/// State of steady shear at which the emulator predicts, given by the dimensionless numbers that
-/// determine it.
+/// State of steady shear at which the emulator, which interpolates simulations, predicts. The state
+/// is given by the dimensionless numbers that determine the flow.
 struct FlowState {
     double friction = 0;         ///< friction coefficient of the contacts [1]
     double inertial_number = 0;  ///< inertial number I [1]; 0: the quasi-static limit
-    /// Inverse reduced pressure 1/P* of the state [1]; 0 for dry grains.
+    /// Inverse reduced pressure 1/P* of the state [1], which is 0 for dry grains.
     double inverse_pressure = 0;
     /// Volume of one liquid bridge, divided by the cubed grain diameter [1]; unused for dry grains.
     double bridge_volume = 0;
-    /// Physical effects that change the grains in this state, such as rolling resistance. Their
-    /// values are in the units of a simulation run, in which grain diameter, grain mass and normal
-    /// stress are 1.
+    /// Physical effects that change the grains in the state, such as rolling resistance. The values
+    /// of an effect are in the units of a simulation run, in which grain diameter, grain mass and
+    /// normal stress are 1.
     std::vector<EffectValues> effects = {};
     /// Stiffness number of the grains [1], on which observables such as coordination numbers
-    /// depend. 0: the stiffness number of the runs that train the emulator.
+    /// depend. The value 0 stands for the stiffness number of the runs that train the emulator.
     double stiffness_number = 0;
 
     bool dry() const { return inverse_pressure == 0; }
 };
 
 /// Dimensionless coordinates of a state of steady shear. Observables of the flow, such as the
-/// stress ratio, are nearly linear functions of these coordinates.
+/// stress ratio, are nearly linear functions of the coordinates.
 struct Coordinates {
-    /// Coordinate of the friction coefficient: ln[(friction + s)/(centre + s)] with a chosen
-    /// friction coefficient `centre`; s = 0.05, or 0.02 in `emulated::place_of`.
+    /// Coordinate of the friction coefficient [1]: ln[(friction + s)/(centre + s)] with a chosen
+    /// friction coefficient `centre`. The constant s is 0.05 in `coordinates` and 0.02 in
+    /// `emulated::place_of`.
     double x = 0;
-    /// Coordinate of the inertial number I: I^exponent.
+    /// Coordinate of the inertial number I [1]: I^exponent with a chosen exponent.
     double q = 0;
-    /// Coordinate of the reduced pressure P*: its inverse 1/P*.
+    /// Coordinate of the reduced pressure P* [1]: the inverse 1/P*.
     double u = 0;
-    /// Coordinate of the bridge volume V0: ln(V0/a^3/0.002) with the grain diameter a; 0 for dry
-    /// grains.
+    /// Coordinate of the bridge volume V0 [1]: ln(V0/a^3/0.002) with the grain diameter a. The
+    /// coordinate is 0 for dry grains.
     double v = 0;
 
     bool operator==(const Coordinates&) const = default;
 };
 
-/// Returns the coordinates of a state of steady shear. They are x = ln[(friction + 0.05)/(centre +
-/// 0.05)], q = I^`exponent`, u = 1/P* and v = ln(V0/a^3/0.002), or v = 0 for dry grains. I:
-/// inertial number; P*: reduced pressure; V0: bridge volume; a: grain diameter. For frictions from
-/// 0 to 0.4 the derivatives of stress ratio and solid fraction with respect to x change by about a
-/// factor 2; the derivative of the stress ratio with respect to the friction itself changes by a
-/// factor 9.
+/// Returns the coordinates of a state of steady shear: x = ln[(friction + 0.05)/(centre + 0.05)], q
+/// = I^`exponent` with the inertial number I, u = 1/P* with the reduced pressure P*, and v =
+/// ln(V0/a^3/0.002) with the bridge volume V0 and the grain diameter a. For dry grains, v = 0.
+/// Between the friction coefficients 0 and 0.4, the derivatives of stress ratio and solid fraction
+/// with respect to x change by about a factor of 2. The derivative of the stress ratio with respect
+/// to the friction coefficient changes by a factor of 9.
 Coordinates coordinates(const FlowState& state, double centre, double exponent);
 
-/// Coordinate x = ln[(friction + 0.05)/(centre + 0.05)] of a friction coefficient [1]. x is 0 at
-/// the friction coefficient `centre`.
+/// Returns the coordinate x = ln[(friction + 0.05)/(centre + 0.05)] of a friction coefficient [1].
+/// The coordinate x is 0 at the friction coefficient `centre`.
 double friction_coordinate(double friction, double centre);
 /// Returns the friction coefficient [1] at which ln[(friction + 0.05)/(centre + 0.05)] equals
-/// `coordinate`. Inverse of `friction_coordinate`.
+/// `coordinate`. The function is the inverse of `friction_coordinate`.
 double friction_at(double coordinate, double centre);
-/// Derivative of `friction_coordinate` with respect to the friction coefficient [1]: 1/(friction +
-/// 0.05).
+/// Returns the derivative of `friction_coordinate` with respect to the friction coefficient [1],
+/// which is 1/(friction + 0.05).
 double friction_slope(double friction);
 
 /// Terms of a polynomial in the coordinates x, q, u and v of a state of steady shear
@@ -73,13 +74,13 @@ class Basis {
     void add(const Powers& term) { terms_.push_back(term); }
     Eigen::Index size() const { return static_cast<Eigen::Index>(terms_.size()); }
 
-    /// Value of each term of the polynomial (product of powers of x, q, u and v) at the coordinates
-    /// `at`, in the order in which terms were added.
+    /// Returns the value of each term of the polynomial (product of powers of x, q, u and v) at the
+    /// coordinates `at`, in the order in which the terms were added.
     Eigen::RowVectorXd values(const Coordinates& at) const;
-    /// Derivative of each term of the polynomial (product of powers of x, q, u and v) at the
-    /// coordinates `at`, in the order in which terms were added.
-    /// @param coordinate coordinate by which the terms are differentiated: 0 for x, 1 for q, 2 for
-    ///        u, 3 for v; -1: the terms are not differentiated
+    /// Returns the derivative of each term of the polynomial (product of powers of x, q, u and v)
+    /// at the coordinates `at`, in the order in which the terms were added.
+    /// @param coordinate coordinate with respect to which the terms are differentiated: 0 for x, 1
+    ///        for q, 2 for u, 3 for v; -1: the values of the terms are returned
     Eigen::RowVectorXd slopes(const Coordinates& at, int coordinate) const;
     Eigen::RowVectorXd slopes_in_x(const Coordinates& at) const { return slopes(at, 0); }
     Eigen::RowVectorXd slopes_in_v(const Coordinates& at) const { return slopes(at, 3); }
@@ -88,8 +89,9 @@ class Basis {
     std::vector<Powers> terms_;
 };
 
-/// Number of distinct values among `values`. A value counts as equal to the next smaller one if
-/// they differ by at most `share` [1] times the magnitude of the larger one.
+/// Returns the number of distinct values among `values`. In increasing order, a value counts as
+/// equal to the last distinct value before it if the two values differ by at most `share` [1] times
+/// the magnitude of the larger value.
 std::size_t distinct(std::vector<double> values, double share);
 
 }  // namespace pendular

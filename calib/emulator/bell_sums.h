@@ -7,11 +7,11 @@
 namespace pendular {
 
 /// Fast sums of weighted Gaussian functions (bells) in up to five coordinates. Bell i has the
-/// centre z_i and the weight w_i; c_k is the inverse square of the length of all bells along
-/// coordinate k. With the distances d_ik = z_ik - a_k of the centres from a place a, the sums at a
-/// are
+/// centre z_i and the weight w_i. The inverse square of the length of all bells along coordinate k
+/// is c_k. With the distances d_ik = z_ik - a_k of the centres from a place a, the sums at the
+/// place a are
 ///     S = sum_i w_i exp(-sum_k c_k d_ik^2/2)  and  S_k = sum_i w_i d_ik exp(-sum_k c_k d_ik^2/2).
-/// All instruction sets of the processor give identical bits.
+/// The sums are identical to the last bit with all instruction sets of the processor.
 class BellSums {
   public:
     static constexpr std::size_t most_coordinates = 5;
@@ -29,18 +29,18 @@ class BellSums {
     void add(const Place& place, double weight);
 
     /// Returns the sums over all bells at the place `at`: first S = sum_i w_i E_i, then S_k = sum_i
-    /// w_i d_ik E_i for each coordinate k. w_i: weight of bell i; d_ik: distance of its centre from
-    /// the place along coordinate k; E_i: value of the bell at the place, 1 at its centre. S_k is 0
-    /// for coordinates that are not used.
+    /// w_i d_ik E_i for each coordinate k. Here w_i is the weight of bell i, d_ik is the distance
+    /// of the centre of the bell from the place along coordinate k, and E_i is the value of the
+    /// bell at the place, which is 1 at the centre. S_k is 0 for coordinates that are not used.
     std::array<double, 1 + most_coordinates> at(const Place& at) const;
 
   private:
     std::size_t coordinates_;
     Place inverse_squares_;
     std::size_t count_ = 0;
-    /// Centres and weights of the bells, in blocks of as many bells as a vector register of the
-    /// processor has lanes. A block contains the first coordinates of its bells, then the second,
-    /// and so on, then the weights (0 beyond the last bell).
+    /// Centres and weights of the bells, in blocks of eight bells, one for each lane of a vector of
+    /// numbers. A block contains the first coordinates of its bells, then the second coordinates,
+    /// and so on, then the weights. The weights after the last bell are 0.
     std::vector<double> blocks_;
 };
 

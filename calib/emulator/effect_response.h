@@ -9,20 +9,22 @@
 namespace pendular {
 
 /// Coordinates at which the change of an observable by an effect on grains is evaluated: the
-/// emulator's coordinate x of friction (`emulated::place_of`), sqrt(I), ln(1 + 10/P*), ln V0 and
-/// the amplitude of the effect, each scaled to the order of 1 over the range of usual studies. I:
-/// inertial number; P*: reduced pressure; V0: bridge volume.
+/// emulator's coordinate x of the friction coefficient (`emulated::place_of`), sqrt(I) with the
+/// inertial number I, ln(1 + 10/P*) with the reduced pressure P*, ln V0 with the bridge volume V0,
+/// and the amplitude of the effect. Each coordinate is scaled to the order of 1 over the range of
+/// usual studies.
 using ResponsePlace = Eigen::Vector<double, 5>;
 
-/// Predictor of how an effect on grains changes one observable. It is trained on the differences
-/// between runs with the effect and the emulator's predictions of the same states of steady shear
-/// without the effect:
+/// Predictor of how an effect on grains changes one observable. The predictor is trained on the
+/// differences between runs with the effect and the emulator's predictions of the states of the
+/// runs without the effect:
 ///     change = b y(z, b),
-/// with the state z and the amplitude b of the effect, times 1/P* (P*: reduced pressure) if the
-/// effect acts through capillary forces. y is a Gaussian process: the sum of a plane in the
-/// coordinates and a process of squared exponential covariance. The change vanishes at the effect's
-/// neutral value, b = 0, and is smooth near b = 0. Among a grid of values, the variances of plane
-/// and process are those of the largest likelihood.
+/// with the coordinates z of the state and the amplitude b of the effect. If the effect acts
+/// through capillary forces, b is the amplitude times 1/P*, with the reduced pressure P*. The
+/// function y is a Gaussian process: the sum of a plane in the coordinates and a process of squared
+/// exponential covariance. The change vanishes at the neutral value of the effect, b = 0, and is
+/// smooth near b = 0. The variances of plane and process are chosen from a grid of values so that
+/// the likelihood is largest.
 /// Source: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), section 2.7.
 class EffectResponse {
   public:
@@ -32,7 +34,7 @@ class EffectResponse {
     ///        pressure) if the effect acts through capillary forces
     /// @param changes changes of the observable, divided by the scale of the observable
     ///        (`emulated::Unit::size`)
-    /// @param covariance n x n covariance of the errors of `changes`
+    /// @param covariance covariance (n x n) of the errors of `changes`
     EffectResponse(std::vector<ResponsePlace> places, Eigen::VectorXd amplitudes,
                    const Eigen::VectorXd& changes, const Eigen::MatrixXd& covariance);
 
@@ -41,12 +43,13 @@ class EffectResponse {
     /// @param b amplitude of the effect at each place, times 1/P* (P*: reduced pressure) if the
     ///        effect acts through capillary forces
     Eigen::VectorXd mean(const std::vector<ResponsePlace>& at, const Eigen::VectorXd& b) const;
-    /// Weights W [1] with which the predictions of `mean` depend on the training changes y (changes
-    /// of the observable by the effect): mean(at, b) = W y. A row for each place of `at`, a column
-    /// for each training change.
+    /// Returns the weights W [1] with which the predictions of `mean` depend on the training
+    /// changes y, the observed changes of the observable by the effect: mean(at, b) = W y. The
+    /// matrix has a row for each place of `at` and a column for each training change.
     Eigen::MatrixXd weights(const std::vector<ResponsePlace>& at, const Eigen::VectorXd& b) const;
-    /// Covariance of the errors of the changes that `mean` predicts for the arguments `at` and `b`:
-    /// a row and a column for each place, in the squared unit of the training changes.
+    /// Returns the covariance of the errors of the changes that `mean` predicts for the arguments
+    /// `at` and `b`, in the square of the unit of the training changes. The matrix has a row and a
+    /// column for each place.
     Eigen::MatrixXd covariance(const std::vector<ResponsePlace>& at,
                                const Eigen::VectorXd& b) const;
 
@@ -57,14 +60,15 @@ class EffectResponse {
 
     std::vector<ResponsePlace> places_;
     Eigen::VectorXd amplitudes_;
-    /// Prior variances of the two parts of the predictor: of the plane in the coordinates
-    /// (`plane_`), and of the process of squared exponential covariance (`curved_`).
+    /// Prior variances of the two parts of the predictor: first of the plane in the coordinates
+    /// (`plane_`), second of the process of squared exponential covariance (`curved_`).
     double plane_ = 1, curved_ = 1;
     Eigen::LLT<Eigen::MatrixXd> factor_;
-    /// Sums over the training changes from which predictions follow: sum s (`plane_constant_`) and
-    /// sum s z (`plane_slopes_`) for the plane, and Gaussian functions (bells) of weight s for the
-    /// process. s = b (K + Sigma)^-1 changes; b: amplitudes of the effect; z: coordinates; K: prior
-    /// covariance of the changes; Sigma: covariance of their errors.
+    /// Sums over the training changes from which predictions follow. For the plane, the sums are
+    /// sum s (`plane_constant_`) and sum s z (`plane_slopes_`). For the process, Gaussian functions
+    /// (bells) of weight s are summed (`bells_`). Here s = b (K + Sigma)^-1 changes, with the
+    /// amplitudes b of the effect, the coordinates z, the prior covariance K of the changes, and
+    /// the covariance Sigma of the errors of the changes.
     double plane_constant_ = 0;
     ResponsePlace plane_slopes_ = ResponsePlace::Zero();
     BellSums bells_;

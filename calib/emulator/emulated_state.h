@@ -9,22 +9,24 @@
 
 namespace pendular {
 
-/// Emulated value of one observable at one state of steady shear, with its derivatives and their
-/// standard errors.
+/// Emulated value of one observable at one state of steady shear, with the derivatives of the value
+/// and the standard errors of value and derivatives.
 struct EmulatedObservable {
     dem::Observable which;
-    /// Emulated value with its standard error, in the unit of the observable.
+    /// Emulated value of the observable with the standard error of the value, in the unit of the
+    /// observable.
     Estimate value;
-    /// Derivatives of the value with respect to friction, ln I, 1/P* and V0/a^3, in the order of
-    /// `Input`, with their standard errors (I: inertial number, P*: reduced pressure, V0: bridge
-    /// volume, a: grain diameter). Wet states have all four, dry states only the first two.
+    /// Derivatives of the value with respect to the friction coefficient, ln I, 1/P* and V0/a^3, in
+    /// the order of `Input`, with the standard errors of the derivatives. Here I is the inertial
+    /// number, P* the reduced pressure, V0 the bridge volume and a the grain diameter. Wet states
+    /// have all four derivatives, dry states only the first two.
     std::vector<Estimate> slopes;
 };
 
 /// Returns the emulated values of the observables `which` at a state of steady shear, in the order
-/// of `which`, as runs with grains of the stiffness number `stiffness_number` [1] would measure
-/// them. The standard errors include the error of the conversion to this stiffness number. The
-/// derivatives leave out the part that comes from effects on grains.
+/// of `which`, as runs with grains of the stiffness number `stiffness_number` [1] would measure the
+/// values. The standard errors include the error of the conversion to the stiffness number. The
+/// derivatives leave out the contribution of effects on grains.
 /// @throws std::invalid_argument if an observable describes liquid bridges but the state is dry, if
 ///         no training run has a value of an observable, or if `state` has an effect that no run
 ///         has as its only effect
@@ -32,9 +34,9 @@ std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const Flow
                                             double stiffness_number,
                                             const std::vector<dem::Observable>& which);
 
-/// Returns the emulated observables that are defined at a state of steady shear: all for wet
-/// grains, all except those of liquid bridges for dry grains. The order is that of
-/// `emulated::observables`.
+/// Returns the emulated observables that are defined at a state of steady shear, in the order of
+/// `emulated::observables`. For wet grains, the list contains all emulated observables. For dry
+/// grains, the list leaves out the observables of liquid bridges.
 std::vector<dem::Observable> observables_of(const FlowState& state);
 
 }  // namespace pendular

@@ -7,22 +7,22 @@
 
 namespace pendular {
 
-/// Returns the emulated sum of several observables at a wet state, with its derivatives with
-/// respect to the friction coefficient and to ln V0 (V0: bridge volume).
+/// Returns the emulated sum of several observables at a wet state, with the derivatives of the sum
+/// with respect to the friction coefficient and to ln V0, where V0 is the bridge volume.
 /// @param sum observables to add
 StructureResponse respond(const Emulator& emulator, const std::vector<dem::Observable>& sum,
                           const FlowState& state);
 
-/// Returns the emulated coordination number Z = Z_c + Z_d at a wet state [1], with its derivatives
-/// with respect to the friction coefficient and to ln V0 (V0: bridge volume). Z_c and Z_d: contacts
-/// and bridges without contact per grain.
+/// Returns the emulated coordination number Z = Z_c + Z_d at a wet state [1], with the derivatives
+/// of Z with respect to the friction coefficient and to ln V0, where V0 is the bridge volume. Z_c
+/// is the number of contacts per grain, and Z_d the number of bridges without contact per grain.
 StructureResponse coordination(const Emulator& emulator, const FlowState& state);
 
 /// Returns the bridge volume V0/a^3 [1] at which the wet grains have a given liquid content, at the
-/// friction, inertial number and reduced pressure of `state`. It solves
+/// friction coefficient, inertial number and reduced pressure of `state`. The function solves
 ///     liquid_content = 3 Z(V0) V0/(pi a^3)
-/// for the bridge volume V0, with the grain diameter a and the emulated coordination number Z,
-/// which is taken as at least 1.
+/// for the bridge volume V0, with the grain diameter a and the emulated coordination number Z. The
+/// coordination number is taken as at least 1.
 /// @param liquid_content volume of liquid divided by volume of grains [1]
 /// Source: Badetti et al. (2018), eq:lcont.
 double bridge_volume_of(const Emulator& emulator, double liquid_content, FlowState state);

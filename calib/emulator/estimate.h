@@ -2,7 +2,7 @@
 
 namespace pendular {
 
-/// A number with its standard error, in the same unit.
+/// Number with its standard error; both have the same unit.
 struct Estimate {
     double value = 0;
     double standard_error = 0;

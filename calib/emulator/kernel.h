@@ -10,169 +10,191 @@
 
 namespace pendular {
 
-/// Number of coordinates of a state of steady shear: x, q, u and v of `Coordinates`.
+/// Number of coordinates of a state of steady shear: x of the friction coefficient, q of the
+/// inertial number, u of the reduced pressure and v of the bridge volume (`Coordinates`).
 constexpr int coordinate_count = 4;
-/// Index of the coordinate u, the inverse reduced pressure, among the coordinates x, q, u and v.
+/// Index of the coordinate u, the inverse reduced pressure, in the list x, q, u, v of the
+/// coordinates of a state of steady shear.
 constexpr int pressure_coordinate = 2;
 
-/// Value of a function of the coordinates x, q, u and v (`Coordinates`) at a place, or its
-/// derivative at this place with respect to one coordinate.
+/// Value of a function of the coordinates x, q, u and v (`Coordinates`) at one place, or derivative
+/// of the function at the place with respect to one coordinate.
 struct Functional {
     static constexpr int value = -1;
     Coordinates at;
-    /// Coordinate by which the function is differentiated: 0 for x, 1 for q, 2 for u, 3 for v;
-    /// `value`: none.
+    /// Coordinate with respect to which the function is differentiated: 0 for x, 1 for q, 2 for u,
+    /// 3 for v. With the constant `value`, the function is not differentiated.
     int derivative = value;
 };
 
-/// Kind of an emulated quantity, which determines its behaviour in the dry limit 1/P* -> 0 (P*:
-/// reduced pressure).
+/// Kind of an emulated quantity. The kind determines the behaviour of the quantity in the dry limit
+/// 1/P* -> 0, with the reduced pressure P*.
 enum class Domain {
-    all_flow,  ///< defined for wet and dry grains, continuous as 1/P* -> 0
-    contacts,  ///< defined for wet and dry grains, with a step at 1/P* = 0: in wet flow, bridges
-               ///< hold grains without contacts
-    /// The quantity is defined for wet grains only and has a finite limit as 1/P* -> 0, since
-    /// bridges exist even if their force is negligible.
+    /// Quantity that is defined for wet and dry grains and is continuous as 1/P* -> 0.
+    all_flow,
+    /// Quantity that is defined for wet and dry grains and has a step at 1/P* = 0, since bridges
+    /// hold grains without contacts in wet flow.
+    contacts,
+    /// Quantity that is defined for wet grains only and has a finite limit as 1/P* -> 0, since
+    /// bridges exist even if the bridge force is negligible.
     bridges,
 };
 
-/// Hyperparameters of the Gaussian process of one emulated quantity, all positive. The process is
-/// the sum of a dry part g_dry and a wet part g_wet, which `Kernel` defines; x, q, u and v are the
-/// `Coordinates`.
+/// Hyperparameters of the Gaussian process of one emulated quantity, all positive. The Gaussian
+/// process is the sum of a dry part g_dry and a wet part g_wet, which `Kernel` defines as functions
+/// of the coordinates x, q, u and v (`Coordinates`).
 struct Hyperparameters {
     /// Standard deviation of the part of the Gaussian process that describes dry flow, in the unit
     /// of the quantity.
     double dry_amplitude = 1;
-    /// Correlation lengths [1] of the part of the Gaussian process that describes dry flow: in the
-    /// coordinates x of friction (`dry_x`) and q = sqrt(I) (`dry_q`), with the inertial number I.
+    /// Correlation lengths [1] of the part of the Gaussian process that describes dry flow. `dry_x`
+    /// is the length along the coordinate x of the friction coefficient, and `dry_q` the length
+    /// along the coordinate q = sqrt(I), with the inertial number I.
     double dry_x = 1, dry_q = 0.2;
     /// Standard deviation, in the unit of the quantity, of the part of the Gaussian process that
-    /// wet flow adds, before its factor b(u) (see `Kernel`; u: inverse reduced pressure).
+    /// wet flow adds. The standard deviation applies before the part is multiplied by the factor
+    /// b(u) of `Kernel`, with the inverse reduced pressure u.
     double wet_amplitude = 1;
-    /// Correlation lengths [1] of the part of the Gaussian process that wet flow adds, in the
-    /// coordinates x of friction, q = sqrt(I), ln(1 + u/0.1) and v of bridge volume, in this order.
-    /// I: inertial number; u: inverse reduced pressure.
+    /// Correlation lengths [1] of the part of the Gaussian process that wet flow adds, along four
+    /// coordinates in turn: x of the friction coefficient, q = sqrt(I) with the inertial number I,
+    /// ln(1 + u/0.1) with the inverse reduced pressure u, and v of the bridge volume.
     double wet_x = 1, wet_q = 0.2, wet_u = 1, wet_v = 1;
-    /// Factor on the variances of the noise that the training runs state [1].
+    /// Factor [1] by which the variances of the noise that the training runs state are multiplied.
     double noise = 1;
-    /// Between-run scatter: standard deviation between runs of equal parameters, in addition to the
-    /// noise that the runs state, in the unit of the quantity.
+    /// Between-run scatter, in the unit of the quantity: standard deviation between runs of equal
+    /// parameters and different seeds, in addition to the noise that the runs state.
     double between_run_scatter = 1e-3;
 
-    /// `count`: number of all hyperparameters. `of_processes`: number of those that describe
-    /// amplitudes and lengths, which come first; the last two describe the noise of the runs.
+    /// Number of all hyperparameters (`count`), and number of the amplitudes and correlation
+    /// lengths among the hyperparameters (`of_processes`). The amplitudes and correlation lengths
+    /// come first; the last two hyperparameters describe the noise of the runs.
     static constexpr std::size_t count = 10, of_processes = 8;
     /// Column names of the hyperparameters in emulator.csv, in the order of `as_array`.
     static constexpr std::array<std::string_view, count> names = {
         "dry_amplitude", "dry_friction", "dry_inertia", "wet_amplitude", "wet_friction",
         "wet_inertia",   "wet_pressure", "wet_volume",  "noise",         "between"};
-    /// Returns the values of all ten hyperparameters, in the order of their declaration.
+    /// Returns the values of all ten hyperparameters, in the order in which the hyperparameters are
+    /// declared.
     std::array<double, count> as_array() const;
-    /// Returns hyperparameters with the given values, in the order of `as_array`.
+    /// Returns hyperparameters with the values `values`, which are in the order of `as_array`.
     static Hyperparameters from_array(const std::array<double, count>& values);
 };
 
-/// Prior covariance of an emulated quantity f as a function of friction, inertial number I, reduced
-/// pressure P* and bridge volume. The function has the limits that physics demands:
+/// Prior covariance of an emulated quantity f as a function of friction coefficient, inertial
+/// number I, reduced pressure P* and bridge volume. The function f has the limits that physics
+/// demands:
 ///     f = h(z).beta + g_dry(x, q) + b(u) [h_wet(z).gamma + g_wet(x, q, u, v)],
-/// with the coordinates z = (x, q, u, v) of `Coordinates`, where q = sqrt(I) and u = 1/P*. h and
-/// h_wet are terms of polynomials with coefficients beta and gamma, which have broad priors. g_dry
-/// and g_wet are Gaussian processes of squared exponential covariance with a correlation length for
-/// each coordinate (for u, in ln(1 + u/0.1)). The factor b(u) depends on the domain: u for
-/// `all_flow`; for `contacts`, 0 at u = 0 and 1 elsewhere; 1 for `bridges`, which have no dry part.
-/// Dry flow (u = 0) thus does not depend on the bridge volume, and for `all_flow` the capillary
-/// part vanishes as 1/P* -> 0. With q = sqrt(I), the quasi-static limit is finite and approached as
-/// a power of I between 1/2 and 1.
+/// with the coordinates z = (x, q, u, v) of `Coordinates`, where q = sqrt(I) and u = 1/P*. The
+/// vectors h and h_wet contain terms of polynomials. Their coefficients beta and gamma have broad
+/// priors. The functions g_dry and g_wet are Gaussian processes of squared exponential covariance
+/// with a correlation length for each coordinate. The correlation length for u applies to ln(1 +
+/// u/0.1). The factor b(u) depends on the kind of the quantity (`Domain`). For `all_flow`, b = u.
+/// For `contacts`, b = 0 at u = 0 and b = 1 elsewhere. For `bridges`, b = 1 and the dry terms h and
+/// g_dry are absent.
+///
+/// Dry flow (u = 0) thus does not depend on the bridge volume. For `all_flow`, the capillary part
+/// vanishes as 1/P* -> 0. With q = sqrt(I), the quasi-static limit is finite and approached as a
+/// power of I between 1/2 and 1.
 class Kernel {
   public:
     /// @param domain kind of the quantity
-    /// @param unit typical size of the quantity, in its unit; the prior standard deviation of the
-    ///        coefficients of the polynomials is five times as large
+    /// @param unit typical size of the quantity, in the unit of the quantity; the prior standard
+    ///        deviation of the coefficients of the polynomials is five times the typical size
     Kernel(Domain domain, const Hyperparameters& hyperparameters, double unit);
 
-    /// A value of the emulated quantity, or its derivative, at one place (`Functional`), with the
-    /// terms of its covariances that depend on this place alone.
+    /// Value of the emulated quantity at one place, or derivative of the quantity at the place
+    /// (`Functional`), with the terms of the prior covariances that depend on the place alone.
     struct Prepared {
         int derivative = Functional::value;
         double u = 0;
         /// Coordinates [x, q, ln(1 + u/0.1), v] of the place, with x, q, u and v of `Coordinates`.
         std::array<double, coordinate_count> place{};
-        /// Derivative of each entry of `place` with respect to its own coordinate: x, q, u or v.
+        /// Derivative of each entry of `place` with respect to the coordinate x, q, u or v on which
+        /// the entry depends.
         std::array<double, coordinate_count> stretch{};
-        Eigen::RowVectorXd polynomial;  ///< terms of the polynomial h, or their derivatives
+        /// Terms of the polynomial at the place, or derivatives of the terms.
+        Eigen::RowVectorXd polynomial;
     };
-    /// Computes the terms that the covariances of a value or derivative at one place need.
+    /// Computes the terms of the prior covariances that depend on the place of `functional` alone.
+    /// `functional` is a value or a derivative of the emulated quantity.
     Prepared prepare(const Functional& functional) const;
     /// Computes, for the value of the emulated quantity at each of the places `at`, the terms of
-    /// its covariances that depend on this place alone.
+    /// the prior covariances that depend on the place alone.
     std::vector<Prepared> prepare(const std::vector<Coordinates>& at) const;
 
-    /// Prior covariance of two values or derivatives of the emulated quantity, in the square of its
-    /// unit.
+    /// Returns the prior covariance between two values or derivatives of the emulated quantity, in
+    /// the square of the unit of the quantity.
     double operator()(const Prepared& a, const Prepared& b) const {
         return coefficient_variance_ * a.polynomial.dot(b.polynomial) + of_processes(a, b);
     }
-    /// Part of the prior covariance of two values or derivatives of the emulated quantity that
-    /// comes from its Gaussian processes (dry and wet part), without the part from the polynomials.
+    /// Returns the contribution of the dry and the wet Gaussian process to the prior covariance
+    /// between two values or derivatives of the emulated quantity. The contribution of the
+    /// polynomials is left out.
     double of_processes(const Prepared& a, const Prepared& b) const;
-    /// Prior variance of each coefficient of the polynomials, in the square of the quantity's unit;
-    /// the coefficients are uncorrelated.
+    /// Returns the prior variance of each coefficient of the polynomials, in the square of the unit
+    /// of the quantity. The coefficients are uncorrelated.
     double coefficient_variance() const { return coefficient_variance_; }
-    /// Places with a weight each, stored so that sums over all places are fast. For each Gaussian
-    /// process (dry and wet part) it has a Gaussian function (bell) at each place. Its weight is
-    /// the weight of the place times the variance of the process and its factor b(u) (see `Kernel`)
-    /// at the place.
+    /// Weighted sums of Gaussian functions (bells), one sum for each Gaussian process (dry and wet
+    /// part). A sum has a bell at each place of a list of places. The weight of a bell is the
+    /// product of the weight of the place, the variance of the process and the factor b(u) of
+    /// `Kernel` at the place.
     using Known = std::vector<BellSums>;
-    /// Stores the places of `values`, each with its weight, for fast sums by the function `sums`.
+    /// Stores the places of `values` and the weight of each place in a form in which the function
+    /// `sums` sums over the places fast.
     Known known(const std::vector<Prepared>& values, const Eigen::VectorXd& weights) const;
-    /// Returns the sum over the places stored in `known` of (weight of the place) x (prior
-    /// covariance of the value at this place with the value at `at`), without the covariance from
-    /// the polynomials. The derivatives of this sum with respect to the coordinates x, q, u and v
-    /// of `at` follow.
-    /// @param with_pressure whether the derivative with respect to u is needed; if false, it may
-    ///        lack a part
+    /// Returns first the sum over the places stored in `known` of (weight of the place) x (prior
+    /// covariance between the value at the place and the value at `at`). The contribution of the
+    /// polynomials to the covariance is left out. Then returns the derivatives of the sum with
+    /// respect to the coordinates x, q, u and v of `at`.
+    /// @param with_pressure whether the derivative with respect to u is needed; if false, the
+    ///        derivative with respect to u may be incomplete
     std::array<double, 1 + coordinate_count> sums(const Known& known, const Prepared& at,
                                                   bool with_pressure) const;
 
-    /// Prior covariance matrix of values or derivatives of the emulated quantity: a row and a
-    /// column for each entry of `of`.
+    /// Returns the prior covariance matrix of values or derivatives of the emulated quantity. The
+    /// matrix has a row and a column for each entry of `of`.
     Eigen::MatrixXd matrix(const std::vector<Prepared>& of) const;
-    /// Derivatives of tr(W K)/2 with respect to the logarithms of the first eight hyperparameters,
-    /// which are the amplitudes and correlation lengths, in their order. K: prior covariance matrix
-    /// of `values` by the Gaussian processes; W: `weights`, a symmetric matrix.
+    /// Returns the derivatives of tr(W K)/2 with respect to the logarithms of the first eight
+    /// hyperparameters, which are the amplitudes and correlation lengths, in the order of the
+    /// hyperparameters. K is the contribution of the Gaussian processes to the prior covariance
+    /// matrix of `values`. W is the symmetric matrix `weights`.
     std::array<double, Hyperparameters::of_processes> half_traces(
         const std::vector<Prepared>& values, const Eigen::MatrixXd& weights) const;
 
     const Hyperparameters& hyperparameters() const { return hyperparameters_; }
 
   private:
-    /// Form of the factor b(u) by which a Gaussian process is multiplied: 1 (`one`), u (`linear`),
-    /// or 0 at u = 0 and 1 elsewhere (`step`). u: inverse reduced pressure.
+    /// Form of the factor b(u) by which a Gaussian process is multiplied, with the inverse reduced
+    /// pressure u: 1 (`one`), u (`linear`), or 0 at u = 0 and 1 elsewhere (`step`).
     enum class Amplitude { one, linear, step };
     /// One of the two Gaussian processes of the kernel, for dry or for wet flow, with the form of
-    /// the factor b(u) by which it is multiplied (u: inverse reduced pressure; b = 1 for dry flow).
+    /// the factor b(u) by which the process is multiplied. Here u is the inverse reduced pressure.
+    /// For dry flow, b = 1.
     struct Part {
-        /// Variance of the process before it is multiplied by the factor b(u) (u: inverse reduced
-        /// pressure), in the square of the quantity's unit.
+        /// Variance of the Gaussian process before the multiplication by the factor b(u), in the
+        /// square of the unit of the quantity.
         double variance = 0;
-        /// Inverse squares of the correlation lengths of the process, one for each coordinate; 0
-        /// for a coordinate on which the process does not depend.
+        /// Inverse squares of the correlation lengths of the Gaussian process, one for each
+        /// coordinate. The entry is 0 for a coordinate on which the process does not depend.
         std::array<double, coordinate_count> inverse_squares{};
         Amplitude amplitude = Amplitude::one;
     };
-    /// Value [1] at a place of the factor b(u) by which a Gaussian process is multiplied (u:
-    /// inverse reduced pressure).
+    /// Returns the value [1] at the place `at` of the factor b(u) by which the Gaussian process
+    /// `part` is multiplied, with the inverse reduced pressure u.
     static double amplitude(const Part& part, const Prepared& at);
-    /// Part of the prior covariance of two values or derivatives that comes from one Gaussian
-    /// process, including the factor b(u) by which the process is multiplied.
+    /// Returns the contribution of one Gaussian process to the prior covariance between two values
+    /// or derivatives, including the factor b(u) by which the process is multiplied.
     static double of_part(const Part& part, const Prepared& a, const Prepared& b);
 
     Hyperparameters hyperparameters_;
     std::vector<Part> parts_;
-    std::vector<bool> is_dry_;  ///< for each of `parts_`, whether it is the dry process
+    /// For each Gaussian process in `parts_`, whether the process describes dry flow.
+    std::vector<bool> is_dry_;
     Basis basis_;
-    Eigen::Index dry_terms_ = 0;  ///< number of terms of the dry polynomial, the first of `basis_`
-    /// Whether the polynomial of wet flow jumps to zero for dry grains, as for `Domain::contacts`.
+    /// Number of terms of the polynomial of dry flow, which are the first terms of `basis_`.
+    Eigen::Index dry_terms_ = 0;
+    /// Whether the terms of the polynomial of wet flow are zero for dry grains, as for
+    /// `Domain::contacts`.
     bool steps_ = false;
     double coefficient_variance_;
 };

@@ -9,26 +9,25 @@
 
 namespace pendular {
 
-/// Simulation runs that exist before a calibration and train its emulator, with hyperparameters
-/// (amplitudes and lengths of the emulator's Gaussian processes) that were fitted to the runs
-/// before.
+/// Simulation runs that exist before a calibration and train the emulator, which interpolates
+/// simulations. The hyperparameters of the emulator were fitted to the runs in advance.
 struct KnownRuns {
-    /// Training runs. If the list is empty and `orders_more` is true, a calibration first simulates
-    /// dry runs.
+    /// Training runs of the emulator. If the list is empty and `orders_more` is true, a calibration
+    /// first simulates dry runs.
     std::vector<dem::RunResult> runs;
-    /// Hyperparameters of the emulator's Gaussian processes, by observable; missing ones are fitted
-    /// to `runs`.
+    /// Hyperparameters of the emulator's Gaussian processes for each observable. If an observable
+    /// has no entry, its hyperparameters are fitted to `runs`.
     EmulatorHyperparameters hyperparameters;
-    /// Whether a calibration may simulate new runs in addition to the earlier ones.
+    /// Whether a calibration may simulate new runs in addition to the training runs `runs`.
     bool orders_more = true;
 };
 
-/// Returns the runs that can train an emulator for a study. Each of them is usable
-/// (`emulated::usable`) and has only effects that the study lists. It has at least 1000 grains, or
-/// at least the number of grains in the settings `fidelity` if that is smaller. Its Poisson ratio
-/// differs by at most 0.1 from that of the study's grains (0.1 changes the ratio of tangential to
-/// normal stiffness by less than a tenth). If it is wet, it has the study's formula of the bridge
-/// force.
+/// Returns the runs that can train an emulator for a study. Each returned run is usable
+/// (`emulated::usable`) and has only effects that the study lists. The number of grains is at least
+/// 1000, or at least the number of grains in the settings `fidelity` if that number is smaller. The
+/// Poisson ratio of the run differs by at most 0.1 from the Poisson ratio of the study's grains. A
+/// difference of 0.1 changes the ratio of tangential to normal stiffness by less than a tenth. A
+/// wet run has the study's formula of the bridge force.
 std::vector<dem::RunResult> runs_serving(const Study& study, const Fidelity& fidelity,
                                          const std::vector<dem::RunResult>& runs);
 

@@ -15,106 +15,121 @@
 
 namespace pendular {
 
-/// Emulator of grains without effects: for each observable, a Gaussian process over friction,
-/// inertial number, reduced pressure and bridge volume, trained on simulation runs with the noise
-/// that they state. Stress ratio and solid fraction share one process, since their noise is
-/// correlated within a run. The training runs have about one stiffness number. The solid fraction
-/// is predicted for rigid grains and the mean overlap for the stiffness number
-/// `emulated::reference_stiffness`, since their main dependence on stiffness is known.
+/// Emulator, which interpolates simulations, of grains without effects. For each observable, the
+/// emulator has a Gaussian process over friction coefficient, inertial number, reduced pressure and
+/// bridge volume. The processes are trained on simulation runs with the noise that the runs state.
+/// Stress ratio and solid fraction share one process, since the noise of the two observables is
+/// correlated within a run. The stiffness numbers of the training runs are about equal. The solid
+/// fraction is predicted for rigid grains, and the mean overlap for the stiffness number
+/// `emulated::reference_stiffness`, since the main dependence of both observables on stiffness is
+/// known.
 class PlainEmulator {
   public:
-    /// Takes training runs and leaves out those that are not usable (`emulated::usable`), for
-    /// example since they failed, crystallised or were not steady. Missing hyperparameters are
-    /// fitted when they are first needed, which takes half a second for each observable.
-    /// @param hyperparameters hyperparameters by observable; may be empty
-    /// @param stiffness_number stiffness number [1], within a factor 2, of the runs that train the
-    ///        processes. If no run without effects has this stiffness number, that of the first run
-    ///        without effects is used instead.
+    /// Takes training runs and leaves out the runs that are not usable (`emulated::usable`), for
+    /// example because a run failed, crystallised or was not steady. If an observable has no
+    /// hyperparameters, they are fitted when they are first needed, which takes half a second for
+    /// each observable.
+    /// @param hyperparameters hyperparameters (amplitudes, correlation lengths and noise of the
+    ///        Gaussian processes) for each observable; may be empty
+    /// @param stiffness_number stiffness number [1], within a factor of 2, of the runs that train
+    ///        the Gaussian processes. If no run without effects has this stiffness number, the
+    ///        stiffness number of the first run without effects is used instead.
     /// @throws std::invalid_argument if none of the runs is usable
     PlainEmulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
                   double stiffness_number = emulated::reference_stiffness);
 
-    /// Hyperparameters that were given at construction or have been fitted since, by observable.
+    /// Returns the hyperparameters that were given at construction or have been fitted since, for
+    /// each observable.
     EmulatorHyperparameters hyperparameters() const;
 
-    /// Returns the result of each query for grains without effects: the predicted value of its
+    /// Returns the result of each query for grains without effects: the predicted value of the
     /// observable, in the unit of the observable, or the derivative that the query names. Effects
     /// in the state of a query are ignored.
     /// @throws std::invalid_argument if no training run has a value of a queried observable, or if
     ///         the observable describes liquid bridges but the state is dry
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
-    /// Queries whose results follow from one Gaussian process, with the intermediate results for
-    /// their covariances. The results of the queries are `map` times the values that the process
-    /// predicts.
+    /// Queries whose results follow from one Gaussian process, with the intermediate results from
+    /// which the covariance of the query results follows. The results of the queries are the matrix
+    /// `map` times the values that the process predicts.
     struct PreparedShare {
-        /// Indices, in the list of all queries, of the queries whose results follow from the
-        /// process.
+        /// Index, in the list of all queries, of each query whose result follows from the process.
         std::vector<Eigen::Index> queries;
         GaussianProcess::Solved values;
         Eigen::SparseMatrix<double> map;
     };
-    /// Queries with the intermediate results for their covariances, computed once. `shares` has an
-    /// entry for each Gaussian process, by the observable under which the process is stored.
+    /// Queries with the intermediate results from which the covariances of the query results
+    /// follow. The map `shares` has an entry for each Gaussian process that the queries need. The
+    /// key of an entry is the observable under which the process is stored.
     struct PreparedQueries {
         Eigen::Index count = 0;
         std::map<dem::Observable, PreparedShare> shares;
     };
-    /// Computes the intermediate results from which the covariances of the results of queries
+    /// Computes the intermediate results from which the covariances of the results of `queries`
     /// follow.
     /// @throws std::invalid_argument if no training run has a value of a queried observable, or if
     ///         the observable describes liquid bridges but the state is dry
     PreparedQueries prepare(const std::vector<Query>& queries) const;
-    /// Covariance of the errors of the predicted results of `queries`, a row and a column for each
-    /// query.
+    /// Returns the covariance of the errors of the predicted results of `queries`. The matrix has a
+    /// row and a column for each query.
     Eigen::MatrixXd covariance(const PreparedQueries& queries) const;
-    /// Covariance of the errors of the predicted results of the queries `a` (rows) with those of
-    /// the queries `b` (columns).
+    /// Returns the covariance of the errors of the predicted results of the queries `a` (rows) with
+    /// the errors of the predicted results of the queries `b` (columns).
     Eigen::MatrixXd covariance(const PreparedQueries& a, const PreparedQueries& b) const;
 
-    /// All usable runs that were given. Runs with effects on grains, or of another stiffness
-    /// number, train only the changes that `Emulator` adds.
+    /// Returns all usable runs that were given. Runs with effects on grains, and runs whose
+    /// stiffness number differs from `stiffness_number()` by more than a factor of 2, train only
+    /// the changes that `Emulator` adds.
     const std::vector<dem::RunResult>& runs() const { return runs_; }
 
-    /// Variance of the noise of one observable of a run, in the square of the observable's unit:
-    /// the squared standard error of the run times the fitted noise factor, plus the squared
-    /// between-run scatter.
+    /// Returns the variance of the noise of one observable of a run, in the square of the unit of
+    /// the observable. The variance is the squared standard error of the run times the fitted noise
+    /// factor, plus the squared between-run scatter (standard deviation between runs of equal
+    /// parameters).
     double noise_variance(const dem::RunResult& run, dem::Observable which) const;
-    /// Covariance of the noise of stress ratio and solid fraction of one run [1], in this order.
+    /// Returns the covariance of the noise of the stress ratio and the solid fraction of one run
+    /// [1], in this order.
     Eigen::Matrix2d noise(const dem::RunResult& run) const;
 
-    /// Stiffness number of the runs that train the Gaussian processes, within a factor 2 [1].
+    /// Returns the stiffness number [1], within a factor of 2, of the runs that train the Gaussian
+    /// processes.
     double stiffness_number() const { return stiffness_number_; }
-    /// Whether any of `runs` can train the process of an observable. Such a run has no effects on
-    /// grains and has a value of the observable. Its stiffness number is within a factor 2 of
-    /// `emulated::reference_stiffness` or, if this holds for no run without effects, of the
-    /// stiffness number of the first run without effects.
+    /// Whether any of `runs` can train the Gaussian process of an observable. To train the process,
+    /// a run must have a value of the observable and no effects on grains. The stiffness number of
+    /// the run must be within a factor of 2 of `emulated::reference_stiffness`. If no run without
+    /// effects is within this factor, the stiffness number of the first run without effects takes
+    /// the place of `emulated::reference_stiffness`.
     static bool known(const std::vector<dem::RunResult>& runs, dem::Observable which);
-    /// Fits the hyperparameters (amplitudes and lengths of its Gaussian process) of one observable
-    /// to runs without effects (`fit_hyperparameters`). These are the runs whose stiffness number
-    /// is about `stiffness_number` [1] or, if there are no such runs, about that of the first run
-    /// without effects.
-    /// @throws std::invalid_argument if none of these runs has a value of the observable
+    /// Fits the hyperparameters (amplitudes, correlation lengths and noise of the Gaussian process)
+    /// of one observable to runs without effects (`fit_hyperparameters`). The fit uses the runs
+    /// whose stiffness number is about `stiffness_number` [1]. If no run without effects has about
+    /// this stiffness number, the fit uses the runs whose stiffness number is about that of the
+    /// first run without effects.
+    /// @throws std::invalid_argument if none of the runs to which the hyperparameters are fitted
+    ///         has a value of the observable
     static Hyperparameters learn(const std::vector<dem::RunResult>& runs, dem::Observable which,
                                  double stiffness_number = emulated::reference_stiffness);
 
   private:
-    /// Returns the hyperparameters (amplitudes and lengths of its Gaussian processes) of one
-    /// observable; missing ones are fitted at the first call.
+    /// Returns the hyperparameters (amplitudes, correlation lengths and noise of the Gaussian
+    /// process) of one observable. If the hyperparameters of the observable were not given, the
+    /// first call fits them.
     Hyperparameters hyperparameters_of(dem::Observable which) const;
-    /// Returns the Gaussian process that predicts an observable, trained at the first call.
+    /// Returns the Gaussian process that predicts an observable. The first call trains the process.
     /// @throws std::invalid_argument if no training run has a value of the observable
     const GaussianProcess& process_of(dem::Observable which) const;
-    /// Trains the Gaussian process that predicts an observable on all usable runs without effects.
+    /// Trains the Gaussian process that predicts an observable on the usable runs without effects
+    /// whose stiffness number is within a factor of 2 of `stiffness_number()`.
     std::unique_ptr<const GaussianProcess> trained(dem::Observable which) const;
 
-    /// Gaussian processes and hyperparameters by observable, each computed when it is first needed.
+    /// Gaussian process and hyperparameters of each observable, computed when they are first
+    /// needed.
     struct Learned {
         struct Process {
             std::once_flag once;
             std::unique_ptr<const GaussianProcess> trained;
         };
         std::array<Process, dem::observable_count> processes;
-        /// Guards the map `hyperparameters` when several threads use the emulator.
+        /// Lock that guards the map `hyperparameters` when several threads use the emulator.
         std::mutex mutex;
         EmulatorHyperparameters hyperparameters;
     };

@@ -8,21 +8,25 @@
 
 namespace pendular {
 
-/// Variable by which an emulated observable is differentiated: the friction coefficient, ln I (I:
-/// inertial number), 1/P* (P*: reduced pressure) or V0/a^3 (V0: bridge volume, a: grain diameter).
+/// Variable with respect to which an emulated observable is differentiated: the friction
+/// coefficient, ln I with the inertial number I, the inverse reduced pressure 1/P*, or the bridge
+/// volume V0 divided by the cubed grain diameter a^3.
 enum class Input { friction, log_inertial_number, inverse_pressure, bridge_volume };
 
-/// Request to the emulator: for the value of an observable at a state of steady shear, or for its
-/// derivative with respect to one variable.
+/// Request to the emulator, which interpolates simulations. The request is for the value of an
+/// observable at a state of steady shear, or for the derivative of the observable with respect to
+/// one variable.
 struct Query {
     FlowState state;
     dem::Observable which = dem::Observable::stress_ratio;
-    /// Variable with respect to which the observable is differentiated; empty: the value of the
+    /// Variable with respect to which the observable is differentiated; empty if the value of the
     /// observable is requested.
     std::optional<Input> by = {};
 };
 
-/// Hyperparameters of the emulator's Gaussian processes, by observable; observables may be missing.
+/// Map whose key is an observable and whose value contains the hyperparameters (amplitudes,
+/// correlation lengths and noise) of the observable's Gaussian process in the emulator. The map
+/// need not contain all observables.
 using EmulatorHyperparameters = std::map<dem::Observable, Hyperparameters>;
 
 }  // namespace pendular
