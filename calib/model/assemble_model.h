@@ -13,12 +13,12 @@ namespace pendular {
 
 /// Returns the model that predicts the shear stress [Pa] and solid fraction [1] of a study's
 /// readings. The emulated simulation predicts dry grains. Wet grains are predicted by the
-/// simulation or by the analytical formula (closure) that `level_with` selects. The effects then
-/// change the predictions; without effects, the predictions of simulation or formula are returned
-/// unchanged.
+/// simulation or by the analytical formula (closure) that `level_with` selects. Then the effects
+/// change the predictions. Without effects, the model returns the predictions of the simulation or
+/// the formula unchanged.
 /// @param simulation emulated simulation of the study's grains
-/// @param effects effects of the model, in the order of their parameters; they must outlive the
-///        model
+/// @param effects effects of the model, in the order of their parameters; the effects must outlive
+///        the model
 /// @throws InputError if the formula has constant cohesions (`closures::Level::mohr_coulomb`) but
 ///         the study has no wet reading of steady shear at a reduced pressure of at least 2.3, to
 ///         which a cohesion could be fitted
@@ -27,9 +27,9 @@ std::shared_ptr<const EffectModel> assemble_model(
     const std::vector<const Effect*>& effects);
 
 /// Selects the analytical formula (closure) or the simulation with which a model predicts the
-/// stress ratio of wet grains. `closures::Level` orders the formulas from the simplest to the
-/// simulation. Returns the highest level among that of the study's base model and those of the
-/// effects in `effects` that replace an approximation of the formula.
+/// stress ratio of wet grains. The levels `closures::Level` are ordered from the simplest formula
+/// to the simulation. Returns the highest of these levels: the level of the study's base model, and
+/// the level of each effect in `effects` that replaces an approximation of the formula.
 closures::Level level_with(const Study& study, const std::vector<const Effect*>& effects);
 
 }  // namespace pendular

@@ -10,17 +10,19 @@
 namespace pendular {
 
 /// Predictor of the strength of wet grains by an analytical formula (closure) of Badetti et al.
-/// (2018). The formula gives the stress ratio mu* of wet grains from mu*_dry, the simulated stress
-/// ratio of dry grains of friction coefficient mu at inertial number I, and from the simulated
-/// structure:
+/// (2018). The formula computes the stress ratio mu* of wet grains from mu*_dry, the simulated
+/// stress ratio of dry grains of friction coefficient mu at inertial number I, and from the
+/// simulated structure:
 ///     mu* = mu*_dry(mu, I) [1 + Phi_S Z/(pi P*)]                        (level rumpf)
 ///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)]                       (level strength3)
 ///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)] - a^2 s12cap/(F0 P*)  (level strength2)
 ///     mu* = mu*_dry(mu, I) [1 - s22cap/s22] - s12cap/s22                (level strength1)
-/// with the reduced pressure P* = a^2 s22/F0, grain diameter a, normal stress s22, pull-off force
-/// F0 of a liquid bridge, solid fraction Phi_S, coordination numbers Z = Z_c + 0.5 Z_d and Z* = Z_c
-/// + Z_d F_d/F0 (Z_c contacts and Z_d bridges without contact per grain, the latter with mean force
-/// F_d), and the normal stress s22cap and shear stress s12cap of the capillary forces.
+/// with the reduced pressure P* = a^2 s22/F0, the grain diameter a, the normal stress s22, the
+/// pull-off force F0 of a liquid bridge and the solid fraction Phi_S. The coordination numbers are
+/// Z = Z_c + 0.5 Z_d and Z* = Z_c + Z_d F_d/F0, with Z_c contacts per grain, Z_d bridges without
+/// contact per grain, and the mean force F_d of bridges without contact. The normal stress and the
+/// shear stress of the capillary forces are s22cap and s12cap.
+///
 /// `EmulatedSimulation` predicts the shear stresses of dry grains and all solid fractions. The
 /// covariance of a prediction omits the errors of Z, Z* and the capillary stresses, which are a few
 /// per mille.
@@ -29,7 +31,8 @@ class ClosureModel : public FlowPredictor {
   public:
     /// @param simulation emulated simulation of the study's grains
     /// @param study study with the grains, the liquid and the settings of the model
-    /// @param level `rumpf`, `strength3`, `strength2` or `strength1`: selects the formula
+    /// @param level level that selects the formula: `rumpf`, `strength3`, `strength2` or
+    ///        `strength1`
     ClosureModel(std::shared_ptr<const EmulatedSimulation> simulation, const Study& study,
                  closures::Level level)
         : simulation_(std::move(simulation)), study_(study), level_(level) {}
@@ -50,8 +53,8 @@ class ClosureModel : public FlowPredictor {
 };
 
 /// Returns `conditions`, followed by a dry copy of each wet condition, in the order of the wet
-/// conditions. A dry copy has liquid content 0 and lacks effects on grains that need liquid;
-/// everything else is that of the wet condition.
+/// conditions. A dry copy has liquid content 0 and lacks effects on grains that need liquid. In all
+/// other respects, a dry copy equals the wet condition.
 std::vector<EffectiveCondition> with_dry_twins(const std::vector<EffectiveCondition>& conditions);
 
 }  // namespace pendular

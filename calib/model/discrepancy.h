@@ -8,8 +8,8 @@
 
 namespace pendular {
 
-/// Correlation [1] between the errors of a model's predictions at two conditions a and b, where
-/// these errors vary smoothly with the condition:
+/// Returns the correlation coefficient [1] between the errors of a model's predictions at two
+/// conditions a and b. The errors are assumed to vary smoothly with the condition:
 ///     exp(-[ln(s22_a/s22_b)^2/L_s^2 + (sqrt I_a - sqrt I_b)^2/L_I^2
 ///           + (sqrt w_a - sqrt w_b)^2/L_w^2]/2),
 /// with the normal stress s22, the inertial number I, the liquid content w, L_s = ln 10 and L_I =
@@ -18,13 +18,14 @@ namespace pendular {
 /// Source: squared exponential as in Kennedy and O'Hagan, J. R. Stat. Soc. B 63 (2001) 425.
 double discrepancy_correlation(const Condition& a, const Condition& b);
 
-/// Covariance of the smooth error that the user expects of a model's predictions, in the squared
-/// units of `values`, a row and a column for each of `values`. Entries i and k of one observable
-/// have the covariance
-///     discrepancy^2 x discrepancy_correlation x values(i) values(k);
-/// the errors of shear stress and solid fraction are uncorrelated.
-/// @param values predicted shear stress [Pa] and solid fraction [1] of each condition, in turn
-/// @param discrepancy expected error relative to (shear stress, solid fraction) [1]
+/// Returns the covariance of the smooth error that the user expects of a model's predictions, in
+/// the squared units of `values`. The matrix has a row and a column for each of `values`. Two
+/// entries i and k of one observable have the covariance
+///     discrepancy^2 x discrepancy_correlation x values(i) values(k).
+/// The errors of shear stress and solid fraction are uncorrelated.
+/// @param values predicted shear stress [Pa] and solid fraction [1] of each condition in turn
+/// @param discrepancy expected relative errors [1]: first of the shear stress, second of the solid
+///        fraction
 Eigen::MatrixXd discrepancy_covariance(const std::vector<Condition>& conditions,
                                        const Eigen::VectorXd& values,
                                        const std::array<double, 2>& discrepancy);

@@ -14,12 +14,13 @@
 namespace pendular {
 
 /// Predictor of the shear stress [Pa] and solid fraction [1] of dry and wet grains by the emulator
-/// (Gaussian processes trained on simulation runs). Its only parameter is the friction coefficient.
+/// (Gaussian processes trained on simulation runs). The only parameter of the predictor is the
+/// friction coefficient.
 ///
 /// A prediction holds for the stiffness number of the study's grains at the normal stress of the
-/// condition or, if the study states no Young's modulus, for that of the simulation settings
-/// (`Fidelity`). The liquid content is converted to a bridge volume by means of the emulated
-/// coordination number.
+/// condition. If the study states no Young's modulus, the prediction holds for the stiffness number
+/// in the simulation settings (`Fidelity`). The liquid content is converted to a bridge volume by
+/// means of the emulated coordination number.
 class EmulatedSimulation : public FlowPredictor {
   public:
     EmulatedSimulation(const Study& study, const Fidelity& fidelity, Emulator emulator);
@@ -34,48 +35,50 @@ class EmulatedSimulation : public FlowPredictor {
         const std::vector<EffectiveCondition>& conditions) const override;
 
     /// Returns the state of steady shear, in dimensionless numbers, of the study's grains at a
-    /// condition. A wet state has the bridge volume that gives the condition's liquid content.
+    /// condition. A wet state has the bridge volume that yields the liquid content of the
+    /// condition.
     /// @param friction friction coefficient of the study's grains [1], to which the friction
     ///        difference of the condition is added
     FlowState flow_state_at(double friction, const EffectiveCondition& condition) const;
     /// Returns the state of steady shear of the study's grains at a condition, with bridge volume
-    /// 0. The bridge volume that the condition's liquid content requires is left out, since it
-    /// takes time to compute.
+    /// 0. The bridge volume that yields the liquid content of the condition is left out, since its
+    /// computation takes time.
     /// @param friction friction coefficient of the study's grains [1], to which the friction
     ///        difference of the condition is added
     FlowState unfilled_state_at(double friction, const EffectiveCondition& condition) const;
     /// Converts emulated numbers to the shear stress [Pa] and solid fraction [1] of a reading at
-    /// `condition`. The solid fraction is changed from rigid grains to grains of the study's
-    /// stiffness.
-    /// @param flow stress ratio, solid fraction of rigid grains, and mean overlap divided by grain
-    ///        diameter [1]
+    /// `condition`. The solid fraction of rigid grains is changed to the solid fraction of grains
+    /// of the study's stiffness.
+    /// @param flow stress ratio [1], solid fraction of rigid grains [1], and mean overlap divided
+    ///        by grain diameter [1]
     Eigen::Vector2d reading_of(const Eigen::Vector3d& flow,
                                const EffectiveCondition& condition) const;
-    /// Returns the wet state `state` with the bridge volume at which the grains have the liquid
-    /// content `liquid_content`, the volume of liquid divided by the volume of grains [1].
+    /// Returns the wet state `state` with the bridge volume at which the liquid content of the
+    /// grains is `liquid_content`, the volume of liquid divided by the volume of grains [1].
     FlowState filled(const FlowState& state, double liquid_content) const;
-    /// Effective coordination number Z* = Z_c + Z_d F_d/F0 at a wet condition [1], with its
-    /// derivative with respect to the friction coefficient at constant liquid content. Z_c and Z_d:
-    /// contacts and bridges without contact per grain; F_d: mean force of the latter; F0: pull-off
-    /// force of a bridge.
+    /// Returns the effective coordination number Z* = Z_c + Z_d F_d/F0 at a wet condition [1], with
+    /// the derivative of Z* with respect to the friction coefficient at constant liquid content.
+    /// There are Z_c contacts per grain and Z_d bridges without contact per grain. F_d is the mean
+    /// force of bridges without contact, and F0 the pull-off force of a bridge.
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse effective_coordination(double friction,
                                              const EffectiveCondition& condition) const;
-    /// Approximate coordination number Z_c + 0.5 Z_d at a wet condition [1], with its derivative
-    /// with respect to the friction coefficient at constant liquid content. Z_c and Z_d: contacts
-    /// and bridges without contact per grain.
+    /// Returns the approximate coordination number Z_c + 0.5 Z_d at a wet condition [1], with the
+    /// derivative of the coordination number with respect to the friction coefficient at constant
+    /// liquid content. There are Z_c contacts per grain and Z_d bridges without contact per grain.
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse approximate_coordination(double friction,
                                                const EffectiveCondition& condition) const;
-    /// Normal stress of the capillary forces at a wet condition, divided by F0/a^2 [1] (negative),
-    /// with its derivative with respect to the friction coefficient at constant liquid content. F0:
-    /// pull-off force of a bridge; a: grain diameter.
+    /// Returns the normal stress of the capillary forces at a wet condition, divided by F0/a^2 [1]
+    /// (negative), with the derivative of the capillary stress with respect to the friction
+    /// coefficient at constant liquid content. F0 is the pull-off force of a bridge, and a the
+    /// grain diameter.
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse capillary_normal_stress(double friction,
                                               const EffectiveCondition& condition) const;
-    /// Shear stress of the capillary forces at a wet condition, divided by F0/a^2 [1], with its
-    /// derivative with respect to the friction coefficient at constant liquid content. F0: pull-off
-    /// force of a bridge; a: grain diameter.
+    /// Returns the shear stress of the capillary forces at a wet condition, divided by F0/a^2 [1],
+    /// with the derivative of the capillary stress with respect to the friction coefficient at
+    /// constant liquid content. F0 is the pull-off force of a bridge, and a the grain diameter.
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse capillary_shear_stress(double friction,
                                              const EffectiveCondition& condition) const;
@@ -87,32 +90,33 @@ class EmulatedSimulation : public FlowPredictor {
   private:
     /// Contributions to the errors of predicted shear stresses and solid fractions.
     struct Errors;
-    /// Predicts shear stress [Pa] and solid fraction [1] at each state in turn, with derivatives
-    /// with respect to the friction coefficient.
+    /// Predicts the shear stress [Pa] and solid fraction [1] at each state in turn, with
+    /// derivatives with respect to the friction coefficient.
     /// @param errors receives the contributions to the errors of the predictions; may be null
     Prediction predict_slopes(const std::vector<FlowState>& states,
                               const std::vector<EffectiveCondition>& conditions,
                               Errors* errors) const;
-    /// Predicts shear stress [Pa] and solid fraction [1] at each state in turn.
+    /// Predicts the shear stress [Pa] and solid fraction [1] at each state in turn.
     Eigen::VectorXd predict_values(const std::vector<FlowState>& states,
                                    const std::vector<EffectiveCondition>& conditions) const;
-    /// Predicts shear stress [Pa] and solid fraction [1] at each state in turn, with derivatives
-    /// with respect to the friction coefficient and the covariance of the errors.
+    /// Predicts the shear stress [Pa] and solid fraction [1] at each state in turn, with
+    /// derivatives with respect to the friction coefficient and with the covariance of the errors.
     Prediction predict_all(const std::vector<FlowState>& states,
                            const std::vector<EffectiveCondition>& conditions) const;
-    /// Difference of solid fraction between the study's grains at a condition and grains of the
-    /// stiffness number `emulated::reference_stiffness`, divided by the same difference for rigid
-    /// grains [1]. It is 1 for rigid grains and negative for grains that are softer than the
-    /// reference.
+    /// Returns a ratio of two differences of solid fraction [1]. The numerator is the difference
+    /// between the study's grains at a condition and grains of the stiffness number
+    /// `emulated::reference_stiffness`. The denominator is the difference between rigid grains and
+    /// grains of the stiffness number `emulated::reference_stiffness`. The ratio is 1 for rigid
+    /// grains and negative for grains that are softer than the reference.
     double stiffness_left(const EffectiveCondition& condition) const;
-    /// Emulated capillary stress at a wet condition, converted to units of F0/a^2 [1], with its
-    /// derivative with respect to the friction coefficient at constant liquid content. F0: pull-off
-    /// force of a bridge; a: grain diameter.
+    /// Returns an emulated capillary stress at a wet condition, divided by F0/a^2 [1], with the
+    /// derivative of the capillary stress with respect to the friction coefficient at constant
+    /// liquid content. F0 is the pull-off force of a bridge, and a the grain diameter.
     /// @param which observable: a capillary stress divided by the normal stress
     StructureResponse capillary_stress(dem::Observable which, double friction,
                                        const EffectiveCondition& condition) const;
-    /// Converts a derivative with respect to the friction coefficient, at the wet state `state`,
-    /// from constant bridge volume to constant liquid content.
+    /// Converts the derivative of `response` with respect to the friction coefficient, at the wet
+    /// state `state`, from constant bridge volume to constant liquid content.
     StructureResponse at_constant_content(StructureResponse response, const FlowState& state) const;
 
     Study study_;
@@ -120,9 +124,9 @@ class EmulatedSimulation : public FlowPredictor {
     Emulator emulator_;
     std::vector<Parameter> parameters_{{.name = "friction", .lower = 0, .upper = 1, .start = 0.15}};
 
-    /// State of steady shear of grains that hold a liquid content (liquid volume divided by grain
-    /// volume) [1], with the volume of their bridges. States are cached, since derivatives and
-    /// covariances need each state again.
+    /// State of steady shear of grains with a given liquid content (liquid volume divided by grain
+    /// volume) [1]. The state contains the bridge volume that yields the liquid content. States are
+    /// cached, since derivatives and covariances need each state again.
     struct Filled {
         double liquid_content;
         FlowState state;

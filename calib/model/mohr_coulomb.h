@@ -10,45 +10,50 @@
 
 namespace pendular {
 
-/// Lowest reduced pressure P* [1] of readings to which a straight line of stress ratio against 1/P*
-/// is fitted.
-/// Source: Badetti et al. (2018), who find that the line is too high at lower P*.
+/// Lowest reduced pressure P* [1] of the readings to which a straight line of stress ratio against
+/// the inverse reduced pressure 1/P* is fitted.
+/// Source: Badetti et al. (2018), who find that the stress ratio of the line is too high at lower
+/// P*.
 constexpr double lowest_cohesion_pressure = 2.3;
 
-/// Measured strengths (stress ratios) of wet readings of about one liquid content, to which a
+/// Measured strengths (stress ratios) of wet readings of about one liquid content, to which one
 /// constant cohesion is fitted.
 struct CohesionGroup {
-    /// Liquid content (liquid volume divided by grain volume) [1], mean of the strengths.
+    /// Liquid content (liquid volume divided by grain volume) [1], mean of the readings.
     double liquid_content = 0;
-    /// Measured stress ratios of the group's readings at reduced pressures P* >=
+    /// Measured stress ratios of the readings of the group, all at reduced pressures P* >=
     /// `lowest_cohesion_pressure`.
     std::vector<MeasuredStrength> strengths;
 };
 
-/// Groups the strengths (stress ratios) of wet readings, `ModelSettings::strengths`, at reduced
-/// pressures P* >= `lowest_cohesion_pressure` by liquid content, in increasing liquid content.
-/// Liquid contents of a group agree within 2 %. Empty if the study has no liquid.
+/// Groups the strengths (stress ratios) of wet readings, `ModelSettings::strengths`, by liquid
+/// content and returns the groups in the order of increasing liquid content. Strengths at reduced
+/// pressures P* below `lowest_cohesion_pressure` are left out. The liquid contents of a group agree
+/// within 2 % with that of the first strength. The list is empty if the study has no liquid.
 std::vector<CohesionGroup> cohesion_groups(const ModelSettings& model,
                                            const GrainProperties& grains,
                                            const std::optional<Liquid>& liquid);
 
-/// Predictor of the base model "mohr-coulomb": the stress ratio mu* of wet grains is a straight
-/// line in 1/P*,
+/// Predictor of the base model "mohr-coulomb", in which the stress ratio mu* of wet grains is a
+/// straight line in 1/P*,
 ///     mu* = mu*_dry(mu, I) + c*/P*
 /// with the reduced pressure P*, the simulated stress ratio mu*_dry of dry grains of friction
 /// coefficient mu at inertial number I, and a constant reduced cohesion c* for each liquid content.
-/// Each c* is fitted, for every value of mu, by weighted least squares to the study's measured
+/// For every value of mu, each c* is fitted by weighted least squares to the study's measured
 /// strengths (stress ratios) y_i at P*_i >= `lowest_cohesion_pressure`:
 ///     c* = sum w_i (y_i - mu*_dry(mu, I_i))/P*_i / sum w_i/P*_i^2,    w_i = 1/error(y_i)^2.
-/// At any other liquid content, c* is that of the fitted liquid content with the nearest logarithm.
-/// Shear stresses of dry grains and all solid fractions are those of `EmulatedSimulation`. The
-/// covariance of predictions includes the error of c* only at conditions to which c* was not
-/// fitted; a misfit has one degree of freedom less for each fitted c* (`fitted_cohesions`).
+/// At a liquid content to which no c* was fitted, the c* of the fitted liquid content with the
+/// nearest logarithm applies. `EmulatedSimulation` predicts the shear stresses of dry grains and
+/// all solid fractions. The covariance of a prediction includes the error of c* only at conditions
+/// to which c* was not fitted. Each fitted c* reduces the degrees of freedom of a fit by one
+/// (`fitted_cohesions`).
 /// Source: Badetti et al. (2018), eq:mohrcoulomb2.
 class MohrCoulombModel : public FlowPredictor {
   public:
-    /// @param study study with the measured strengths of its wet readings (`with_strengths`)
-    /// @throws InputError if the study has no strength at P* >= `lowest_cohesion_pressure`
+    /// @param study study with the measured strengths (stress ratios) of the wet readings
+    ///        (`with_strengths`)
+    /// @throws InputError if the study has no strength at a reduced pressure P* >=
+    ///         `lowest_cohesion_pressure`
     MohrCoulombModel(std::shared_ptr<const EmulatedSimulation> simulation, const Study& study);
 
     const std::vector<Parameter>& parameters() const override { return simulation_->parameters(); }
@@ -57,21 +62,22 @@ class MohrCoulombModel : public FlowPredictor {
                             PredictionPart what = PredictionPart::covariance) const override;
     ParameterBounds bounds() const override { return simulation_->bounds(); }
 
-    /// Returns the fitted reduced cohesions at a friction coefficient [1]: pairs of liquid content
-    /// [1] and reduced cohesion c* [1], in increasing liquid content.
+    /// Returns the fitted reduced cohesions at a friction coefficient [1], in the order of
+    /// increasing liquid content. In each pair, the first number is the liquid content [1] and the
+    /// second number the reduced cohesion c* [1].
     std::vector<std::pair<double, double>> cohesions(double friction) const;
 
   private:
     /// Fitted reduced cohesion c* of one liquid content, as a linear function of the simulated
-    /// shear stresses tau_i [Pa] of dry grains at the conditions of its strengths: c* = constant -
-    /// sum weight_i tau_i.
+    /// shear stresses tau_i [Pa] of dry grains at the conditions of the strengths (stress ratios)
+    /// to which c* is fitted: c* = constant - sum weight_i tau_i.
     struct Line {
         double liquid_content = 0, constant = 0, variance = 0;
         /// Conditions of the strengths (stress ratios of wet readings) to which c* is fitted, with
-        /// their liquid removed.
+        /// liquid content 0.
         std::vector<Condition> conditions;
         /// Conditions of the strengths (stress ratios of wet readings) to which c* is fitted, with
-        /// their liquid.
+        /// the liquid contents of the readings.
         std::vector<Condition> fitted;
         Eigen::RowVectorXd weight;
     };
@@ -83,15 +89,16 @@ class MohrCoulombModel : public FlowPredictor {
     std::vector<Line> lines_;
 };
 
-/// Number of constant cohesions that a study's model fits to the strengths (stress ratios) of wet
-/// readings. It is one for each liquid content with base model "mohr-coulomb", and 0 for other base
-/// models or if an effect replaces the cohesions by another formula.
+/// Returns the number of constant cohesions that a study's model fits to the strengths (stress
+/// ratios) of wet readings. With the base model "mohr-coulomb", there is one cohesion for each
+/// liquid content. The number is 0 for all other base models, and if an effect replaces the
+/// cohesions by a formula.
 int fitted_cohesions(const ModelSettings& model, const GrainProperties& grains,
                      const std::optional<Liquid>& liquid);
 
 /// Returns `study` with the strengths (stress ratios with standard errors) of those `readings` that
-/// are wet and of steady shear added to its model settings. Returns it unchanged unless its base
-/// model is "mohr-coulomb".
+/// are wet and of steady shear in the model settings. The strengths replace any earlier strengths.
+/// If the base model is not "mohr-coulomb", the study is returned unchanged.
 Study with_strengths(Study study, const std::vector<Reading>& readings);
 
 }  // namespace pendular

@@ -11,8 +11,8 @@
 namespace pendular {
 
 /// Predictor of the shear stress [Pa] and solid fraction [1] that an instrument shows, at any
-/// conditions. (A `Model`, in contrast, predicts one given set of readings.) A predictor never
-/// changes, so that several threads may use it at once.
+/// conditions. In contrast, a `Model` predicts one given set of readings. A predictor never
+/// changes, so that several threads may use one predictor at once.
 class Predictor {
   public:
     virtual ~Predictor() = default;
@@ -20,24 +20,25 @@ class Predictor {
     virtual const std::vector<Parameter>& parameters() const = 0;
 
     /// Predicts the shear stress [Pa] and solid fraction [1] that the instrument shows at each
-    /// condition. Entry 2 k of the predicted values is the shear stress at condition k, entry 2 k +
-    /// 1 the solid fraction (k = 0, 1, ...).
+    /// condition. For condition k (k = 0, 1, ...), entry 2 k of the predicted values is the shear
+    /// stress and entry 2 k + 1 the solid fraction.
     /// @param parameters values of the parameters, in the order of parameters()
-    /// @param what parts to compute: values, derivatives or covariances
+    /// @param what extent of the prediction: values, also derivatives, or also covariances
     virtual Prediction predict(const Eigen::VectorXd& parameters,
                                const std::vector<Condition>& conditions,
                                PredictionPart what = PredictionPart::covariance) const = 0;
 
-    /// Range of each parameter within which simulation runs support the predictions.
+    /// Returns the range of each parameter within which simulation runs support the predictions.
     virtual ParameterBounds bounds() const = 0;
 
-    /// Predicted stress ratio [1] and solid fraction [1], in this order, with the covariance of
-    /// their errors.
+    /// Predicted stress ratio [1] and solid fraction [1], in this order, with the covariance of the
+    /// errors of both predicted values.
     struct Point {
         Eigen::Vector2d value;
         Eigen::Matrix2d covariance;
     };
-    /// Predicts stress ratio and solid fraction at one condition, such as a point of a curve.
+    /// Predicts the stress ratio [1] and the solid fraction [1] at one condition, such as a point
+    /// of a curve.
     /// @param parameters values of the parameters, in the order of parameters()
     Point predict_at(const Eigen::VectorXd& parameters, const Condition& condition) const;
 };
@@ -48,45 +49,46 @@ class FlowNeighbourhood {
   public:
     virtual ~FlowNeighbourhood() = default;
     /// Predicts the true shear stress [Pa] and solid fraction [1] at each condition in turn.
-    /// Parameters and conditions must be a short step away from those that this object was made
-    /// for.
-    /// @param places for each condition, the index of the nearby condition in the list that this
-    ///        object was made for
+    /// Parameters and conditions must be a short step away from the parameters and conditions for
+    /// which the object was made.
+    /// @param places for each condition, the index of the nearby condition in the list for which
+    ///        the object was made
     virtual Eigen::VectorXd values(const Eigen::VectorXd& parameters,
                                    const std::vector<EffectiveCondition>& conditions,
                                    const std::vector<std::size_t>& places) const = 0;
 };
 
-/// Predictor of the true shear stress [Pa] and solid fraction [1] in the cell, which the instrument
-/// may show differently.
+/// Predictor of the true shear stress [Pa] and solid fraction [1] in the cell, from which the
+/// values that the instrument shows may differ.
 class FlowPredictor : public Predictor {
   public:
     Prediction predict(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
                        PredictionPart what = PredictionPart::covariance) const final;
     /// Predicts the true shear stress [Pa] and solid fraction [1] at each condition in turn. The
-    /// conditions may contain grains and liquid changed by effects.
+    /// conditions may contain changes of grains and liquid by effects.
     /// @param parameters values of the parameters, in the order of parameters()
-    /// @param what parts to compute: values, derivatives or covariances
+    /// @param what extent of the prediction: values, also derivatives, or also covariances
     virtual Prediction predict_flow(const Eigen::VectorXd& parameters,
                                     const std::vector<EffectiveCondition>& conditions,
                                     PredictionPart what = PredictionPart::covariance) const = 0;
     /// Prepares fast predictions near the values `parameters` and near `conditions`, for difference
-    /// quotients. The predictor must outlive the returned object. By default, this object calls
-    /// `predict_flow`.
+    /// quotients, and returns an object that makes the predictions. The predictor must outlive the
+    /// returned object. By default, the returned object calls `predict_flow`.
     virtual std::unique_ptr<const FlowNeighbourhood> neighbourhood(
         const Eigen::VectorXd& parameters, const std::vector<EffectiveCondition>& conditions) const;
 };
 
-/// Returns the prediction `readings` with an entry appended for each direct measurement: the value
-/// of the measured parameter among `values`, or, if the model lacks the parameter, its neutral
-/// value (no effect). The appended entries have no simulation error.
+/// Returns the prediction `readings` with an entry appended for each direct measurement of a
+/// parameter. The entry is the value of the parameter among `values`. If the model lacks the
+/// parameter, the entry is the neutral value, at which the effect vanishes. The appended entries
+/// have no simulation error.
 /// @param parameters parameters of the model
-/// @param values values of these parameters, in their order
+/// @param values values of the parameters, in the order of `parameters`
 Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>& direct,
                        const std::vector<Parameter>& parameters, const Eigen::VectorXd& values);
 
-/// Model that predicts the readings at given conditions, followed by given direct measurements of
-/// effects' parameters, by means of a predictor.
+/// Model that predicts, by means of a predictor, first the readings at given conditions, then given
+/// direct measurements of effects' parameters.
 class ModelOfReadings : public Model {
   public:
     ModelOfReadings(std::shared_ptr<const Predictor> predictor, std::vector<Condition> conditions,

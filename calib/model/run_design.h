@@ -9,29 +9,31 @@
 namespace pendular {
 
 /// Returns the inertial numbers [1] at which to simulate for readings at `conditions`, in
-/// increasing order and never below `lowest` [1]. One number is returned if the inertial numbers of
-/// the conditions agree within 5 %; otherwise the returned numbers span those of the conditions,
-/// evenly spaced in their logarithm and at most a factor 10/3 apart. If a condition lies more than
-/// 5 % below `lowest`, at least two numbers are returned, from which to extrapolate. Empty if there
-/// are no conditions.
+/// increasing order and never below `lowest` [1]. If the inertial numbers of the conditions agree
+/// within 5 %, one number is returned. Otherwise the returned numbers span the inertial numbers of
+/// the conditions. The numbers are evenly spaced in their logarithm and at most a factor of 10/3
+/// apart. If the inertial number of a condition lies more than 5 % below `lowest`, at least two
+/// numbers are returned, from which to extrapolate. The list is empty if there are no conditions.
 std::vector<double> inertial_numbers_for(const std::vector<Condition>& conditions, double lowest);
 
-/// Whether the prediction at one of `conditions` is extrapolated: its inertial number is more than
-/// 5 % below `lowest`, the lowest inertial number of the runs [1].
+/// Whether the prediction at one of `conditions` is extrapolated: the inertial number of the
+/// condition is more than 5 % below `lowest`, the lowest inertial number of the runs [1].
 bool extrapolated(const std::vector<Condition>& conditions, double lowest);
 
-/// Wet condition at which runs are to be simulated, given by its dimensionless numbers.
+/// Dimensionless numbers of a wet state at which runs are to be simulated.
 struct WetSetting {
     double inverse_pressure = 0;  ///< inverse reduced pressure 1/P* [1]
-    double liquid_content = 0;    ///< volume of liquid/volume of grains Phi_L/Phi_S [1]
-    double inertial_number = 0;   ///< inertial number I [1]
+    /// Liquid content Phi_L/Phi_S [1]: volume of liquid divided by volume of grains.
+    double liquid_content = 0;
+    double inertial_number = 0;  ///< inertial number I [1]
 };
 
 /// Returns the settings of the runs to simulate for the wet conditions among `conditions`. The
-/// settings contain all pairs of reduced pressure and liquid content of the conditions that differ
-/// by more than 5 % in at least one of the two, but at most `most_wet_pairs` pairs, chosen as far
-/// apart as possible. Each pair is taken at the lowest and at the highest of the inertial numbers
-/// that `inertial_numbers_for` returns for the wet conditions.
+/// settings contain the pairs of reduced pressure and liquid content of the conditions. Two pairs
+/// count as different if reduced pressure or liquid content differ by more than 5 %. If there are
+/// more than `most_wet_pairs` pairs, `most_wet_pairs` of them are chosen as far apart as possible.
+/// Each pair is taken at the lowest and at the highest of the inertial numbers that
+/// `inertial_numbers_for` returns for the wet conditions.
 /// @param lowest lowest inertial number of the runs [1]
 /// @throws std::invalid_argument if a condition is wet but the study has no liquid
 std::vector<WetSetting> wet_settings_for(const std::vector<Condition>& conditions,
@@ -39,11 +41,11 @@ std::vector<WetSetting> wet_settings_for(const std::vector<Condition>& condition
 /// Largest number of pairs of reduced pressure and liquid content that `wet_settings_for` returns.
 constexpr std::size_t most_wet_pairs = 12;
 
-/// Returns a Latin hypercube sample in the square [-1, 1]^2: one point for each of `settings`, in
-/// their order. The planner of runs uses the coordinates of a point to vary the friction and the
-/// bridge volume of a run. The points of all settings with one inertial number are evenly spread
-/// along both axes. They are drawn independently of the reduced pressures and liquid contents of
-/// the settings.
+/// Returns the points of a Latin hypercube design in the square [-1, 1]^2, one point for each of
+/// `settings`, in the order of `settings`. The planner of runs uses the coordinates of a point to
+/// vary the friction coefficient and the bridge volume of a run. The points of all settings with
+/// one inertial number are evenly spread along both axes. The points do not depend on the reduced
+/// pressures and liquid contents of the settings.
 /// @param seed seed of the random order
 std::vector<std::pair<double, double>> latin_places(const std::vector<WetSetting>& settings,
                                                     std::uint64_t seed);

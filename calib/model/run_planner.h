@@ -24,17 +24,18 @@ struct SimulatedRuns {
     std::string why;
 };
 
-/// Planner of the simulation runs of a calibration. It repeatedly chooses the runs that reduce the
-/// errors of a study's predictions most, carries them out and trains the predictor on them. Without
-/// earlier runs it begins with dry runs spread over friction and inertial number. It then requests
-/// runs at states of steady shear outside the range of the earlier runs, where an emulator must not
-/// extrapolate, and runs near the optimum of a fit, which check the emulator and reduce the errors
-/// of its predictions.
+/// Planner of the simulation runs of a calibration. The planner repeatedly chooses the runs that
+/// reduce the errors of a study's predictions most, carries out the runs and trains the predictor
+/// on the runs. Without earlier runs, the planner begins with dry runs spread over friction
+/// coefficient and inertial number. Then the planner requests runs at states of steady shear
+/// outside the range of the earlier runs, where an emulator must not extrapolate. Finally the
+/// planner requests runs near the optimum of a fit, which check the emulator and reduce the errors
+/// of the predictions.
 class RunPlanner {
   public:
     /// Trains a first predictor on the earlier runs `known`. If there are no earlier runs and runs
-    /// may be requested (`KnownRuns::orders_more`), first simulates dry runs spread over friction
-    /// and inertial number.
+    /// may be requested (`KnownRuns::orders_more`), the constructor first simulates dry runs spread
+    /// over friction coefficient and inertial number.
     /// @param conditions conditions of the study's readings, which are to be predicted
     /// @param fidelity settings of the simulations
     /// @param seed seed from which the seeds of the runs follow
@@ -46,8 +47,8 @@ class RunPlanner {
                const Fidelity& fidelity, std::uint64_t seed, Workers workers, KnownRuns known,
                RunBudget budget = {});
 
-    /// Predictor of dry and wet readings, trained on the earlier runs and all new runs carried out
-    /// so far.
+    /// Returns the predictor of dry and wet readings, trained on the earlier runs and on all new
+    /// runs carried out so far.
     const std::shared_ptr<const EmulatedSimulation>& simulation() const { return simulation_; }
 
     /// Improves the predictions at a friction coefficient [1] by new runs, if runs may be
@@ -61,84 +62,92 @@ class RunPlanner {
     void improve(double friction, const std::vector<EffectiveCondition>& conditions, double excess);
     /// Improves the predictions of wet readings at a friction coefficient [1] by new runs, if runs
     /// may be requested. Each call first requests runs at states outside the range of the earlier
-    /// runs. The first call then checks the emulator with few runs. Later calls request as many
-    /// runs as reduce the variances of the predictions by a factor 1 + `turns`, but at most 16.
+    /// runs. Then the first call checks the emulator with few runs. Later calls request as many
+    /// runs as reduce the variances of the predictions by a factor of 1 + `turns`, but at most 16
+    /// runs.
     /// @param conditions wet conditions truly imposed on the grains
     /// @param turns factor by which later calls reduce the variances, minus 1 [1]
     /// @throws dem::SimulationError if no wet run is known and all of the first wet runs fail
     void improve_wet(double friction, const std::vector<EffectiveCondition>& conditions, int turns);
 
-    /// Whether the new runs of the last call of `improve`, and of all later calls of `improve_wet`,
-    /// agreed at 1 % significance with the predictions that the emulator made before it was trained
-    /// on them. False after the first call of `improve`, which checks nothing; true if no runs may
-    /// be requested.
+    /// Whether new runs confirm the emulator. The new runs of the last call of `improve`, and of
+    /// all later calls of `improve_wet`, must agree at 1 % significance with the predictions that
+    /// the emulator made before being trained on the runs. The result is false after the first call
+    /// of `improve`, which checks nothing, and true if no runs may be requested.
     bool confirmed() const { return confirmed_ || !orders_more_; }
     /// Whether the planner may request new runs (`KnownRuns::orders_more`).
     bool orders_more() const { return orders_more_; }
-    /// Whether the time budget has ended: none of the runs that the planner chose last would have
-    /// ended in time, so that none was made.
+    /// Whether the time budget has ended: none of the runs that the planner chose last could end in
+    /// time, so that the emulator gained no run.
     bool exhausted() const { return exhausted_; }
-    /// Numbers of runs carried out so far, an entry for each reason.
+    /// Returns the numbers of runs carried out so far, an entry for each reason.
     const std::vector<SimulatedRuns>& simulated() const { return simulated_; }
-    /// Sentences for the user on runs that do not train the emulator, such as failed runs, and on
-    /// new runs that disagreed with the emulator's predictions.
+    /// Returns sentences for the user on runs that do not train the emulator, such as failed runs,
+    /// and on new runs that disagreed with the emulator's predictions.
     const std::vector<std::string>& notes() const { return notes_; }
 
   private:
-    /// States of steady shear at which runs may be requested: at a friction coefficient and, in the
-    /// same order, at a lower (`below`) and at a higher friction coefficient (`above`).
+    /// States of steady shear at which runs may be requested, in three lists of one order: at a
+    /// friction coefficient (`at_friction`), at a lower friction coefficient (`below`) and at a
+    /// higher friction coefficient (`above`).
     struct Candidates {
         std::vector<FlowState> at_friction, below, above;
     };
-    /// Returns the states of steady shear at which runs may be requested for the dry (`wet` false)
-    /// or the wet conditions, at `friction` [1] and at friction coefficients on either side.
+    /// Returns the states of steady shear at which runs may be requested for the dry conditions
+    /// (`wet` is false) or for the wet conditions, at the friction coefficient `friction` [1] and
+    /// at a lower and a higher friction coefficient.
     Candidates candidates(double friction, const std::vector<EffectiveCondition>& conditions,
                           bool wet) const;
     /// Returns the dry states of the first runs of a planner without earlier runs: a grid of
-    /// friction and inertial number.
+    /// friction coefficients and inertial numbers.
     std::vector<FlowState> first_dry_design() const;
-    /// Returns the wet states of the first wet runs: they cover the study's wet conditions and are
-    /// spread over friction about `friction` [1] and over bridge volume.
+    /// Returns the wet states of the first wet runs. The states cover the study's wet conditions
+    /// and are spread over the friction coefficient about `friction` [1] and over the bridge
+    /// volume.
     std::vector<FlowState> first_wet_design(double friction) const;
-    /// Simulates the states of first_wet_design() and trains the emulator on the runs. Does nothing
-    /// if a training run is wet already or no runs may be requested.
-    /// @throws dem::SimulationError if all of these runs fail
+    /// Simulates the states of first_wet_design() and trains the emulator on the runs. The function
+    /// does nothing if a training run is wet already or no runs may be requested.
+    /// @throws dem::SimulationError if all of the first wet runs fail
     void begin_wet(double friction);
-    /// Improves the predictions (`improve`) of the dry (`wet` false) or of the wet conditions only.
+    /// Improves, as `improve` does, the predictions of only the dry conditions (`wet` is false) or
+    /// only the wet conditions.
     void learn(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                double excess);
-    /// Requests runs at those states of the dry (`wet` false) or of the wet conditions, at
-    /// `friction` [1], that lie outside the range of the earlier runs.
+    /// Requests runs at states of the dry conditions (`wet` is false) or of the wet conditions, at
+    /// the friction coefficient `friction` [1]. Runs are requested only for the states that lie
+    /// outside the range of the earlier runs.
     void order_beyond(double friction, const std::vector<EffectiveCondition>& conditions, bool wet);
-    /// Requests runs near `friction` [1], the optimum of a fit, for the dry (`wet` false) or the
-    /// wet conditions, and tests whether the runs agree with the emulator. If not, confirmed()
-    /// becomes false.
+    /// Requests runs near the friction coefficient `friction` [1], the optimum of a fit, for the
+    /// dry conditions (`wet` is false) or the wet conditions, and tests whether the runs agree with
+    /// the emulator. If not, confirmed() becomes false.
     /// @param excess factor by which the weighted variances of the predictions are to decrease [1]
     void confirm(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                  double excess);
-    /// Chooses, among the states `from`, those at which runs reduce the variances of the stress
-    /// ratios and solid fractions predicted at `targets` most, until these variances have decreased
-    /// by a factor `excess` (pendular::most_informative).
+    /// Chooses those of the states `from` at which runs reduce the variances of the stress ratios
+    /// and solid fractions predicted at `targets` most (pendular::most_informative). States are
+    /// chosen until the variances have decreased by a factor `excess` [1].
     std::vector<FlowState> most_informative(const std::vector<FlowState>& targets,
                                             const std::vector<FlowState>& from,
                                             double excess) const;
-    /// Last note, or the reason why there is none: the time ended before the first simulation did.
+    /// Returns the last note. If there is no note, the function returns the reason: the time ended
+    /// before the first simulation did.
     std::string last_note() const;
-    /// Returns the parameters of a run at each state, with seeds that no earlier run has.
+    /// Returns the parameters of a new run at each state. The seeds make each new run differ from
+    /// all runs on which the emulator is trained.
     std::vector<dem::RunParameters> runs_at(const std::vector<FlowState>& states);
-    /// Simulates runs, counts them under the reason `why` and returns those that can train the
-    /// emulator.
+    /// Simulates `runs`, counts the runs under the reason `why` and returns the results that can
+    /// train the emulator.
     std::vector<dem::RunResult> simulated(const std::vector<dem::RunParameters>& runs,
                                           const std::string& why);
-    /// Carries out the first of the runs at `states`, as many as the time budget allows before the
-    /// best states are chosen again (RunBudget::batch). Counts these runs under the reason `why`
-    /// and trains the emulator on them.
-    /// @return p value of the agreement of the runs with the emulator before this training
-    ///         (`agreement`); empty if no run gave a usable result, or the budget allowed none
+    /// Carries out the first of the runs at `states`. The number of runs is what the time budget
+    /// allows before the best states are chosen again (RunBudget::batch). Counts the runs under the
+    /// reason `why` and trains the emulator on the runs.
+    /// @return p value of the agreement of the runs with the emulator before the training
+    ///        (`agreement`); empty if no run had a usable result, or the budget allowed no run
     std::optional<double> simulate_at(const std::vector<FlowState>& states, const std::string& why);
-    /// Adds `runs` to the number of runs of the entry of simulated() with the reason `why`.
+    /// Adds `runs` to the number of runs with the reason `why` in simulated().
     void count_runs(std::size_t runs, const std::string& why);
-    /// Replaces the predictor simulation() by one that uses `emulator`.
+    /// Replaces the predictor simulation() by a predictor that uses `emulator`.
     void use(Emulator emulator);
 
     Study study_;
@@ -153,13 +162,14 @@ class RunPlanner {
     double slowest_;
     /// Inertial numbers at which dry runs are requested [1].
     std::vector<double> inertial_numbers_;
-    /// Whether a reading's inertial number is more than 5 % below that of all runs, in a
-    /// calibration that began without earlier runs.
+    /// Whether predictions at slow readings are extrapolated in a calibration that began without
+    /// earlier runs: the inertial number of a reading is more than 5 % below
+    /// `Fidelity::lowest_inertial_number`.
     bool extrapolates_ = false;
     std::vector<WetSetting> wet_settings_;
     std::vector<std::string> notes_;
     std::vector<SimulatedRuns> simulated_;
-    /// New simulation runs that the planner has carried out so far.
+    /// Simulation runs that the planner has carried out so far.
     std::vector<dem::RunResult> made_;
     bool exhausted_ = false;
     /// Number of calls of the function `improve` so far.

@@ -11,21 +11,23 @@
 
 namespace pendular {
 
-/// Model of a study with its parameter values fitted to the readings.
+/// Model of a study with the parameter values fitted to the readings.
 struct FittedModel {
     std::shared_ptr<const EffectModel> model;
-    Eigen::VectorXd parameters;  ///< fitted parameters, in the order of EffectModel::parameters()
-    /// Covariance of the errors of the model's fitted `parameters`.
+    /// Fitted parameter values, in the order of EffectModel::parameters().
+    Eigen::VectorXd parameters;
+    /// Covariance of the errors of the fitted `parameters`.
     Eigen::MatrixXd covariance;
 };
 
-/// Returns a task for `most_informative`: to choose the runs that reduce the contribution of
-/// simulation noise to chi2 of all fitted models most. The targets are the states of steady shear
-/// of the readings in each model. Runs may be made at the same states, with each model's effects at
-/// their fitted sizes and without effects. The states are taken at the fitted parameters and at
-/// parameters shifted up and down by one standard error along the direction in which they are least
-/// certain, since the next fit may end at the shifted parameters. The variance of each prediction
-/// has the weight 1/sigma^2, with the standard error sigma of the reading.
+/// Returns a task for `most_informative`: to choose the runs that most reduce the contribution of
+/// simulation noise to the chi2 of all fitted models. The targets are the states of steady shear of
+/// the readings in each model. Runs may be made at the target states, first with the effects of
+/// each model at their fitted sizes, second without effects. The states are taken at the fitted
+/// parameters and at parameters shifted up and down by one standard error along the direction in
+/// which the parameters are least certain, since the next fit may end at the shifted parameters.
+/// The variance of each prediction has the weight 1/sigma^2, with the standard error sigma of the
+/// reading.
 /// @param lowest_inertial_number lowest inertial number of the runs [1], at which slower readings
 ///        are simulated
 RunChoice sharpening_choice(const EmulatedSimulation& simulation,

@@ -12,23 +12,23 @@
 
 namespace pendular {
 
-/// Physical effect that a diagnosis cannot test: it is neither in the study's model nor a candidate
-/// (possible addition) for the model. `why` states the reason for the user.
+/// Physical effect that a diagnosis cannot test. The effect is neither in the study's model nor a
+/// candidate for addition to the model. `effect` is the name of the effect, and `why` states the
+/// reason for the user.
 struct LeftAside {
     std::string effect, why;
-    /// True if the effect was not tested because no earlier simulation contains it alone, although
-    /// it applies to the study.
+    /// Whether the effect was not tested only because no earlier simulation has the effect as its
+    /// only effect. The effect itself applies to the study.
     bool without_runs = false;
 };
 
-/// Set of all models of a study: the model with the effects that the study lists, and this model
-/// with any of the candidates added. The candidates are all further effects that apply to the
-/// study. All models use one emulator (Gaussian processes trained on earlier runs); no new runs are
-/// simulated.
+/// Set of all models of a study. The set contains the model with the effects that the study lists,
+/// and each model that also has one or more of the candidates for addition. The candidates are all
+/// further effects that apply to the study. All models use one emulator (Gaussian processes trained
+/// on earlier runs), and no new runs are simulated.
 class StudyModels : public ModelSpace {
   public:
-    /// Trains the emulator on earlier runs and finds the candidates (possible additions to the
-    /// model).
+    /// Trains the emulator on earlier runs and finds the candidates for addition to the model.
     /// @param conditions conditions of the readings that the models predict
     /// @param known training runs without effects and with effects on grains
     /// @throws InputError if the study lists or directly measures an effect on grains that no
@@ -42,59 +42,60 @@ class StudyModels : public ModelSpace {
     /// Returns the study's model with the candidates `chosen` (indices into candidates()) added.
     /// The returned predictor can predict readings at any conditions.
     std::shared_ptr<const EffectModel> predictor(const EffectSet& chosen) const;
-    /// Returns the study's model with the effects named `effects` in place of those that the study
-    /// lists. The returned predictor can predict readings at any conditions.
+    /// Returns the study's model with the effects named `effects` in place of the effects that the
+    /// study lists. The returned predictor can predict readings at any conditions.
     /// @throws std::invalid_argument if the catalogue has no effect with one of the names, or if
-    ///         one of the effects acts on grains and no earlier run has it as its only effect
+    ///         one of the effects acts on grains and no earlier run has only this effect
     std::shared_ptr<const EffectModel> with_only(const std::vector<std::string>& effects) const;
     /// Returns the study's model with the effects named `added` in place of the listed effect
     /// `removed`. The returned predictor can predict readings at any conditions.
     /// @throws std::invalid_argument if the catalogue has no effect with one of the names, or if
-    ///         one of the effects acts on grains and no earlier run has it as its only effect
+    ///         one of the effects acts on grains and no earlier run has only this effect
     std::shared_ptr<const EffectModel> exchanged(const std::string& removed,
                                                  const std::vector<std::string>& added) const;
-    /// Returns a copy of these models with the effects `more` as further candidates, after the
-    /// existing ones. The effects must not act on grains and must outlive the copy.
+    /// Returns a copy of the set of models with the effects `more` as further candidates, after the
+    /// present candidates. The effects must not act on grains and must outlive the copy.
     StudyModels offering(const std::vector<Effect>& more) const;
     int fitted_beforehand() const override;
     ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
                                std::size_t added, double value) const override;
 
-    /// Emulated simulation that all models use.
+    /// Returns the emulated simulation that all models use.
     const EmulatedSimulation& simulation() const { return *simulation_; }
 
-    /// Direct measurements of effects' parameters that the study states. The models predict them
-    /// after the readings.
+    /// Returns the direct measurements of effects' parameters that the study states. The models
+    /// predict the direct measurements after the readings.
     const std::vector<DirectMeasurement>& direct() const { return study_.direct(); }
 
-    /// Effects that the study does not list and that cannot be added to its model in a test, each
-    /// with the reason.
+    /// Returns the effects that the study does not list and that cannot be added to the model in a
+    /// test, each with the reason.
     const std::vector<LeftAside>& left_aside() const { return left_aside_; }
 
-    /// Reasons why the earlier runs do not support predictions of the study's readings by the model
-    /// without effects, as in "reduced pressure 0.3 is below 0.5" (`KnownRange`); each reason once.
+    /// Returns the reasons why the earlier runs do not support predictions of the study's readings
+    /// by the model without effects, as in "reduced pressure 0.3 is below 0.5" (`KnownRange`). Each
+    /// reason occurs once.
     /// @param friction friction coefficient of the grains [1]
     std::vector<std::string> why_unsupported(double friction) const;
-    /// Reason why the earlier runs do not support a prediction at a condition by the model without
-    /// effects; empty if they support the prediction.
+    /// Returns the reason why the earlier runs do not support a prediction at a condition by the
+    /// model without effects. The text is empty if the runs support the prediction.
     /// @param friction friction coefficient of the grains [1]
     std::string why_unsupported(double friction, const Condition& condition) const;
 
-    /// Returns the study with all effects of its catalogue in its model. With this study,
-    /// `runs_serving` accepts training runs with any effect.
+    /// Returns the study with all effects of the study's catalogue in the model. For the returned
+    /// study, `runs_serving` accepts training runs with any effect.
     static Study with_all_effects(const ResolvedStudy& study);
 
   private:
-    /// Whether the emulator can predict an effect: the effect does not act on grains, or an earlier
-    /// run has it as its only effect.
+    /// Whether the emulator can predict an effect. For an effect on grains, an earlier run must
+    /// have the effect as its only effect. All other effects need no runs.
     bool has_runs(const Effect& effect) const;
-    /// Adds an effect to the candidates (possible additions to the model) or, if the effect cannot
-    /// be tested, to `left_aside_` with the reason.
+    /// Adds an effect to the candidates for addition to the model. If the effect cannot be tested,
+    /// the function adds the effect to `left_aside_` instead, with the reason.
     void add_candidate(const Effect& effect);
 
     ResolvedStudy study_;
     std::vector<Condition> conditions_;
-    /// Physical effect behind each candidate, in the order of candidates().
+    /// Physical effect of each candidate, in the order of candidates().
     std::vector<const Effect*> offered_;
     std::vector<Candidate> candidates_;
     std::vector<LeftAside> left_aside_;
