@@ -10,55 +10,63 @@
 
 namespace pendular {
 
-/// Criteria that end a calibration, which alternates simulations and fits in rounds.
+/// Stopping criteria of a calibration, which alternates between simulations and fits in rounds, and
+/// the start of the first fit.
 struct CalibrationOptions {
     /// Largest relative increase [1] of the standard error of a parameter or of a predicted reading
-    /// that the noise of the simulations may cause (0.2: 20 %); see `enlargement_by_runs`.
+    /// that the noise of the simulations may cause (0.2: 20 %). The function `enlargement_by_runs`
+    /// computes the increase.
     double largest_enlargement = pendular::largest_enlargement;
-    /// Largest change of a fitted parameter in the last round with which a calibration may end
-    /// [standard errors of the parameter].
+    /// Largest change of a fitted parameter in the last round with which a calibration may end, in
+    /// standard errors of the parameter [1].
     double settled = 0.5;
-    /// Smallest number of rounds of simulations and fits in a calibration.
+    /// Smallest number of rounds of simulations and fits in a calibration. If the time for
+    /// simulations ends, a calibration may have fewer rounds.
     int fewest_rounds = 3;
     /// Largest number of rounds of simulations and fits in a calibration.
     int most_rounds = 8;
-    /// Parameter values at the start of the first fit, in the order of the model's parameters;
-    /// empty: Parameter::start.
+    /// Parameter values at the start of the first fit, in the order of the model's parameters. If
+    /// empty, the first fit starts from the values Parameter::start.
     std::optional<Eigen::VectorXd> start = {};
 };
 
-/// Function that is called after each round (simulations, then a fit) of a calibration, with the
-/// number of the round, from 1, and the fit of the round.
+/// Function that is called after each round of a calibration, in which simulations are followed by
+/// a fit. The arguments are the number of the round, from 1, and the fit of the round.
 using CalibrationReport = std::function<void(int round, const Fit& fit)>;
 
-/// Model that is improved between fits: it requests simulation runs and is trained on them.
+/// Model that is improved between fits. The model requests simulation runs and is trained on the
+/// runs.
 class LearningModel {
   public:
     virtual ~LearningModel() = default;
 
-    /// Model trained on all runs simulated so far.
+    /// Returns the model trained on all runs simulated so far.
     virtual const Model& model() const = 0;
     /// Simulates more states of steady shear and trains the model on the runs.
     /// @param parameters parameter values at which the new runs are to improve predictions: the
-    ///        result of the last fit or, before any fit, its starting values
+    ///        result of the last fit or, before any fit, the starting values
     /// @param excess variance that the noise of the runs causes in the fit, divided by the largest
-    ///        acceptable variance [1]; above 1, the number of runs should grow by about this factor
+    ///        acceptable variance [1]; above 1, the number of runs should grow by about the factor
+    ///        `excess`
     virtual void improve(const Eigen::VectorXd& parameters, double excess) = 0;
     /// Whether the simulation runs of the last call of `improve` agree with the predictions that
-    /// the model made before it was trained on them.
+    /// the model made before being trained on the runs.
     virtual bool confirmed() const { return true; }
     /// Whether the time for simulations has ended, so that `improve` changes nothing more.
     virtual bool exhausted() const { return false; }
 };
 
 /// Calibrates a model in rounds and returns the fit of the last round. Each round simulates states
-/// near the last fit, trains the model on the runs and fits its parameters again. The rounds end
-/// when the parameters no longer change, the runs confirm the model and their noise enlarges no
-/// standard error by more than `CalibrationOptions::largest_enlargement`. They also end when the
-/// time for simulations has ended or, after `CalibrationOptions::fewest_rounds`, when a fit does
-/// not converge. `Fit::converged` is false if a parameter is undetermined, and if more than one
-/// round was allowed but the last one fulfilled none of these conditions.
-/// @param report called after each round; may be empty
+/// near the last fit, trains the model on the runs and fits the parameters of the model again.
+///
+/// After at least `CalibrationOptions::fewest_rounds` rounds, the calibration ends if the
+/// parameters no longer change, the runs agree with the predictions of the model, and the noise of
+/// the runs enlarges no standard error by more than `CalibrationOptions::largest_enlargement`. The
+/// calibration also ends if a fit does not converge after the smallest number of rounds, and in any
+/// round in which the time for simulations ends. `Fit::converged` is false if a parameter is
+/// undetermined. `Fit::converged` is also false if more than one round was allowed and the last
+/// allowed round did not end the calibration in one of the ways above.
+/// @param report function that is called after each round; may be empty
 /// @throws std::logic_error if the covariance of the readings is not positive definite
 Fit calibrate(LearningModel& learning, const Measured& measured, const CalibrationOptions& options,
               const CalibrationReport& report = {});

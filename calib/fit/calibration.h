@@ -17,51 +17,63 @@
 namespace pendular {
 
 /// Result of the calibration of a study: the fitted parameters and predictions, with the readings,
-/// settings and runs on which they are based.
+/// settings and simulation runs from which the calibration computed the parameters and predictions.
 struct Calibration {
-    /// Readings of the study: the dry readings, then the wet readings, each in the order of the
-    /// measurement. The first `fitted` readings are fitted, the others only predicted.
+    /// Readings of the study. First come the dry readings, then the wet readings, each in the order
+    /// of the measurement. The first `fitted` readings are fitted, and all following readings are
+    /// only predicted.
     std::vector<Reading> readings;
-    /// Number of readings that the fit uses; they are the first of `readings`.
+    /// Number of readings that the fit uses, which are the first readings in `readings`.
     std::size_t fitted = 0;
-    /// Direct measurements of effects' parameters, which the fit uses in addition to the readings.
+    /// Direct measurements of effects' parameters, made without shearing grains, which the fit uses
+    /// in addition to the readings.
     std::vector<DirectMeasurement> direct = {};
-    GrainProperties grains;        ///< grains of the study when it was fitted
-    std::optional<Liquid> liquid;  ///< liquid of the study at the time of the fit
-    ModelSettings model;           ///< model settings of the study when it was fitted
-    /// Effects that the study defined by formulas ([[effect]] in study.toml) when it was fitted.
+    /// Properties of the study's grains at the time of the fit.
+    GrainProperties grains;
+    /// Liquid of the study at the time of the fit; empty if the study stated no liquid.
+    std::optional<Liquid> liquid;
+    /// Settings of the study's model at the time of the fit.
+    ModelSettings model;
+    /// Effects that the study defined by formulas ([[effect]] in study.toml) at the time of the
+    /// fit.
     std::vector<WrittenEffect> written_effects;
-    /// Settings of the simulations of the calibration, such as the number of grains.
+    /// Fidelity of the simulations of the calibration: number of grains, stiffness number, lowest
+    /// inertial number and strain.
     Fidelity fidelity;
     /// Random seed from which the seeds of all simulations of the calibration follow.
     std::uint64_t seed = 1;
-    /// Whether the calibration began without any earlier run on which to train its emulator.
+    /// Whether the calibration began without any earlier run that could train the emulator, which
+    /// interpolates simulations.
     bool cold = false;
-    std::vector<Parameter> parameters;  ///< parameters of the model; the first is the friction
+    /// Parameters of the model, of which the first is the friction coefficient.
+    std::vector<Parameter> parameters;
     /// Result of the last fit of the model's parameters.
     Fit fit;
     /// Predicted shear stress [Pa] and solid fraction [1] of all `readings` at the fitted
     /// parameters. For readings that were not fitted, the covariance includes the error of the fit
     /// (`predict_unseen`).
     Prediction prediction;
-    /// Options with which `cohesion_lines` were fitted.
+    /// Options with which the lines in `cohesion_lines` were fitted.
     CohesionOptions cohesion;
-    /// Straight lines of stress ratio against 1/P* (P*: reduced pressure) of the wet readings:
-    /// lines fitted to the measured values, then lines fitted to the predicted values; empty in a
-    /// dry study.
+    /// Straight lines of stress ratio against the inverse reduced pressure 1/P* of the wet
+    /// readings. First come the lines fitted to the measured stress ratios, then the lines fitted
+    /// to the predicted stress ratios. The list is empty in a dry study.
     std::vector<CohesionLine> cohesion_lines;
-    /// Sentences for the user on groups of wet readings without a line, and on readings that a line
-    /// leaves out.
+    /// Sentences for the user on groups of wet readings without a cohesion line, and on readings
+    /// that a cohesion line leaves out.
     std::vector<std::string> cohesion_notes;
-    /// Number of rounds of simulations and fits in the calibration.
+    /// Number of rounds of simulations and fits that led to the last fit. Rounds of a preceding fit
+    /// to the dry readings alone are not counted.
     int rounds = 0;
-    /// Simulation runs on which the model's emulator is trained.
+    /// Simulation runs on which the model's emulator, which interpolates simulations, is trained.
     std::vector<dem::RunResult> runs;
-    EmulatorHyperparameters hyperparameters;  ///< fitted hyperparameters of the emulator
-    std::vector<SimulatedRuns>
-        simulated;  ///< numbers of runs simulated for this calibration, by reason
+    /// Hyperparameters of the emulator (amplitudes, correlation lengths and noise of the Gaussian
+    /// processes) for each observable.
+    EmulatorHyperparameters hyperparameters;
+    /// Numbers of runs that were simulated for the calibration, an entry for each reason.
+    std::vector<SimulatedRuns> simulated;
     /// Lower and upper end of the 68 % interval of the friction coefficient [1]
-    /// (`profile_interval`), if requested.
+    /// (`profile_interval`); empty if the interval was not requested.
     std::optional<std::pair<double, double>> profile;
     /// Sentences for the user that qualify the result of the calibration (`notes_on`).
     std::vector<std::string> notes;

@@ -9,12 +9,12 @@
 
 namespace pendular {
 
-/// Returns sentences for the user that qualify the result of a calibration. They name readings
-/// whose predictions the runs do not support, errors dominated by simulation, wet readings at
-/// reduced pressures so low that the grains may shear in bands, and parameters at a bound or
-/// undetermined. The notes of `planner` are included.
-/// @param wet_known whether the errors of the predicted wet readings are small compared with the
-///        errors of these readings
+/// Returns sentences for the user that qualify the result of a calibration. The sentences name
+/// readings whose predictions the runs do not support, large standard errors that come from the
+/// simulations, wet readings at reduced pressures so low that the grains may shear in bands, and
+/// parameters that are undetermined or at a bound. The notes of `planner` are included.
+/// @param wet_known whether the standard errors of the predicted wet readings are small compared
+///        with the standard errors of the measured wet readings
 std::vector<std::string> notes_on(const Calibration& calibration, const ResolvedStudy& study,
                                   const RunPlanner& planner, bool wet_known);
 

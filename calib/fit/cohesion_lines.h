@@ -11,76 +11,82 @@
 
 namespace pendular {
 
-/// Relative amount by which a cohesion line (straight line of stress ratio against 1/P*)
-/// overestimates the stress ratio of a wet reading to which it was not fitted.
+/// Relative amount by which a cohesion line (straight line of stress ratio against the inverse
+/// reduced pressure 1/P*) overestimates the stress ratio of a wet reading to which the line was not
+/// fitted.
 struct Overestimate {
     double reduced_pressure = 0;  ///< reduced pressure P* of the reading [1]
-    /// Relative deviation [1]: (line - stress ratio of the reading)/(stress ratio of the reading).
+    /// Relative deviation of the line [1]: (stress ratio of the line - stress ratio of the
+    /// reading)/(stress ratio of the reading).
     Estimate relative;
 };
 
-/// Straight line (Mohr-Coulomb) fitted to the stress ratios of wet readings of one liquid content
-/// and one inertial number,
+/// Cohesion line: straight line (Mohr-Coulomb) fitted to the stress ratios of wet readings of one
+/// liquid content and one inertial number,
 ///     |s12|/s22 = intercept + c*/P*
 /// with the shear stress s12, the normal stress s22, the reduced cohesion c* = a^2 c/F0, the
 /// reduced pressure P* = a^2 s22/F0, the grain diameter a, the pull-off force F0 of a liquid bridge
-/// and the cohesion c. A point of the line is the stress ratio of one reading. Standard errors
-/// follow from the covariance of the points and are not scaled by chi2/dof (dof: degrees of
-/// freedom).
+/// and the cohesion c. A point of the line is the stress ratio of one reading. The standard errors
+/// follow from the covariance of the points and are not scaled by chi2/dof, where dof is the number
+/// of degrees of freedom.
 /// Source: Badetti et al. (2018), eq:mohrcoulomb2.
 struct CohesionLine {
-    /// Stress ratios to which the line is fitted: "measured" or "simulated" ones.
+    /// Kind of the stress ratios to which the line is fitted: "measured" or "simulated".
     std::string source;
     /// Liquid content (liquid volume divided by grain volume) [1], mean of the points.
     double liquid_content = 0;
-    /// Inertial number I [1], mean of the points; 0: the quasi-static limit.
+    /// Inertial number I [1], mean of the points; 0 in the quasi-static limit.
     double inertial_number = 0;
-    /// Intercept of the line: stress ratio in the limit 1/P* -> 0 [1].
+    /// Intercept of the line [1]: stress ratio in the limit 1/P* -> 0.
     Estimate stress_ratio_intercept;
-    /// Slope of the line: reduced cohesion c* = a^2 c/F0 [1], with the grain diameter a, the
-    /// cohesion c and the pull-off force F0 of a bridge.
+    /// Slope of the line [1]: reduced cohesion c* = a^2 c/F0, with the grain diameter a, the
+    /// cohesion c and the pull-off force F0 of a liquid bridge.
     Estimate reduced_cohesion;
-    /// Correlation between the errors of the intercept and of the reduced cohesion c* [1].
+    /// Correlation coefficient [1] between the error of the intercept and the error of the reduced
+    /// cohesion c*.
     double correlation = 0;
-    /// Cohesion c = c* F0/a^2 of the wet grains that follows from the slope of the line [Pa].
+    /// Cohesion c = c* F0/a^2 of the wet grains [Pa], which follows from the slope c* of the line.
     Estimate cohesion;
     /// Number of points (stress ratios of readings) to which the line is fitted.
     int points = 0;
-    /// chi2 of the fit of the line to its points.
+    /// chi2 of the fit of the line to the points [1].
     double chi2 = 0;
-    /// Degrees of freedom of the fit of the line.
+    /// Number of degrees of freedom of the fit of the line.
     int dof = 0;
     double lowest_reduced_pressure = 0;  ///< lowest reduced pressure P* of the fitted points [1]
     /// Deviations of the line from the readings at reduced pressures P* below
-    /// `CohesionOptions::lowest_reduced_pressure`, in decreasing P*.
+    /// `CohesionOptions::lowest_reduced_pressure`, in the order of decreasing P*.
     std::vector<Overestimate> below;
 };
 
-/// Returns the stress ratio (shear stress divided by normal stress) [1] of a cohesion line
-/// (straight line of stress ratio against 1/P*) at the reduced pressure P* = `reduced_pressure`
-/// [1].
+/// Returns the stress ratio (shear stress divided by normal stress) [1] of a cohesion line at the
+/// reduced pressure P* = `reduced_pressure` [1]. A cohesion line is a straight line of stress ratio
+/// against 1/P*.
 double stress_ratio(const CohesionLine& line, double reduced_pressure);
 
-/// Options for the fit of cohesion lines: straight lines of stress ratio against 1/P* (P*: reduced
-/// pressure).
+/// Options for the fit of cohesion lines: straight lines of stress ratio against the inverse
+/// reduced pressure 1/P*.
 struct CohesionOptions {
-    /// Lowest reduced pressure P* [1] of the readings to which a line is fitted. The default is
-    /// that of Badetti et al. (2018); a straight line is too high for P* <= 1.
+    /// Lowest reduced pressure P* [1] of the readings to which a line is fitted. The default is the
+    /// value of Badetti et al. (2018). For P* <= 1, the stress ratio of a straight line is too
+    /// high.
     double lowest_reduced_pressure = lowest_cohesion_pressure;
 
-    /// Whether a line is fitted to readings at this reduced pressure [1]: it is at least
-    /// `lowest_reduced_pressure`, with a tolerance for rounding errors.
+    /// Whether a line is fitted to readings at the reduced pressure `reduced_pressure` [1]. The
+    /// reduced pressure must be at least `lowest_reduced_pressure`, with a tolerance for rounding
+    /// errors.
     bool fits(double reduced_pressure) const;
 };
 
-/// Checks the options for the fit of cohesion lines (straight lines of stress ratio against 1/P*).
+/// Checks the options for the fit of cohesion lines (straight lines of stress ratio against the
+/// inverse reduced pressure 1/P*).
 /// @throws InputError if the lowest reduced pressure is not positive and finite
 void check_options(const CohesionOptions& options);
 
-/// Fits a straight line of the measured stress ratio against 1/P* (P*: reduced pressure) to each
-/// group of wet readings of steady shear (`wet_groups`). The lines are in the order of the groups.
-/// A group has a line only if, among its reduced pressures at or above the limit of `options`, two
-/// are at least 2 % apart.
+/// Fits a straight line of the measured stress ratio against the inverse reduced pressure 1/P* to
+/// each group of wet readings of steady shear (`wet_groups`). The lines are in the order of the
+/// groups. A line is fitted to the readings whose P* is at or above the limit of `options`. A group
+/// has a line only if two of these readings have reduced pressures that differ by more than 2 %.
 /// @param notes receives sentences for the user on groups without a line and on readings that a
 ///        line leaves out
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
@@ -88,13 +94,16 @@ std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
                                          const CohesionOptions& options,
                                          std::vector<std::string>& notes);
 
-/// Fits a straight line of the predicted stress ratio against 1/P* (P*: reduced pressure) to each
-/// group of wet readings of steady shear (`wet_groups`), with the rules for measured lines. The
-/// points are weighted by the covariance of the measured readings; the standard errors of the lines
-/// follow from the full covariance of the predictions. Weights by the covariance of the predictions
-/// would mislead: if errors are nearly common to all points, small differences between the points
-/// determine the line, and simulated stress ratios are not exactly linear in 1/P*. A large chi2
-/// means that the errors of the readings are small enough to reveal this curvature.
+/// Fits a straight line of the predicted stress ratio against the inverse reduced pressure 1/P* to
+/// each group of wet readings of steady shear (`wet_groups`). The groups and the limit of P* are
+/// those of the lines fitted to measured stress ratios.
+///
+/// The points are weighted by the covariance of the measured readings. The standard errors of the
+/// lines follow from the full covariance of the predictions. Weights by the covariance of the
+/// predictions would mislead. If the points share most of their errors, such weights let small
+/// differences between the points determine the line, although simulated stress ratios are not
+/// exactly linear in 1/P*. A large chi2 means that the errors of the readings are small enough to
+/// reveal this curvature.
 /// @param predicted predictions of all `readings`, with their covariance
 /// @param notes receives sentences for the user on groups without a line and on readings that a
 ///        line leaves out

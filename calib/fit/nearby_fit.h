@@ -7,13 +7,13 @@
 namespace pendular {
 
 /// Fits a model's parameters to measured values from a start near the minimum of chi2. The result
-/// is that of two calls of `fit`, the second with the simulation errors at the result of the first,
-/// but the model is evaluated less often. Each Gauss-Newton step goes to the minimum of chi2 of the
-/// linearised model within the bounds of the parameters; the step is halved as long as chi2 would
-/// rise.
+/// is that of two successive calls of `fit`, of which the second uses the simulation errors at the
+/// result of the first. `nearby_fit` evaluates the model less often. Each Gauss-Newton step goes to
+/// the minimum of chi2 of the linearised model within the bounds of the parameters. A step is
+/// halved as long as chi2 would rise.
 /// @param start starting values, in the order and units of the parameters
-/// @param simulation covariance of the simulation errors in the first fit, such as that of a model
-///        with fewer effects; null: that of the model at `start`
+/// @param simulation covariance of the simulation errors in the first fit, such as the covariance
+///        of a model with fewer effects; null: the covariance of the model at `start`
 /// @throws std::logic_error if the sum of the covariances of measurement and simulation is not
 ///         positive definite
 /// @throws std::domain_error if the readings are impossible at `start`: no true state of the cell

@@ -8,11 +8,11 @@
 
 namespace pendular {
 
-/// Returns the readings of a study in the order that a calibration uses: dry readings, then wet
-/// readings, each in the order of the measurement.
+/// Returns the readings of a study in the order that a calibration uses. First come the dry
+/// readings, then the wet readings, each in the order of the measurement.
 std::vector<Reading> dry_first(const Measurements& measurements);
 
-/// Number of dry readings (liquid content 0) among `readings`.
+/// Returns the number of dry readings (liquid content 0) among `readings`.
 std::size_t dry_count(const std::vector<Reading>& readings);
 
 /// Returns the readings with indices `from` to `to` - 1 of the list `readings`.

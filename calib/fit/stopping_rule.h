@@ -8,33 +8,34 @@
 namespace pendular {
 
 /// Largest relative increase [1] of a standard error by the noise of the simulation runs that is
-/// accepted without more runs. A standard error is then at most 1.2 times that with an unlimited
-/// number of runs.
+/// accepted without more runs. With the value 0.2, a standard error is at most 1.2 times the
+/// standard error with an unlimited number of runs.
 constexpr double largest_enlargement = 0.2;
 
-/// The standard error of a fit that the noise of the simulation runs increases most, among those of
-/// all fitted parameters and all predicted readings, and its relative increase (enlargement).
+/// Largest enlargement in a fit. An enlargement is the relative increase of a standard error by the
+/// noise of the simulation runs. The standard errors of all fitted parameters and of all predicted
+/// readings are compared.
 struct Enlargement {
     /// Enlargement [1]: ratio of the standard error with the noise of the simulation runs to the
-    /// standard error without this noise, minus 1.
+    /// standard error without the noise of the runs, minus 1.
     double size = 0;
-    /// Name of the parameter whose standard error is enlarged most; empty: it is the standard error
-    /// of a predicted reading.
+    /// Name of the parameter whose standard error is enlarged most. The name is empty if the
+    /// standard error of a predicted reading is enlarged most.
     std::string parameter = {};
 
-    /// Factor by which the variance from the noise of the simulation runs exceeds the variance that
-    /// would enlarge a standard error by the relative amount `largest` [1]:
-    ///     excess = ((1 + size)^2 - 1)/((1 + largest)^2 - 1),
-    /// at most 1 if `size` is at most `largest`.
+    /// Returns the factor [1] by which the variance from the noise of the simulation runs exceeds
+    /// the variance that would enlarge a standard error by the relative amount `largest` [1]:
+    ///     excess = ((1 + size)^2 - 1)/((1 + largest)^2 - 1).
+    /// The factor is at most 1 if `size` is at most `largest`.
     double excess(double largest = largest_enlargement) const;
 };
 
-/// Text for messages that names the most enlarged standard error and its enlargement, as in "the
-/// error of friction by 35 %".
+/// Returns a text for messages that names the most enlarged standard error and the enlargement
+/// (relative increase by the noise of the simulation runs), as in "the error of friction by 35 %".
 std::string text_of(const Enlargement& enlargement);
 
-/// Relative increase (enlargement) of a standard error by the noise of the simulation runs [1]:
-/// sqrt(1 + noise/rest) - 1, at most 100.
+/// Returns the relative increase (enlargement) of a standard error by the noise of the simulation
+/// runs [1]: sqrt(1 + noise/rest) - 1, but at most 100.
 /// @param noise variance that the noise of the runs causes
 /// @param rest variance of all other errors, in the unit of `noise`
 double enlargement(double noise, double rest);

@@ -11,12 +11,12 @@ namespace pendular {
 
 struct Calibration;
 
-/// Model of a study: the emulated simulation, the base model for wet grains (the simulation or a
-/// formula) and the effects that the study lists. Copies are cheap, since they share constant
-/// parts.
+/// Model of a study. The model contains the emulated simulation, the base model for wet grains (the
+/// simulation or a formula) and the effects that the study lists. Copies are cheap, since all
+/// copies share their constant parts.
 class StudyModel {
   public:
-    /// Assembles the model of a study from its emulated simulation.
+    /// Assembles the model of a study from the emulated simulation of the study's grains.
     /// @throws InputError if base = "mohr-coulomb" and the study has no wet reading to which a
     ///         cohesion could be fitted
     StudyModel(const ResolvedStudy& study, std::shared_ptr<const EmulatedSimulation> simulation);
@@ -26,31 +26,32 @@ class StudyModel {
     ///         run
     StudyModel(const ResolvedStudy& study, const Calibration& calibration);
 
-    /// Predictor of readings as the instrument shows them, with all effects of the study.
+    /// Returns the predictor of readings as the instrument shows them, with all effects of the
+    /// study.
     const EffectModel& model() const { return *model_; }
-    /// The predictor model() as a shared pointer, which may outlive this object.
+    /// Returns the predictor model() as a shared pointer, which may outlive the object.
     std::shared_ptr<const EffectModel> predictor() const { return model_; }
-    /// Emulated simulation that the base model and the effects use.
+    /// Returns the emulated simulation that the base model and the effects use.
     const EmulatedSimulation& simulation() const { return *simulation_; }
-    /// Predictor of readings as an ideal instrument would show them: with all effects of the study
-    /// except effects on the instrument.
+    /// Returns the predictor of readings as an ideal instrument would show them, with all effects
+    /// of the study except effects on the instrument.
     const EffectModel& flow() const { return *flow_; }
-    /// Returns the model that predicts `readings` as the instrument shows them and, after the
-    /// readings, the direct measurements of the study.
+    /// Returns the model that predicts first `readings` as the instrument shows them, then the
+    /// direct measurements of the study.
     ModelOfReadings at(const std::vector<Reading>& readings) const;
-    /// Selects the parameters of flow() (the predictor for an ideal instrument) from `parameters`,
-    /// the values of all parameters of model().
+    /// Returns the parameter values of flow(), the predictor for an ideal instrument, selected from
+    /// `parameters`, the values of all parameters of model().
     Eigen::VectorXd flow_parameters(const Eigen::VectorXd& parameters) const;
     /// Returns, for each of `conditions`, the condition imposed on the grains, with grains and
-    /// liquid as the study's effects change them. `conditions` are what an ideal instrument
-    /// (without effects on the instrument) shows.
-    /// @param parameters parameters of model()
+    /// liquid as the study's effects change them. `conditions` are the conditions that an ideal
+    /// instrument, without effects on the instrument, shows.
+    /// @param parameters values of the parameters of model()
     std::vector<EffectiveCondition> imposed(const Eigen::VectorXd& parameters,
                                             const std::vector<Condition>& conditions) const;
-    /// Physical effects that the study lists, in the order of the study.
+    /// Returns the physical effects that the study lists, in the order of the study.
     const std::vector<const Effect*>& effects() const { return study_.effects(); }
-    /// Direct measurements of effects' parameters that the study states; the model predicts them
-    /// after the readings.
+    /// Returns the direct measurements of effects' parameters that the study states. The model
+    /// predicts the direct measurements after the readings.
     const std::vector<DirectMeasurement>& direct() const { return study_.direct(); }
 
   private:
@@ -59,9 +60,9 @@ class StudyModel {
     std::shared_ptr<const EffectModel> model_, flow_;
 };
 
-/// Checks that a calibration, which may have been read from a file, fits a model: its parameters
-/// have the names of the parameters of `model`, and no value lies outside its bounds by more than
-/// the distance between the bounds.
+/// Checks that a calibration, which may have been read from a file, fits a model. The parameters of
+/// the calibration must have the names of the parameters of `model`. No parameter value may lie
+/// outside the bounds of the parameter by more than the distance between the bounds.
 /// @throws InputError if the calibration does not fit the model
 void check_parameters(const Calibration& calibration, const EffectModel& model);
 

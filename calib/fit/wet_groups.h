@@ -7,32 +7,33 @@
 
 namespace pendular {
 
-/// Group of wet readings with about equal liquid contents and inertial numbers. Its members are all
-/// readings of steady shear or all points of failure (peaks of the shear stress).
+/// Group of wet readings with about equal liquid contents and inertial numbers. The members of a
+/// group are either all readings of steady shear or all points of failure (peaks of the shear
+/// stress).
 struct WetGroup {
     /// Indices of the group's readings in the list of all readings.
     std::vector<std::size_t> members;
     /// Liquid content (liquid volume divided by grain volume) [1], mean of the members.
     double liquid_content = 0;
-    /// Inertial number I [1], mean of the members; 0: the quasi-static limit.
+    /// Inertial number I [1], mean of the members; 0 in the quasi-static limit.
     double inertial_number = 0;
-    /// Whether the members of the group are points of failure (peaks of the shear stress); false:
-    /// readings of steady shear.
+    /// Whether the members of the group are points of failure (peaks of the shear stress) rather
+    /// than readings of steady shear.
     bool at_failure = false;
 };
 
 /// Groups the wet readings among `readings` by liquid content and inertial number. Each member
-/// agrees with the first member of its group within 2 % in liquid content and 20 % in inertial
-/// number. Quasi-static readings (inertial number 0) form groups of their own, and so do points of
-/// failure. The groups are sorted by liquid content, then by inertial number; a group of steady
-/// shear comes before one of points of failure.
+/// agrees with the first member of the group within 2 % in liquid content and within 20 % in
+/// inertial number. Quasi-static readings (inertial number 0) form separate groups, and so do
+/// points of failure. The groups are sorted by liquid content, then by inertial number. If both are
+/// equal, a group of steady shear comes before a group of points of failure.
 std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings);
 
 /// Whether two values differ by at most `tolerance` [1] times the larger of their magnitudes.
 bool agree(double a, double b, double tolerance);
 
-/// Largest difference between the inertial numbers of the first and any other member of a group,
-/// relative to the larger one [1].
+/// Largest difference between the inertial numbers of the first member and of any further member of
+/// a group, relative to the larger inertial number [1].
 constexpr double inertial_number_tolerance = 0.2;
 
 }  // namespace pendular
