@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "calib/model/fresh_runs.h"
@@ -133,41 +134,45 @@ void RunPlanner::begin_wet(double friction) {
     use(simulation_->emulator().with(fresh));
 }
 
-RunPlanner::Candidates RunPlanner::candidates(double friction,
-                                              const std::vector<EffectiveCondition>& conditions,
-                                              bool wet) const {
-    const auto states_at = [&](double at) {
-        std::vector<FlowState> states;
-        if (has_grain_effects(conditions)) {
-            // The amplitude of effects on grains depends on the reading: one run at each reading's
-            // own state.
-            for (const EffectiveCondition& condition : conditions) {
-                EffectiveCondition simulated = condition;
-                simulated.inertial_number =
-                    std::max(condition.inertial_number, fidelity_.lowest_inertial_number);
+std::vector<RunPlanner::Candidate> RunPlanner::candidates(
+    double friction, const std::vector<EffectiveCondition>& conditions, bool wet) const {
+    const double below = simulation_->allowed(friction_at(-spread, friction)),
+                 above = simulation_->allowed(friction_at(spread, friction));
+    std::vector<Candidate> all;
+    const auto add = [&](const auto& state_at) {
+        all.push_back({state_at(friction), state_at(below), state_at(above)});
+    };
+    if (has_grain_effects(conditions)) {
+        // The amplitude of effects on grains depends on the reading: one run at each reading's own
+        // state.
+        for (EffectiveCondition simulated : conditions) {
+            if (simulated.dry() == wet) continue;
+            simulated.inertial_number =
+                std::max(simulated.inertial_number, fidelity_.lowest_inertial_number);
+            const auto state_at = [&](double at) {
                 FlowState state = simulation_->flow_state_at(at, simulated);
                 state.stiffness_number = 0;  // that of simulations
-                if (condition.dry() != wet &&
-                    std::ranges::none_of(states, [&](const auto& s) { return near(s, state); })) {
-                    states.push_back(state);
-                }
-            }
-        } else if (wet) {
-            for (const WetSetting& setting : wet_settings_) {
-                states.push_back(
-                    simulation_->filled({at, setting.inertial_number, setting.inverse_pressure},
-                                        setting.liquid_content));
-            }
-        } else {
-            for (const double inertial_number : inertial_numbers_) {
-                states.push_back({at, inertial_number});
+                return state;
+            };
+            const FlowState state = state_at(friction);
+            if (std::ranges::none_of(
+                    all, [&](const auto& other) { return near(other.at_friction, state); })) {
+                add(state_at);
             }
         }
-        return states;
-    };
-    return {.at_friction = states_at(friction),
-            .below = states_at(simulation_->allowed(friction_at(-spread, friction))),
-            .above = states_at(simulation_->allowed(friction_at(spread, friction)))};
+    } else if (wet) {
+        for (const WetSetting& setting : wet_settings_) {
+            add([&](double at) {
+                return simulation_->filled({at, setting.inertial_number, setting.inverse_pressure},
+                                           setting.liquid_content);
+            });
+        }
+    } else {
+        for (const double inertial_number : inertial_numbers_) {
+            add([&](double at) { return FlowState{at, inertial_number}; });
+        }
+    }
+    return all;
 }
 
 std::vector<FlowState> RunPlanner::most_informative(const std::vector<FlowState>& targets,
@@ -219,15 +224,14 @@ void RunPlanner::learn(double friction, const std::vector<EffectiveCondition>& c
 
 void RunPlanner::order_beyond(double friction, const std::vector<EffectiveCondition>& conditions,
                               bool wet) {
-    const Candidates all = candidates(friction, conditions, wet);
     std::vector<FlowState> targets, from;
     std::string why;
-    for (std::size_t k = 0; k < all.at_friction.size(); ++k) {
-        const std::string text = simulation_->emulator().beyond(all.at_friction[k]);
+    for (const Candidate& each : candidates(friction, conditions, wet)) {
+        const std::string text = simulation_->emulator().beyond(each.at_friction);
         if (!text.empty()) {
             why = text;
-            targets.push_back(all.at_friction[k]);
-            from.insert(from.end(), {all.below[k], all.at_friction[k], all.above[k]});
+            targets.push_back(each.at_friction);
+            from.insert(from.end(), {each.below, each.at_friction, each.above});
         }
     }
     if (targets.empty() || !orders_more_) {
@@ -243,18 +247,19 @@ void RunPlanner::confirm(double friction, const std::vector<EffectiveCondition>&
     if (!orders_more_) {
         return;
     }
-    const Candidates all = candidates(friction, conditions, wet);
-    std::vector<FlowState> from = all.at_friction;
-    from.insert(from.end(), all.below.begin(), all.below.end());
-    from.insert(from.end(), all.above.begin(), all.above.end());
+    const std::vector<Candidate> all = candidates(friction, conditions, wet);
+    std::vector<FlowState> targets, from;
+    std::ranges::transform(all, std::back_inserter(targets), &Candidate::at_friction);
+    from = targets;
+    std::ranges::transform(all, std::back_inserter(from), &Candidate::below);
+    std::ranges::transform(all, std::back_inserter(from), &Candidate::above);
     if (has_grain_effects(conditions)) {
         // Where an effect is small, predictions with it rest on runs without it.
-        for (FlowState state : all.at_friction) {
-            state.effects.clear();
-            from.push_back(state);
+        for (const Candidate& each : all) {
+            from.push_back(each.at_friction);
+            from.back().effects.clear();
         }
     }
-    std::vector<FlowState> targets = all.at_friction;
     if (extrapolates_ && !wet) {
         targets.push_back({friction, slowest_});
     }

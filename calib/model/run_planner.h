@@ -87,17 +87,19 @@ class RunPlanner {
     const std::vector<std::string>& notes() const { return notes_; }
 
   private:
-    /// States of steady shear at which runs may be requested, in three lists of one order: at a
-    /// friction coefficient (`at_friction`), at a lower friction coefficient (`below`) and at a
-    /// higher friction coefficient (`above`).
-    struct Candidates {
-        std::vector<FlowState> at_friction, below, above;
+    /// States of steady shear of one setting at which runs may be requested: at a friction
+    /// coefficient (`at_friction`), at a lower friction coefficient (`below`) and at a higher
+    /// friction coefficient (`above`).
+    struct Candidate {
+        FlowState at_friction, below, above;
     };
     /// Returns the states of steady shear at which runs may be requested for the dry conditions
     /// (`wet` is false) or for the wet conditions, at the friction coefficient `friction` [1] and
-    /// at a lower and a higher friction coefficient.
-    Candidates candidates(double friction, const std::vector<EffectiveCondition>& conditions,
-                          bool wet) const;
+    /// at a lower and a higher friction coefficient. With effects on grains, conditions whose
+    /// states at `friction` are nearly equal count once.
+    std::vector<Candidate> candidates(double friction,
+                                      const std::vector<EffectiveCondition>& conditions,
+                                      bool wet) const;
     /// Returns the dry states of the first runs of a planner without earlier runs: a grid of
     /// friction coefficients and inertial numbers.
     std::vector<FlowState> first_dry_design() const;
