@@ -14,13 +14,15 @@
 
 namespace pendular {
 
-/// Conditions imposed on the grains in one measured or simulated state, which is either steady
-/// shear or a point of failure.
+/// Condition imposed on the grains in one measured or simulated state: normal stress, inertial
+/// number and liquid content, with further data that may be known. The state is either steady shear
+/// or a point of failure.
 struct Condition {
-    double normal_stress = 0;      ///< normal stress s22 imposed on the grains [Pa]
-    double inertial_number = 0;    ///< inertial number I of the flow [1]; 0: quasi-static limit
-    double liquid_content = 0;     ///< volume of liquid divided by volume of grains [1]; 0: dry
-    std::optional<double> height;  ///< height of the sample at this condition [m]; empty: unknown
+    double normal_stress = 0;    ///< normal stress s22 imposed on the grains [Pa]
+    double inertial_number = 0;  ///< inertial number I of the flow [1]; 0: quasi-static limit
+    /// Liquid content: volume of liquid divided by volume of grains [1]; 0: dry.
+    double liquid_content = 0;
+    std::optional<double> height;  ///< height of the sample at the condition [m]; empty: unknown
     std::optional<double> bead_volume;  ///< solid volume of the grains in the cell [m^3], if known
     double time = 0;  ///< time of the state since the study's first recording began [s]
     /// Whether the state is a point of failure (peak of the shear stress) rather than steady shear.
@@ -34,164 +36,181 @@ struct Condition {
     bool operator==(const Condition&) const = default;
 };
 
-/// Part of the error of a reading (measured state) that several readings have in common, such as
-/// the error of one filling of the cell.
+/// Contribution to the error of a reading (measured state) that several readings have in common,
+/// such as the error of one filling of the cell.
 struct SharedError {
-    /// Number that identifies what causes the error, such as one filling of the cell. Shared errors
-    /// with equal numbers are fully correlated.
+    /// Number that identifies the cause of the shared error, such as one filling of the cell.
+    /// Shared errors with equal numbers are fully correlated.
     std::size_t source = 0;
-    /// Standard errors that the shared error causes in (shear stress [Pa], solid fraction [1]). The
-    /// standard errors are increased if they were estimated from few fillings.
+    /// Standard errors that the shared error causes: first of the shear stress [Pa], second of the
+    /// solid fraction [1]. The standard errors are increased if they were estimated from few
+    /// fillings of the cell.
     Eigen::Vector2d size = Eigen::Vector2d::Zero();
-    /// True if the size of the shared error is known; false if it was estimated from replicates
-    /// (readings at the same condition).
+    /// Whether the size of the shared error is known; otherwise the size was estimated from
+    /// replicates (repeated readings at one condition).
     bool known = false;
 };
 
-/// One measured state: shear stress [Pa] and solid fraction [1] at one condition, with their
-/// errors. The state is either the mean over a step of steady shear, or a point of failure.
+/// Measured state: shear stress [Pa] and solid fraction [1] at one condition, with the covariance
+/// of their errors. A reading is either the mean over a step of steady shear, or a point of
+/// failure.
 struct Reading {
-    Position origin;    ///< file, and first line in it, from which the reading was made
-    int last_line = 0;  ///< last line of the file from which the reading was made; 0: `origin.line`
-    /// Number of the reading's step of constant set points in its file, from 1; 0: unknown.
+    Position origin;  ///< file of the reading, with the first line that was used
+    /// Last line of the file that was used for the reading; 0: the line in `origin`.
+    int last_line = 0;
+    /// Number, in the file, of the step of constant set points from which the reading was made,
+    /// from 1; 0: unknown.
     int step = 0;
     Condition condition;
     /// Shear rate of the reading [1/s]; 0: only the inertial number was given.
     double shear_rate = 0;
-    /// Measured values of the reading: magnitude of the shear stress [Pa], solid fraction [1].
+    /// Measured values of the reading: first the magnitude of the shear stress [Pa], second the
+    /// solid fraction [1].
     Eigen::Vector2d value = Eigen::Vector2d::Zero();
-    /// Covariance of the errors of the reading's (shear stress [Pa], solid fraction [1]), all
-    /// errors included. The part from the scatter between replicates (readings at the same
-    /// condition) is increased if the replicates are few.
+    /// Covariance matrix of all errors of the reading: first of the shear stress [Pa], second of
+    /// the solid fraction [1]. The contribution of the scatter between replicates (repeated
+    /// readings at one condition) is increased if the replicates are few.
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
     /// Amount by which the reading's `covariance` was increased because the scatter between
-    /// replicates (readings at the same condition) was estimated from few replicates.
+    /// replicates (repeated readings at one condition) was estimated from few replicates.
     Eigen::Matrix2d widened_by = Eigen::Matrix2d::Zero();
-    /// Errors that this reading has in common with other readings, such as the error of one filling
-    /// of the cell. They are contained in `covariance`.
+    /// Errors that the reading has in common with other readings, such as the error of one filling
+    /// of the cell. The shared errors are contained in `covariance`.
     std::vector<SharedError> shared;
-    /// Degrees of freedom of the estimated scatter between replicates in (shear stress, solid
-    /// fraction); infinite if the scatter is known.
+    /// Degrees of freedom of the estimated scatter between replicates (repeated readings at one
+    /// condition): first of the shear stress, second of the solid fraction. The degrees of freedom
+    /// are infinite if the scatter is known.
     Eigen::Vector2d scatter_freedom = Eigen::Vector2d::Constant(INFINITY);
     /// Index in `ReplicateScatter::groups` of the group of files to which the reading's file
     /// belongs.
     std::size_t scatter_group = 0;
-    /// Rounding steps of (shear stress [Pa], solid fraction [1]): unit of the last digit in the
-    /// table that the reading was read from; 0 if the value was not rounded.
+    /// Rounding steps of the reading: first of the shear stress [Pa], second of the solid fraction
+    /// [1]. The rounding step is the unit of the last digit in the table from which the reading was
+    /// read, or 0 if the value was not rounded.
     Eigen::Vector2d resolution = Eigen::Vector2d::Zero();
     /// Duration of the steady shear over which the reading was averaged [s]; 0: unknown.
     double sampled_seconds = 0;
-    /// True if the errors in the reading's `covariance` come only from the scatter within one run
-    /// of the rheometer, not from the scatter between runs or fillings.
+    /// Whether the errors that were estimated for the reading itself come only from the scatter
+    /// within one run of the rheometer, and not from the scatter between runs or fillings of the
+    /// cell.
     bool within_run_only = false;
-    /// True if the reading's error of shear stress or solid fraction is unknown; a standard error
-    /// of 2 % of the value was then assumed.
+    /// Whether the standard error of the reading's shear stress or solid fraction was unknown, so
+    /// that a standard error of 2 % of the value was assumed.
     bool error_assumed = false;
-    /// Number of readings of the study at the condition of this reading, including this reading.
+    /// Number of readings of the study at the condition of the reading, including the reading
+    /// itself.
     int replicates = 1;
 
-    /// Covariance of (shear stress [Pa], solid fraction [1]) without the increase for few
-    /// replicates. It is for statistical tests that allow for the small number of replicates in
-    /// another way.
+    /// Returns the covariance matrix of the reading's errors without the increase for few
+    /// replicates (repeated readings at one condition): first of the shear stress [Pa], second of
+    /// the solid fraction [1]. The matrix is for statistical tests that allow for the small number
+    /// of replicates themselves.
     Eigen::Matrix2d estimated_covariance() const { return covariance - widened_by; }
-    /// Stress ratio of the reading [1]: shear stress divided by normal stress.
+    /// Returns the stress ratio of the reading [1]: shear stress divided by normal stress.
     double stress_ratio() const { return value(0) / condition.normal_stress; }
 };
 
 /// Rows of a file that were not used for a reading, with the reason.
 struct Excluded {
-    /// Kind of the excluded data: single rows, such as a spike (`rows`); rows of a step outside its
-    /// steady part, such as a transient (`beside_plateau`); a whole step without a steady part
-    /// (`step_without_plateau`); or a whole reading (`reading`).
+    /// Kind of the data that were left out. `rows` are single rows, such as a spike.
+    /// `beside_plateau` are rows of a step outside of the steady part of the step, such as a
+    /// transient. `step_without_plateau` is a whole step without a steady part. `reading` is a
+    /// whole reading.
     enum class Kind { rows, beside_plateau, step_without_plateau, reading };
-    Position origin;     ///< file, and first line in it, of the rows that were left out
+    Position origin;     ///< file and first line of the rows that were left out
     int last_line = 0;   ///< last line of the rows that were left out
     std::string reason;  ///< reason why the rows or the reading were left out, for the user
     Kind kind = Kind::rows;
 };
 
 /// Statement that measured values are probably wrong, such as a solid fraction above that of the
-/// densest packing, with their positions.
+/// densest packing, with the positions of the values.
 struct Doubt {
-    /// Message for the user about the doubtful values: file, quantity, value, violated limit,
-    /// likely cause.
+    /// Message for the user about the doubtful values, with file, quantity, value, violated limit
+    /// and likely cause.
     std::string what;
     /// Name of the quantity whose values are probably wrong, such as "solid_fraction".
     std::string quantity;
-    /// Positions in the files of the readings or rows with the doubtful values.
+    /// Positions of the readings or rows with the doubtful values in their files.
     std::vector<Position> origins;
-    /// True if the readings or rows with the doubtful values were moved to
+    /// Whether the readings or rows with the doubtful values were moved to
     /// `Measurements::excluded`, so that they are not used.
     bool set_aside = true;
 };
 
-/// Scatter between replicates (readings at the same condition) in excess of the scatter within
-/// their recorded steps. Variances and mean squares are relative to the squared values of (stress
-/// ratio, solid fraction), so they are dimensionless.
+/// Scatter between replicates (repeated readings at one condition) in excess of the scatter within
+/// the recorded steps. Variances and mean squares of the stress ratio are divided by the squared
+/// stress ratio. Variances and mean squares of the solid fraction are divided by the squared solid
+/// fraction.
 struct ReplicateScatter {
-    /// Scatter between steps that were repeated at the same condition, in a group of files with
-    /// common conditions.
+    /// Scatter between steps that were repeated at one condition, in a group of files with common
+    /// conditions.
     struct Group {
         std::vector<std::string> files;  ///< paths of the files in the group
-        /// Covariance of the relative deviations of (stress ratio, solid fraction) between repeated
-        /// steps [1] at the normal stress `reference_stress`, minus the part that follows from the
-        /// scatter within each step.
+        /// Covariance matrix [1] of the relative deviations between repeated steps at the normal
+        /// stress `reference_stress`, minus the contribution of the scatter within each step: first
+        /// of the stress ratio, second of the solid fraction.
         Eigen::Matrix2d excess = Eigen::Matrix2d::Zero();
-        /// Mean squares of the relative deviations of (stress ratio, solid fraction) between
-        /// replicates [1], including the scatter within steps. Groups that share one estimate have
-        /// equal mean squares.
+        /// Mean squares [1] of the relative deviations between replicates (repeated readings at one
+        /// condition), including the scatter within steps: first of the stress ratio, second of the
+        /// solid fraction. Groups that share one estimate have equal mean squares.
         Eigen::Vector2d mean_square = Eigen::Vector2d::Zero();
-        /// Degrees of freedom of `mean_square` for (stress ratio, solid fraction).
+        /// Degrees of freedom of `mean_square`: first for the stress ratio, second for the solid
+        /// fraction.
         Eigen::Vector2d freedom = Eigen::Vector2d::Zero();
     };
-    /// Groups of files that have conditions in common; every file of the study is in one group.
+    /// Groups of files that have conditions in common. Every file of the study is in one group.
     std::vector<Group> groups;
-    /// Exponents [1] that describe how the scatter between repeated steps of (stress ratio, solid
-    /// fraction) depends on the normal stress:
+    /// Exponents [1] that describe how the scatter between repeated steps depends on the normal
+    /// stress: first for the stress ratio, second for the solid fraction.
     ///     standard deviation ~ (normal stress/reference_stress)^-exponent
     Eigen::Vector2d load_exponent = Eigen::Vector2d::Zero();
-    /// Standard errors of the exponents `load_exponent` [1]; 0 if they were not estimated.
+    /// Standard errors of the exponents `load_exponent` [1]; 0 if the exponents were not estimated.
     Eigen::Vector2d load_exponent_error = Eigen::Vector2d::Zero();
     /// Degrees of freedom of the correlation between the deviations of stress ratio and of solid
     /// fraction; infinite if the correlation is known.
     double correlation_freedom = INFINITY;
-    /// Normal stress to which the scatter `Group::excess` refers [Pa].
+    /// Normal stress to which the excess scatter `Group::excess` refers [Pa].
     double reference_stress = 0;
 
-    /// Error that all steps of one filling of the cell have in common, from a two-way analysis of
-    /// variance (conditions, files):
-    ///     variance = (between - within)/steps, increased if there are few fillings
+    /// Error that all steps of one filling of the cell have in common, in stress ratio or in solid
+    /// fraction. The variance of the error follows from a two-way analysis of variance (by
+    /// conditions and by files), and is increased if there are few fillings:
+    ///     variance = (between - within)/steps
     struct Filling {
-        /// Variance of the filling error of stress ratio or solid fraction, relative to the squared
-        /// value [1], increased if there are few fillings.
+        /// Variance [1] of the filling error of the stress ratio or the solid fraction, divided by
+        /// the squared value. The variance is increased if there are few fillings.
         double variance = 0;
         /// Mean square of the relative deviations between files (fillings) [1].
         double between = 0;
-        double within = 0;  ///< mean square of the relative deviations between steps of a file [1]
-        /// Degrees of freedom of the mean square `between`. 0: no two files have a condition in
-        /// common; infinite: `variance` counts as known.
+        /// Mean square of the relative deviations between the steps of one file [1].
+        double within = 0;
+        /// Degrees of freedom of the mean square `between`. The degrees of freedom are 0 if no two
+        /// files have a condition in common, and infinite if `variance` counts as known.
         double freedom_between = 0;
         double freedom_within = 0;  ///< degrees of freedom of the mean square `within`
         /// Effective number of conditions that two files (fillings) have in common.
         double steps = 1;
     };
-    /// Errors of the fillings of the cell in (stress ratio, solid fraction).
+    /// Errors of the fillings of the cell: first in the stress ratio, second in the solid fraction.
     std::array<Filling, 2> filling;
-    /// True if the user stated the scatter between replicates in [scatter] of study.toml.
+    /// Whether the user stated the scatter between replicates (repeated readings at one condition)
+    /// in the table [scatter] of study.toml.
     bool stated = false;
 };
 
 /// Readings of a study, the rows that were left out, and messages about values that are probably
 /// wrong and about faults of the recordings.
 struct Measurements {
-    /// Readings in the order of the entries of study.toml, within an entry by file name.
+    /// Readings in the order of the entries of study.toml. Readings of one entry are in the order
+    /// of the file names.
     std::vector<Reading> readings;
-    /// Scatter between replicates (readings at the same condition), which the covariances of the
-    /// readings contain.
+    /// Scatter between replicates (repeated readings at one condition), which the covariances of
+    /// the readings contain.
     ReplicateScatter scatter;
     /// Rows of files, and whole readings, that were left out, with the reasons.
     std::vector<Excluded> excluded;
-    /// Messages about measured values that are probably wrong, most of which were set aside.
+    /// Messages about measured values that are probably wrong. Most of the values were set aside.
     std::vector<Doubt> doubts;
     /// Faults found in the rows of the recordings, such as a wobble of the lid.
     std::vector<RecordingFinding> findings;
@@ -201,8 +220,9 @@ struct Measurements {
     /// Messages for the user about the conversion of files to readings, such as a torque whose sign
     /// was flipped.
     std::vector<std::string> notes;
-    /// Message for the user if the weight of the grains is neglected although it is not small; else
-    /// empty.
+    /// Message for the user that the model neglects the weight of the grains although the weight
+    /// exceeds 10 % of the normal stress in some readings. The message is empty if the weight is
+    /// small or if the model includes the weight.
     std::optional<std::string> weight_note;
 };
 

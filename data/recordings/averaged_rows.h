@@ -7,26 +7,27 @@
 
 namespace pendular {
 
-/// Adds the rows of a file to a recording and limits the memory that the recording takes. Once the
-/// recording has `most` rows, neighbouring rows of the same interval (step of constant set points)
-/// are averaged in pairs, and each further row is the mean of twice as many rows of the file as
-/// before (`Recording::averaged_rows`).
+/// Adds the rows of a file to a recording and limits the memory that the recording takes. Whenever
+/// the recording has `most` rows, neighbouring rows of one interval (step of constant set points)
+/// are averaged in pairs. From then on, each further row is the mean of twice as many rows of the
+/// file (`Recording::averaged_rows`).
 class AveragedRows {
   public:
-    /// Prepares to add rows to an empty recording, which must outlive this object.
+    /// Prepares to add rows to an empty recording. The recording must outlive the AveragedRows
+    /// object.
     /// @param columns columns of the recording, in the order of the values passed to `add`
     /// @param most number of rows at which rows are averaged in pairs, at least 2
     AveragedRows(Recording& recording, std::vector<std::vector<double> Recording::*> columns,
                  std::size_t most);
 
-    /// Adds a row of the file.
+    /// Adds a row of the file to the recording.
     /// @param line number of the row's line in the file, from 1
     /// @param values value of each column in the row, in SI units
     /// @return false if averaging does not make the recording shorter, because nearly every row
-    ///         belongs to another interval than the row before
+    ///         belongs to an interval that differs from the interval of the preceding row
     bool add(int line, const std::vector<double>& values);
     /// Adds the mean of the rows that remain at the end of the file, which are too few for a mean
-    /// of the usual number of rows. To be called after the last row.
+    /// of the usual number of rows. The function must be called after the last row.
     void finish();
 
   private:
@@ -37,11 +38,11 @@ class AveragedRows {
     Recording& recording_;
     std::vector<std::vector<double> Recording::*> columns_;
     std::size_t most_;
-    /// Index of the column with interval numbers among the columns; -1: none.
+    /// Index of the column with interval numbers in `columns_`; -1: no column has interval numbers.
     std::ptrdiff_t interval_ = -1;
     int first_line_ = 0;  ///< line in the file of the first row that is not averaged yet
     int count_ = 0;       ///< number of rows of the file that are not averaged yet
-    /// For each column, sum of the values of the rows that are not averaged yet.
+    /// Sum of the values of the rows that are not averaged yet, for each column.
     std::vector<double> sums_;
 };
 

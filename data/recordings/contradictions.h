@@ -11,7 +11,7 @@
 
 namespace pendular {
 
-/// Rows of one recording in which two columns of the same quantity, such as shear stress and
+/// Rows of one recording in which two columns that measure one quantity, such as shear stress and
 /// torque, contradict each other.
 struct Contradictions {
     /// Line numbers in the file of the rows that were removed because two columns contradict each
@@ -20,28 +20,29 @@ struct Contradictions {
     /// Number of rows of the file whose mean is one row of the recording
     /// (`Recording::averaged_rows`).
     int averaged_rows = 1;
-    /// Reason why no reading of the recording's file can be used; empty if readings can be used.
+    /// Reason why no reading of the recording's file can be used. The reason is empty if readings
+    /// can be used.
     std::optional<std::string> file;
 };
 
-/// Compares the columns of a recording that measure the same quantity, removes the rows in which
-/// they contradict each other, and returns the removed rows. Compared are shear stress with torque,
-/// normal stress with normal force, and shear rate with angular velocity, converted with the radii
-/// of the cell. Messages about the contradictions are added to `result.doubts` and `result.notes`.
-/// If `choice.keep_implausible` is set, no row is removed.
+/// Compares the columns of a recording that measure one quantity, removes the rows in which the
+/// columns contradict each other, and returns the removed rows. Shear stress is compared with
+/// torque, normal stress with normal force, and shear rate with angular velocity; the radii of the
+/// cell convert one to the other. Messages about the contradictions are added to `result.doubts`
+/// and `result.notes`. If `choice.keep_implausible` is set, no row is removed.
 ///
-/// The two values in a row contradict each other if they differ by more than 5 % and by more than
-/// the resolution of the columns. If the median ratio of two columns differs from 1 by more than 2
-/// %, the instrument used another cell or formula, and the whole file is doubtful. A ratio of shear
-/// rates between 0.5 and 2 causes only a note, since instruments define the shear rate at different
-/// radii.
+/// Two values in a row contradict each other if they differ by more than the sum of 5 % and the
+/// resolution of the two columns. If the median ratio of the two columns differs from 1 by more
+/// than 2 %, the instrument used another cell or formula than the study, and the whole file is
+/// doubtful. A median ratio of shear rates between 0.5 and 2 causes only a note, since instruments
+/// define the shear rate at different radii.
 Contradictions take_out_contradictions(Recording& recording, const AnnularCell& cell,
                                        const ImportSettings& choice, Measurements& result);
 
 /// Moves readings that are affected by contradictions between columns from `part.readings` to
 /// `part.excluded`. If the whole file is doubtful, all readings are moved. Otherwise only readings
-/// that lost more than 1 in 100 of their rows are moved, since the remaining rows are a biased
-/// sample.
+/// that lost more than 1 in 100 of their rows are moved, since the mean over the remaining rows may
+/// be biased.
 void set_aside_contradicted(const Contradictions& contradictions, Measurements& part);
 
 }  // namespace pendular

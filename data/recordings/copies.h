@@ -10,20 +10,21 @@
 
 namespace pendular {
 
-/// Detects rows that were copied from an earlier row of the study's recordings, so that no
-/// measurement counts twice. The object keeps the rows of all recordings examined so far.
+/// Detects rows of a study's recordings that were copied from an earlier row, so that no
+/// measurement counts twice. A KnownRows object keeps the rows of all recordings examined so far.
 ///
 /// A row is a copy if torque, normal force and gap agree with an earlier row within half the
-/// resolution of the coarser column, and if the times of all copied rows differ from the earlier
+/// resolution of the coarser column. The times of all copied rows must differ from the earlier
 /// times by one constant. Copies must form runs of at least `shortest_step` rows with at least five
-/// different torques, since single rows of replicates agree by chance. Copies are found even if the
-/// file was renamed, linked, reformatted, rounded, thinned out, cut or shifted in time, and also
-/// within one recording whose time restarts.
+/// different torques, since single rows of replicates (repeated measurements) agree by chance.
+/// Copies are found even if the file was renamed, linked, reformatted, rounded, thinned out, cut or
+/// shifted in time. Copies are also found within one recording whose time restarts.
 class KnownRows {
   public:
-    /// Removes copied rows from a recording. `result.excluded` lists the copied rows with the
-    /// original rows, and `result.notes` names the files. If the study gives the copy another
-    /// liquid content or volume of grains than the original, a message is added to `result.doubts`.
+    /// Removes copied rows from a recording. The list `result.excluded` names the copied rows with
+    /// the original rows, and `result.notes` names the files. If the study states a liquid content
+    /// or volume of grains for the copy that differs from that of the original, a message is added
+    /// to `result.doubts`.
     /// @param source entry of study.toml to which the recording belongs
     void take_out_copies(Recording& recording, const Source& source, Measurements& result);
 
@@ -38,8 +39,9 @@ class KnownRows {
 
         std::size_t size() const { return time.size(); }
     };
-    /// For each row of a later stretch (rows between two restarts of time): index of the row of an
-    /// earlier stretch of which it is a copy, or empty.
+    /// Rows of an earlier stretch (rows between two restarts of time) of which the rows of a later
+    /// stretch are copies. The element of each row of the later stretch is the index of the row in
+    /// the earlier stretch, or empty if the row is not a copy.
     using Matches = std::vector<std::optional<std::size_t>>;
 
     static Stretch stretch(const Recording& recording, const Step& rows, const Source& source);
@@ -54,10 +56,10 @@ class KnownRows {
 };
 
 /// Moves readings that repeat an earlier reading from `measurements.readings` to
-/// `measurements.excluded`. A reading is a repetition if its values, time and errors equal the
-/// values, time and errors of an earlier reading. If the two readings come from different files,
-/// equal values with more than six digits are enough, since chance hardly makes so many digits
-/// equal.
+/// `measurements.excluded`. A reading is a repetition if the condition, values, time and covariance
+/// of the reading and of an earlier reading are equal. For two readings from different files, equal
+/// conditions and equal values with more than six digits are enough, since values with so many
+/// digits are hardly equal by chance.
 void count_readings_once(Measurements& measurements);
 
 }  // namespace pendular

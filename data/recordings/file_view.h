@@ -12,28 +12,31 @@
 
 namespace pendular {
 
-/// Content of one file of measurements with everything that the program finds in it without a
-/// study.
+/// Content of one file of measurements, with everything that the program finds in the file without
+/// a study.
 struct FileView {
     BlockFile file;  ///< content of the file of measurements
     /// Columns of each block (interval) of the file, in SI units.
     std::vector<IntervalSeries> series;
-    std::vector<IntervalRole> roles;    ///< role of each block (interval) of the file in the test
+    /// Role of each block (interval) of the file in the test, such as "failure".
+    std::vector<IntervalRole> roles;
     CellFromColumns cell;               ///< constants of the cell that follow from the columns
     StatedCell stated;                  ///< radii and constants of the cell in the file's header
     std::vector<FileFinding> findings;  ///< faults of the file, such as contradictory columns
-    /// Points of failure after each preshear, with the fitted straight lines.
+    /// Yield loci of the file: points of failure after each preshear, with the fitted straight
+    /// lines.
     std::vector<YieldLocus> loci;
-    /// Names of quantities that are needed to evaluate steady shear but that no interval of the
-    /// file has, such as "gap" or "torque or shear stress".
+    /// Names of quantities that are needed to evaluate steady shear but are in no interval of the
+    /// file, such as "gap" or "torque or shear stress".
     std::vector<std::string> missing;
 };
 
-/// Reads a file of measurements and examines it without a study: columns, roles of its intervals,
-/// cell, faults and yield loci. A table with a column of interval numbers is divided into
-/// intervals.
+/// Reads a file of measurements and examines the file without a study: columns, roles of the
+/// intervals, cell, faults and yield loci. A table with a column of interval numbers is divided
+/// into intervals.
 /// @param format settings of the user for the layout, encoding and decimal mark
-/// @param study_cell cell of a study, with which the header of the file is compared; empty: none
+/// @param study_cell cell of a study, with which the header of the file is compared; empty: no
+///         comparison
 /// @throws InputError if the file cannot be read, its layout or a cell is malformed, or a unit is
 ///         missing or wrong
 FileView view_of_file(const std::filesystem::path& path, const FileFormat& format = {},

@@ -10,41 +10,42 @@ namespace pendular {
 
 /// Smallest and largest plausible solid fraction [1] of grains in steady shear. Equal spheres fill
 /// at most pi/sqrt(18) = 0.7405 of space. Steady shear under load keeps the solid fraction above
-/// random loose packing, 0.55; the cohesion of separate liquid bridges lowers this limit by a few
-/// hundredths.
+/// that of random loose packing, 0.55. The cohesion that separate liquid bridges cause lowers the
+/// solid fraction 0.55 by a few hundredths.
 /// Source: Hales, Ann. Math. 162 (2005) 1065; Onoda and Liniger, Phys. Rev. Lett. 64 (1990) 2727.
 constexpr double loosest_solid_fraction = 0.4, densest_solid_fraction = 0.74;
 
-/// Smallest plausible stress ratio [1] of steady shear: half of the stress ratio 0.10 of
+/// Smallest plausible stress ratio [1] of steady shear: half of 0.10, the stress ratio of
 /// frictionless spheres, so that an offset of the torque is tolerated.
 /// Source: Peyneau and Roux, Phys. Rev. E 78 (2008) 011307.
 constexpr double least_stress_ratio = 0.05;
 
-/// Largest plausible stress ratio [1] of grains at a reduced pressure P* [1]. For dry grains, P* is
-/// infinite.
+/// Returns the largest plausible stress ratio [1] of grains at a reduced pressure P* [1]. For dry
+/// grains, P* is infinite.
 ///     1.5 (1 + 1/P*)
-/// The stress ratio of dry grains stays below 1.5 (a slope of 56 degrees), even if they are angular
-/// or flow fast. Cohesion c adds c/s22 = c*/P* at a normal stress s22; the reduced cohesion c* is
-/// 0.2 to 0.4 and at most 0.6 (Badetti et al. 2018). The limit allows for 2.5 times this maximum.
+/// The stress ratio of dry grains stays below 1.5 (a slope of 56 degrees), even if the grains are
+/// angular or flow fast. A cohesion c adds c/s22 = c*/P* to the stress ratio at a normal stress
+/// s22. The reduced cohesion c* is 0.2 to 0.4 and at most 0.6 (Badetti et al. 2018). The largest
+/// plausible stress ratio allows for 2.5 times the maximum 0.6 of c*.
 double greatest_stress_ratio(double reduced_pressure);
 
 /// Finds readings whose solid fraction, stress ratio, inertial number, reduced pressure or liquid
-/// content is impossible in steady shear, and adds messages about these readings to
-/// `measurements.doubts`. Unless the study keeps implausible readings, the readings are moved to
-/// `measurements.excluded`.
+/// content is impossible in steady shear, and adds messages about the impossible readings to
+/// `measurements.doubts`. Unless the study keeps implausible readings, the impossible readings are
+/// moved to `measurements.excluded`.
 void doubt_impossible_readings(Measurements& measurements, const Study& study);
 
-/// Adds a message to `part.doubts` if the torque of a recording is the same in every row or, if the
-/// torque varies, the gap is. If the torque is constant, all readings are moved to `part.excluded`,
-/// unless `choice.keep_implausible` is set. If the gap is constant, the readings stay, since the
-/// gap may have been measured coarsely. Recordings of less than `shortest_step` rows are not
-/// checked.
-/// @param part readings of this recording
+/// Adds a message to `part.doubts` if the torque of a recording is constant over all rows. If the
+/// torque varies, but the gap is constant, a message about the gap is added. If the torque is
+/// constant, all readings are moved to `part.excluded`, unless `choice.keep_implausible` is set. If
+/// the gap is constant, the readings stay, since the gap may have been measured coarsely.
+/// Recordings of less than `shortest_step` rows are not checked.
+/// @param part readings of the recording
 void doubt_stuck_columns(const Recording& recording, Measurements& part,
                          const ImportSettings& choice);
 
 /// Adds a message to `part.doubts` if the solid fraction at the median gap of a recording is
-/// impossible. This check is for recordings that gave no reading: a wrong gap or volume of grains
+/// impossible. The check is for recordings that gave no reading: a wrong gap or volume of grains
 /// may be the reason why no step became steady.
 void doubt_filling(const Recording& recording, const AnnularCell& cell, Measurements& part);
 

@@ -11,15 +11,15 @@ namespace pendular {
 
 /// Largest size of a file that `quick_recording` reads [bytes].
 constexpr std::uintmax_t largest_quick_recording = std::uintmax_t(1) << 34;
-/// Number of rows at which `quick_recording` begins to average rows, which bounds the memory.
+/// Number of rows at which `quick_recording` begins to average rows, so that the memory is bounded.
 constexpr std::size_t most_kept_rows = 1 << 20;
 
-/// Reads a simple recording row by row, without keeping its text. The result is that of
-/// `read_recording`, in a fraction of the time and memory; rows of files with more than `most_rows`
+/// Reads a simple recording row by row, without keeping the text of the file. The result is that of
+/// `read_recording`, in a fraction of the time and memory. Rows of files with more than `most_rows`
 /// rows are averaged (`AveragedRows`). A file is simple if it is a UTF-8 table with one header in
-/// which every cell is a number with a decimal point. Empty for all other files, such as exports of
-/// instruments, files with decimal commas, quotes, comments or empty cells, and files with invalid
-/// rows: they need `read_recording`.
+/// which every cell is a number without a decimal comma. The result is empty for all other files,
+/// such as exports of instruments, files with decimal commas, quotes, comments or empty cells, and
+/// files with invalid rows. Such files need `read_recording`.
 /// @throws InputError if the file cannot be read
 std::optional<Recording> quick_recording(const std::filesystem::path& path,
                                          const FileFormat& format,

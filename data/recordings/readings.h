@@ -8,20 +8,22 @@
 namespace pendular {
 
 /// Reads a table of readings in the format of `write_readings`, and returns the readings in the
-/// order of the rows. Required columns are normal_stress; shear_stress (magnitude) or stress_ratio;
-/// solid_fraction; shear_rate or inertial_number (0: the quasi-static limit); and, in a study with
-/// a liquid, liquid_content, unless the entry of study.toml gives it. Optional columns are height,
-/// bead_volume, time and standard deviations `NAME_sd`.
+/// order of the rows. Required columns are normal_stress, shear_stress (magnitude) or stress_ratio,
+/// solid_fraction or bulk_density, and shear_rate or inertial_number (0: the quasi-static limit).
+/// In a study with a liquid, the column liquid_content is required too, unless the entry of
+/// study.toml gives the liquid content. Optional columns are, among others, height, bead_volume,
+/// time and the standard deviations `NAME_sd`.
 ///
 /// Without a column bead_volume, the volume of grains in the entry of study.toml is used, else the
-/// volume in [cell]. Without a column height, the height is computed from this volume and the solid
-/// fraction, if the study has a cell.
+/// volume in the table [cell]. Without a column height, the height is computed from the volume of
+/// grains and the solid fraction, if the study has a cell.
 ///
-/// Each reading has the covariance of (shear stress [Pa], solid fraction [1]). The standard
-/// deviation of a normal stress, times shear stress/normal stress, is added in quadrature to that
-/// of the shear stress; it is ignored if the table gives stress ratios, which hardly depend on the
-/// normal stress. A variance without a standard deviation in the table is 0; `pool_replicates`
-/// estimates it.
+/// Each reading has a covariance matrix: first of the shear stress [Pa], second of the solid
+/// fraction [1]. The standard deviation of a normal stress, times shear stress/normal stress, is
+/// added in quadrature to the standard deviation of the shear stress. The standard deviation of the
+/// normal stress is ignored if the table gives stress ratios, which hardly depend on the normal
+/// stress. A variance without a standard deviation in the table is 0; `pool_replicates` estimates
+/// the variance.
 /// @param source entry of study.toml to which the table belongs
 /// @throws InputError at file:line:column for a malformed table, a missing column, an invalid
 ///         value, and an unknown column whose name resembles a known name

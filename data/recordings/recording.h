@@ -12,12 +12,12 @@
 
 namespace pendular {
 
-/// Raw time series of an annular shear cell, one element per row of the file.
+/// Raw time series of an annular shear cell, with one element per row of the file in each column.
 struct Recording {
     std::string file;       ///< path of the recording's file
     std::vector<int> line;  ///< line of each row in the file, from 1
-    /// Number of consecutive rows of the file whose mean is one row of the recording. It exceeds 1
-    /// only for very long files.
+    /// Number of consecutive rows of the file whose mean is one row of the recording. The number
+    /// exceeds 1 only for very long files.
     int averaged_rows = 1;
     std::vector<double> time;    ///< time of each row as recorded [s]
     std::vector<double> torque;  ///< torque on the lid in each row [N m]
@@ -27,14 +27,14 @@ struct Recording {
     std::vector<double> angular_velocity;  ///< angular velocity of the lid in each row [rad/s]
     // Redundant columns: empty if the file lacks the column, NaN where a cell is empty or no
     // number.
-    /// Shear stress of each row [Pa], as the instrument computed it.
+    /// Shear stress of each row [Pa], computed by the instrument.
     std::vector<double> shear_stress = {};
-    /// Normal stress of each row [Pa], as the instrument computed it.
+    /// Normal stress of each row [Pa], computed by the instrument.
     std::vector<double> normal_stress = {};
-    /// Shear rate of each row [1/s], as the instrument computed it.
+    /// Shear rate of each row [1/s], computed by the instrument.
     std::vector<double> shear_rate = {};
-    /// Number of the step of constant set points to which each row belongs; empty if the file has
-    /// no column of step numbers.
+    /// Number of the step of constant set points to which each row belongs. The column is empty if
+    /// the file has no step numbers.
     std::vector<double> interval;
     /// Header cells of the columns of the file that were not read.
     std::vector<std::string> unused_columns;
@@ -44,7 +44,8 @@ struct Recording {
     std::size_t size() const { return time.size(); }
 };
 
-/// Step of constant set points: the rows from `begin` to `end` - 1 of a recording, counted from 0.
+/// Step of constant set points, as a range of rows of a recording: the rows from `begin` to `end` -
+/// 1, counted from 0.
 struct Step {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -54,10 +55,11 @@ struct Step {
 /// velocity in any common spelling, order and unit. Optional columns are the interval (number of
 /// the step) and the shear stress, normal stress and shear rate that the instrument computed. A
 /// file without torques must have shear stresses, and a file without normal forces must have normal
-/// stresses; the missing column stays empty until `fill_from_stresses` computes it.
+/// stresses. The torques or normal forces of the recording then stay empty until
+/// `fill_from_stresses` computes the values.
 ///
 /// Exports of rheometers may have any layout that `read_blocks` knows. Intervals that lack a
-/// column, rows that lack a value, and intervals to which `format` gives another role than steady
+/// column, rows that lack a value, and intervals for which `format` states a role other than steady
 /// are left out and listed in `Recording::left_out`.
 /// @throws InputError at file:line:column if a required column is missing, a unit or number is
 ///         invalid, a gap is not positive, an interval is not a whole number, time goes back within
@@ -72,14 +74,15 @@ Recording recording_of(const BlockFile& file, const FileFormat& format);
 
 /// Computes the torque [N m] of a recording that has only shear stresses, and the normal force [N]
 /// of a recording that has only normal stresses. The formulas invert the functions `shear_stress`
-/// and `normal_stress`, with which the program computes stresses.
+/// and `normal_stress`.
 void fill_from_stresses(Recording& recording, const AnnularCell& cell);
 
 /// Splits a recording into steps of constant set points, in the order of the rows. A step begins
-/// where the column interval changes; without this column, where the angular velocity or the normal
-/// force changes to a new constant value. A constant value lasts at least `shortest_step` rows and
-/// differs from the preceding constant value by more than 5 % and by more than the noise. Rows
-/// between two constant values belong to the later step, as its transient.
+/// where the column interval changes. Without a column interval, a step begins where the angular
+/// velocity or the normal force changes to a new constant value. A constant value lasts at least
+/// `shortest_step` rows. The value differs from the preceding constant value by more than 5 % and
+/// by more than the noise. Rows between two constant values belong to the later step, as the
+/// transient of that step.
 std::vector<Step> split_steps(const Recording& recording);
 
 /// Removes the rows whose element of `marked` is true from all columns of a recording.

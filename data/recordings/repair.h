@@ -7,10 +7,10 @@
 namespace pendular {
 
 /// Repairs torques of a recording that lost a decimal or thousands mark. The shear stress in each
-/// row is converted to a torque. If the recorded torque differs from this torque by a power of ten,
-/// within 5 %, it is replaced, and a message that lists the rows is added to `result.doubts`.
-/// Nothing is changed if the recording has no shear stresses, or if torque and shear stress agree
-/// in no row, since then a unit is wrong.
+/// row is converted to a torque. If the recorded torque differs from the converted torque by a
+/// power of ten, within 5 %, the recorded torque is replaced. A message that lists the repaired
+/// rows is added to `result.doubts`. Nothing is changed if the recording has no shear stresses, or
+/// if torque and shear stress agree in no row, since then a unit is wrong.
 void repair_torques(Recording& recording, const AnnularCell& cell, Measurements& result);
 
 }  // namespace pendular

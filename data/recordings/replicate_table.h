@@ -8,12 +8,12 @@
 
 namespace pendular {
 
-/// Cluster of files that are connected by common conditions, directly or through other files.
+/// Cluster of files that are connected by common conditions, directly or through further files.
 struct ReplicateCluster {
-    /// Indices, in `ReplicateTable::files`, of the files in the cluster.
+    /// Indices of the cluster's files in `ReplicateTable::files`.
     std::vector<std::size_t> files;
-    /// Values of the readings that have replicates (readings at the same condition): stress ratios
-    /// at index 0, solid fractions at index 1.
+    /// Deviations of the readings that have replicates (repeated readings at one condition):
+    /// deviations of stress ratios at index 0, of solid fractions at index 1.
     std::array<std::vector<ReplicatedValue>, 2> values;
 };
 
@@ -24,27 +24,29 @@ struct ReplicateTable {
     std::vector<std::string> files;
     std::vector<std::size_t> file_of;     ///< index in `files` of each reading's file
     std::vector<std::size_t> cluster_of;  ///< index in `clusters` of each reading's cluster
-    std::vector<std::vector<std::size_t>> groups;  ///< indices of the readings of each condition
-    /// Clusters of files that common conditions connect; every file is in one cluster.
+    std::vector<std::vector<std::size_t>> groups;  ///< indices of the readings at each condition
+    /// Clusters of files that common conditions connect. Every file is in one cluster.
     std::vector<ReplicateCluster> clusters;
     double reference_stress = 1;  ///< geometric mean of the readings' normal stresses [Pa]
-    /// Smallest normal stress of the readings with replicates, divided by `reference_stress` [1].
+    /// Smallest normal stress of the readings with replicates (repeated readings at one condition),
+    /// divided by `reference_stress` [1].
     double least_load = 1;
-    /// Largest normal stress of the readings with replicates, divided by `reference_stress` [1].
+    /// Largest normal stress of the readings with replicates (repeated readings at one condition),
+    /// divided by `reference_stress` [1].
     double greatest_load = 1;
 
-    /// Name, without its folder, of the file with index `file` in `files`.
+    /// Returns the name, without the folder, of the file with index `file` in `files`.
     std::string name_of(std::size_t file) const;
 };
 
-/// Groups readings by file, condition and cluster of files, and computes how far replicates
-/// (readings at the same condition) deviate from their mean. Deviations are differences of the
-/// logarithms of stress ratio and solid fraction [1], which hardly change if a normal stress is 2 %
-/// off its set point.
+/// Groups readings by file, by condition and by cluster of files (connected by common conditions).
+/// Computes how far replicates (repeated readings at one condition) deviate from their mean.
+/// Deviations are differences of the logarithms of stress ratio and solid fraction [1], which
+/// hardly change if a normal stress is 2 % off its set point.
 ReplicateTable replicate_table(const std::vector<Reading>& readings);
 
-/// Variance of a reading's shear stress (i = 0) or solid fraction (i = 1), divided by the squared
-/// value [1].
+/// Returns the variance of a reading's shear stress (i = 0) or solid fraction (i = 1), divided by
+/// the squared value [1].
 double relative_variance(const Reading& reading, Eigen::Index i);
 
 }  // namespace pendular

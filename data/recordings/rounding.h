@@ -6,26 +6,28 @@
 
 namespace pendular {
 
-/// Correlation [1] between the rounding errors of two measured values with the same mean, averaged
-/// over the position of the mean between two rounded values:
+/// Returns the correlation [1] between the rounding errors of two measured values with equal mean,
+/// averaged over the position of the mean between two rounded values:
 ///     6/pi^2 sum_k exp(-(2 pi k scatter)^2)/k^2      (Fourier series of the rounding error)
 /// @param scatter standard deviation of the values before rounding, divided by the rounding step
 ///         [1]
 double rounding_correlation(double scatter);
 
-/// Sets `ReplicatedValue::rounding` [1] of the rounded values in a table: variance of the part of
-/// the rounding error that differs between replicates, divided by the variance T between
-/// repetitions of a step. Both variances are relative to the squared value. T is determined for
-/// stress ratio and for solid fraction so that the squared deviations, each divided by T plus the
-/// variance of rounding, have a mean of 1.
+/// Sets `ReplicatedValue::rounding` [1] of the rounded values in a table. This number is the
+/// variance of the rounding error that differs between replicates (repeated readings at one
+/// condition), divided by the variance T between repetitions of a step. Both variances are relative
+/// to the squared value. T is determined for the stress ratio and for the solid fraction so that
+/// the squared deviations, each divided by the sum of T and the variance of rounding, have a mean
+/// of 1.
 /// Source: Paule and Mandel, J. Res. Natl. Bur. Stand. 87 (1982) 377.
 void weigh_rounding(ReplicateTable& table, const std::vector<Reading>& readings);
 
 /// Adds the variance of rounding, (rounding step)^2/12, to the variances of shear stress and solid
 /// fraction of each reading, unless the variance given with the reading is at least as large. The
-/// part of the rounding error that replicates have in common is also added to `Reading::shared`.
-/// @param stated variances of (shear stress [Pa^2], solid fraction [1]) given with each reading,
-///         rounding included; 0 if none was given
+/// rounding error that replicates (repeated readings at one condition) have in common is also added
+/// to `Reading::shared`.
+/// @param stated variances given with each reading, rounding included: first of the shear stress
+///         [Pa^2], second of the solid fraction [1]; 0 if no variance was given
 void add_rounding(const ReplicateTable& table, const std::vector<Eigen::Vector2d>& stated,
                   std::vector<Reading>& readings);
 

@@ -3,12 +3,12 @@
 namespace pendular {
 
 /// Converts the times in successive recordings to the time since the first recording began [s].
-/// Times that keep increasing from recording to recording are used as recorded. If the times
-/// restart in a recording, it is taken to follow the previous recording without a pause.
+/// Times that keep increasing from recording to recording are used as recorded. A recording in
+/// which the times restart is assumed to follow the preceding recording without a pause.
 class RunClock {
   public:
-    /// Returns the offset [s] to add to the recorded times of the next step. To be called once for
-    /// each step, in the order of measurement.
+    /// Returns the offset [s] to add to the recorded times of the next step. The function must be
+    /// called once for each step, in the order of measurement.
     /// @param first,last first and last recorded time of the step [s]
     double shift(double first, double last) {
         if (first < last_) shift_ += last_;

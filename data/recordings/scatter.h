@@ -6,54 +6,56 @@
 
 namespace pendular {
 
-/// Deviation of one reading from the mean of its replicates (readings at the same condition), in
-/// stress ratio or in solid fraction.
+/// Deviation of one reading from the mean of its replicates (repeated readings at one condition),
+/// in stress ratio or in solid fraction.
 struct ReplicatedValue {
     std::size_t reading = 0;  ///< index of the reading among the study's readings
-    /// Index of the condition that the reading shares with its replicates.
+    /// Index of the condition that the reading has in common with its replicates (repeated
+    /// readings).
     std::size_t condition = 0;
     std::size_t file = 0;  ///< index of the reading's file; a file counts as one filling
-    /// Logarithm of the stress ratio or solid fraction, minus the mean logarithm at the condition
-    /// [1].
+    /// Logarithm of the stress ratio or solid fraction of the reading, minus the mean logarithm at
+    /// the condition of the reading [1].
     double deviation = 0;
-    /// Variance of the stress ratio or solid fraction that follows from the scatter within the
-    /// recorded step of the reading, divided by the squared value [1].
+    /// Variance [1] of the stress ratio or solid fraction that follows from the scatter within the
+    /// recorded step of the reading, divided by the squared value.
     double within = 0;
-    /// Load of the reading: its normal stress divided by the reference stress of the study [1].
+    /// Load of the reading [1]: normal stress divided by the reference stress of the study.
     double load = 1;
-    /// Variance of the part of the rounding error that differs between replicates, divided by the
-    /// variance between repetitions of a step at load 1 [1].
+    /// Variance of the rounding error that differs between replicates (repeated readings at one
+    /// condition), divided by the variance between repetitions of a step at load 1 [1].
     double rounding = 0;
 };
 
-/// Result of a two-way analysis of variance (conditions, files) of relative deviations [1]. Before
-/// the analysis, each deviation is divided by sqrt(load^(-2 exponent) + rounding), with the members
-/// `load` and `rounding` of its `ReplicatedValue`.
+/// Result of a two-way analysis of variance (by conditions and by files) of relative deviations
+/// [1]. Before the analysis, each deviation is divided by sqrt(load^(-2 exponent) + rounding), with
+/// the members `load` and `rounding` of the `ReplicatedValue`.
 struct ScatterSums {
-    /// Residual sum of squares of the scaled deviations, after removal of condition and file means
-    /// [1].
+    /// Residual sum of squares of the scaled deviations, after the means of conditions and of files
+    /// were removed [1].
     double within = 0;
     double freedom_within = 0;  ///< degrees of freedom of the residual sum of squares `within`
     /// Reduction of the sum of squares of the scaled deviations that the means of files bring,
     /// after the means of conditions were removed [1].
     double between = 0;
     double freedom_between = 0;  ///< degrees of freedom of the sum of squares `between`
-    /// Squared norm of the design matrix of the files, after removal of the condition means.
+    /// Squared norm of the design matrix of the files, after the means of conditions were removed.
     double steps = 0;
-    /// Part of the residual sum of squares `within` that is expected from the scatter within the
-    /// recorded steps [1].
+    /// Contribution to the residual sum of squares `within` that is expected from the scatter
+    /// within the recorded steps [1].
     double run_variance = 0;
-    /// Residual of each deviation after removal of condition and file means [1], in the order of
-    /// the values, scaled like the deviations.
+    /// Residual of each scaled deviation after the means of conditions and of files were removed
+    /// [1], in the order of the values.
     Eigen::VectorXd left_over;
-    /// Mean deviation of each file from the mean of all files [1], by index of the file; 0 for
-    /// files without values.
+    /// Mean deviation of each file from the mean of all files [1], by index of the file. The mean
+    /// deviation is 0 for files without values.
     std::vector<double> of_file;
 };
 
-/// Two-way analysis of variance (conditions, files) of deviations between replicates, for files
-/// that are connected by common conditions. If conditions and files leave no degree of freedom, all
-/// scatter is attributed to steps.
+/// Performs a two-way analysis of variance (by conditions and by files) of deviations between
+/// replicates (repeated readings at one condition), for files that are connected by common
+/// conditions. If conditions and files leave no degree of freedom, all scatter is attributed to
+/// steps.
 /// @param exponent load exponent of the scatter: standard deviation ~ load^-exponent [1]
 /// @param tell_files true: the scatter is divided between steps and files; false: all scatter is
 ///         attributed to steps
@@ -61,37 +63,41 @@ struct ScatterSums {
 ScatterSums analyse_scatter(const std::vector<ReplicatedValue>& values, double exponent,
                             bool tell_files = true);
 
-/// Dependence of the scatter between replicates (readings at the same condition) on the load, which
-/// is the normal stress divided by a reference stress:
+/// Dependence of the scatter between replicates (repeated readings at one condition) on the load,
+/// which is the normal stress divided by a reference stress:
 ///     standard deviation ~ load^-value
 struct LoadExponent {
     double value = 0;           ///< most probable exponent of the load [1]
     double standard_error = 0;  ///< standard error of the load exponent [1]
     /// Difference of -2 log(likelihood times prior) between exponent 0 and the most probable
-    /// exponent [1]. If it is large, the relative scatter depends on the load.
+    /// exponent [1]. If the difference is large, the relative scatter depends on the load.
     double evidence = 0;
 };
 
-/// Most probable exponent [1] with which the scatter between replicates depends on the load,
-/// standard deviation ~ load^-exponent. The exponent is common to all sets of values, but each set
-/// has a variance of its own. Returns zeros for fewer than 10 degrees of freedom.
+/// Returns the most probable exponent [1] with which the scatter between replicates (repeated
+/// readings at one condition) depends on the load (normal stress divided by a reference stress):
+///     standard deviation ~ load^-exponent
+/// The exponent is common to all sets of values, but each set has a variance of its own. The result
+/// is zero for fewer than 10 degrees of freedom.
 ///
 /// The prior of the exponent is normal with mean 0 and standard deviation 0.5, limited to the range
-/// from 0 to 1: errors of an instrument are constant or proportional to the load, so that relative
+/// from 0 to 1. Errors of an instrument are constant or proportional to the load, so that relative
 /// errors decrease at most as 1/load.
 LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets);
 
-/// Mean square of relative deviations, which estimates their variance, with its degrees of freedom.
+/// Mean square of relative deviations, which is an estimate of the variance of the deviations, with
+/// the degrees of freedom of the mean square.
 struct MeanSquare {
     double value = 0;    ///< mean square of the relative deviations [1]
     double freedom = 0;  ///< degrees of freedom of the mean square
 };
 
-/// Improved estimates of the mean squares of several sets, in the order of the sets. All sets get
-/// the pooled mean square if Bartlett's test finds no difference (p > 0.005) or if the sets differ
-/// no more than by chance. Otherwise a set with at least 5 degrees of freedom keeps its own mean
-/// square, and the mean squares of smaller sets are shrunk towards a common value; the better the
-/// sets agree, the stronger they are shrunk.
+/// Returns improved estimates of the mean squares of several sets, in the order of the sets. All
+/// sets get the pooled mean square if Bartlett's test finds no difference (p > 0.005) or if the
+/// sets differ no more than by chance. Otherwise a set with at least 5 degrees of freedom keeps its
+/// own mean square, and the mean squares of sets with fewer degrees of freedom are shrunk towards a
+/// common value. The better the sets agree, the stronger the mean squares are shrunk.
+/// @param own mean square of each set by itself
 /// Source: Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004) 3, moderated variances.
 std::vector<MeanSquare> moderated(const std::vector<MeanSquare>& own);
 

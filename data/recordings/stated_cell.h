@@ -10,7 +10,7 @@
 
 namespace pendular {
 
-/// Number in the header of a file, with its position and text.
+/// Number in the header of a file, with the position and text of the number.
 struct StatedValue {
     double value = 0;  ///< the number in the header, converted to SI units
     int line = 0;      ///< line of the number in the file, from 1
@@ -18,10 +18,11 @@ struct StatedValue {
     std::string text;  ///< number and unit with the spelling of the file, such as "21 mm"
 };
 
-/// Radii and constants of the annular cell in the header of a file; empty if the header lacks them.
+/// Radii and constants of the annular cell in the header of a file. A radius or constant that the
+/// header lacks is empty.
 struct StatedCell {
-    /// Inner and outer radius of the annular cell in the header of the file [m]; a diameter is
-    /// halved.
+    /// Inner and outer radius of the annular cell in the header of the file [m]. If the header
+    /// gives a diameter, the radius is half of the diameter.
     std::optional<StatedValue> inner_radius, outer_radius;
     /// Ratio of shear stress to torque in the header of the file [Pa/(N m)].
     std::optional<StatedValue> stress_per_torque;
@@ -29,13 +30,17 @@ struct StatedCell {
     std::optional<StatedValue> stress_per_force;
 };
 
-/// Returns the radii and constants of the cell in the header of a file, whose keys may be in
-/// English, French or German. Numbers that are not positive or have no unit are left out.
+/// Returns the radii and constants of the cell in the header of a file. The keys of the header may
+/// be in English, French or German. Numbers that are not positive or have no unit are left out.
 StatedCell stated_cell(const BlockFile& file);
 
 /// Adds a finding for each constant of the cell in a file's header that differs by more than 5 %
-/// from the constant that follows from the columns of the file. Constants that the header lacks are
-/// computed from its radii.
+/// from the constant that follows from the columns of the file. A constant that the header lacks is
+/// computed from the radii in the header.
+/// @param stated radii and constants of the cell in the header
+/// @param stress_per_torque ratio of shear stress to torque in the columns [Pa/(N m)]; 0: unknown
+/// @param stress_per_force ratio of normal stress to normal force in the columns [1/m^2]; 0:
+///         unknown
 void check_stated_cell(const StatedCell& stated, double stress_per_torque, double stress_per_force,
                        std::vector<FileFinding>& findings);
 

@@ -10,42 +10,43 @@
 namespace pendular {
 
 /// Converts each step of a recording to a reading, the mean over the steady part of the step.
-/// Returns the readings in the order of the steps; `Measurements::excluded` lists transients and
-/// unusable steps; notes report spikes, negative torques whose sign was flipped, interpolation,
-/// errors that the resolution of a column limits, and columns that were not read.
+/// Returns the readings in the order of the steps. `Measurements::excluded` lists spikes,
+/// transients and unusable steps. Notes report spikes, negative torques whose sign was changed,
+/// interpolation, errors that the resolution of a column limits, and columns that were not read.
 ///
-/// Spikes are replaced first (`take_out_spikes`). Unevenly sampled steps are interpolated linearly
+/// Data points of steps that were recorded at uneven time intervals are first interpolated linearly
 /// to even spacing, since the transient and the autocorrelation are computed from evenly spaced
-/// samples. The transient ends when torque and gap are both steady. A step whose steady part covers
-/// less strain than `choice.least_strain` is excluded, with a description of the step
-/// (`looks_like`): grains lose their initial arrangement only over strains of order 1, so the step
-/// may not be in steady shear even if torque and gap are constant. If a wobble of torque, force or
-/// gap with the rotation of the lid would bias the mean, the mean is taken over whole turns
-/// (`whole_turns_begin`).
+/// data points. Spikes are then replaced (`take_out_spikes`). The transient ends when torque and
+/// gap are both steady. A step whose steady part covers less strain than `choice.least_strain` is
+/// excluded, with a description of the step (`looks_like`). Grains lose their initial arrangement
+/// only over strains of order 1, so that a step with less strain may not be in steady shear even if
+/// torque and gap are constant. If a wobble of torque, force or gap with the rotation of the lid
+/// would bias the mean, the mean is taken over whole turns (`whole_turns_begin`).
 ///
-/// The covariance of a reading is that of the means within the run, with autocorrelation and with
-/// the correlation of torque T and gap. It includes the error of the mean normal force F_N: a model
-/// predicts the shear stress at the measured mean normal stress, so the variance of the mean of T -
-/// r F_N is used, with r the ratio of mean torque to mean normal force. Fluctuations of the force
-/// that the torque follows cancel out; errors of the force alone add up. (r is the slope of a
-/// cohesionless material; with cohesion the slope is smaller, and this error a little too large.)
+/// The covariance of a reading is the covariance of the means within the run, with autocorrelation
+/// and with the correlation of torque T and gap. The covariance includes the error of the mean
+/// normal force F_N. Since a model predicts the shear stress at the measured mean normal stress,
+/// the variance of the mean of T - r F_N is used, where r is the ratio of mean torque to mean
+/// normal force. Fluctuations of the force that the torque follows cancel out, and errors of the
+/// force alone add up. The ratio r is the slope of a cohesionless material. With cohesion, the
+/// slope is smaller, and the error a little too large.
 ///
 /// @param liquid_content volume of liquid divided by volume of grains [1]
 /// @param clock converts the mean recorded time of a steady part to the time of the reading, which
-///         counts from the beginning of the study's first recording
+///         is counted from the beginning of the study's first recording
 /// @throws InputError if the torque has both signs within a step
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
                               const GrainProperties& grains, double liquid_content, RunClock& clock,
                               const ImportSettings& choice = {});
 
-/// Converts the steps of a recording, as `recorded_steps` returns them, to readings by the rules of
-/// `reduce_recording`, with the same parameters.
+/// Converts the steps of a recording, which `recorded_steps` returns, to readings. The function
+/// follows the rules of `reduce_recording` and has the parameters of `reduce_recording`.
 Measurements reduce_steps(const std::vector<RecordedStep>& steps, const Recording& recording,
                           const AnnularCell& cell, const GrainProperties& grains,
                           double liquid_content, RunClock& clock, const ImportSettings& choice);
 
-/// Converts each step of the first recording of a study to a reading, with the default settings of
-/// import and times that begin at 0.
+/// Converts each step of the first recording of a study to a reading. The settings of import are
+/// the default settings, and times begin at 0.
 /// @param liquid_content volume of liquid divided by volume of grains [1]
 /// @throws InputError if the torque has both signs within a step
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,

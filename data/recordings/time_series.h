@@ -8,47 +8,50 @@
 
 namespace pendular {
 
-/// Mean of correlated samples, with its standard error.
+/// Mean of correlated values, with its standard error.
 struct Mean {
-    double value = 0;  ///< mean of the samples, in their unit
-    /// Standard error of the mean, autocorrelation included, in the unit of the samples.
+    double value = 0;  ///< mean of the values, in the unit of the values
+    /// Standard error of the mean, autocorrelation included, in the unit of the values.
     double standard_error = 0;
-    /// Integrated autocorrelation time 2 tau of the samples, as a number of samples; 1 for
-    /// independent samples.
+    /// Integrated autocorrelation time 2 tau of the values, as a number of values; 1 for
+    /// independent values.
     double correlation_samples = 1;
 };
 
-/// Mean and standard error se of n evenly spaced, correlated samples, in the unit of the samples.
+/// Returns the mean and the standard error se of n evenly spaced, correlated values, in the unit of
+/// the values.
 ///     se^2 = (2 tau) C(0)/n (1 + 2/(nu - 1)),   2 tau = 1 + 2 sum_{t=1}^{W} C(t)/C(0)
-/// C(t) is the autocovariance at lag t, corrected for the bias of the estimated mean; nu = n/(2
-/// tau); the window W is chosen automatically (with Wolff's parameter S = 1.5). The autocorrelation
-/// time 2 tau is at least that of the best autoregressive model: with the window alone, the errors
-/// of 100 samples with 2 tau = 19 would be 30 % too small. Errors are right within 10 % if nu >= 5.
-/// The standard error of one sample is infinite; the standard error of constant samples is 0.
-/// @throws std::invalid_argument if there are no samples
+/// C(t) is the autocovariance at lag t, corrected for the bias of the estimated mean, and nu = n/(2
+/// tau). The window W is chosen automatically (with Wolff's parameter S = 1.5). The autocorrelation
+/// time 2 tau is at least that of the best autoregressive model; with the window alone, the errors
+/// of 100 values with 2 tau = 19 would be 30 % too small. Errors are right within 10 % if nu >= 5.
+/// The standard error of one value is infinite. The standard error of constant values is 0.
+/// @throws std::invalid_argument if there are no values
 /// Source: Wolff, Comput. Phys. Commun. 156 (2004) 143, "Monte Carlo errors with less errors".
 Mean mean_of_correlated(std::span<const double> samples);
 
-/// Returns samples without their trend, in the unit of the samples: the slope of the best straight
+/// Returns values without their trend, in the unit of the values: the slope of the best straight
 /// line is removed, and the mean is kept.
 std::vector<double> without_line(std::span<const double> samples);
 
-/// Covariance of the means of two series that were sampled together, in the product of their units.
-/// The cross-covariances are summed over the larger of the two windows that `mean_of_correlated`
-/// uses for the series. The correlation coefficient is limited to [-0.99, 0.99].
+/// Returns the covariance of the means of two series that were recorded at equal times, in the
+/// product of the units of the series. The cross-covariances are summed over the larger of the two
+/// windows that `mean_of_correlated` uses for the series. The correlation coefficient is limited to
+/// [-0.99, 0.99].
 /// @throws std::invalid_argument if the series differ in length or are empty
 double covariance_of_means(std::span<const double> first, std::span<const double> second);
 
-/// Number of samples at the beginning of a series that belong to the transient; empty if the series
-/// does not become steady.
+/// Returns the number of values at the beginning of a series that belong to the transient. The
+/// result is empty if the series does not become steady.
 ///
-/// The result is the number d in the first half of the n samples that minimises the squared
-/// standard error s^2(d)/(n - d) of the n - d samples after it, with s^2(d) their variance, after
-/// averaging in batches of five (fewer below 200 samples). The series is not steady if the minimum
-/// is at the end of the first half, or if the two halves of the remaining samples differ by more
-/// than 4 standard errors (computed about the best line, so that a drift does not count as
-/// scatter). At most 1 % of steady series with an autocorrelation time 2 tau <= 3 samples and at
-/// least 50 samples are found not to be steady.
+/// The result is the number d, from 0 to half of the n values, that minimises the squared standard
+/// error s^2(d)/(n - d) of the mean of the last n - d values, where s^2(d) is the variance of the
+/// last n - d values. The values are first averaged in batches of five (fewer for less than 200
+/// values). The series is not steady if the minimum is at d = n/2. Nor is the series steady if the
+/// two halves of the last n - d values differ by more than 4 standard errors. The standard errors
+/// are computed about the best line, so that a drift does not count as scatter. At most 1 % of
+/// steady series with an autocorrelation time 2 tau <= 3 values and at least 50 values are found
+/// not to be steady.
 /// Source: White, Simulation 69 (1997) 323 (MSER-5).
 std::optional<std::size_t> end_of_transient(std::span<const double> samples);
 

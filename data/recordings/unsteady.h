@@ -7,14 +7,14 @@
 
 namespace pendular {
 
-/// Shear strain [1] of a step: magnitude of the mean shear rate times the time from the first to
-/// the last sample.
+/// Returns the shear strain [1] of a step: magnitude of the mean shear rate times the time from the
+/// first to the last data point.
 double strain_of(const StepSeries& series, const AnnularCell& cell);
 
-/// Describes in a few words, for the user, a step that is too short for steady shear. Descriptions
-/// are loading or unloading (the normal force changes by more than 20 %), consolidation (the gap
-/// shrinks by more than 1 %), shear to failure (the torque peaks and drops), shear that was stopped
-/// while the torque rose, and preshear (the torque levels off).
+/// Describes in a few words, for the user, a step that is too short for steady shear. The
+/// descriptions are unloading or loading (the normal force changes by more than 20 %),
+/// consolidation (the gap shrinks by more than 1 %), shear to failure (the torque peaks and drops),
+/// shear that was stopped while the torque rose, and preshear (the torque levels off).
 std::string looks_like(const StepSeries& series);
 
 }  // namespace pendular

@@ -11,33 +11,36 @@ namespace pendular {
 
 /// Trend of a series and curvature of the trend, with standard errors that include autocorrelation.
 /// The series is fitted by
-///     mean + change x/2 + bend (3 x^2 - 1)/2,   x from -1 (first sample) to 1 (last)
+///     mean + change x/2 + bend (3 x^2 - 1)/2,   x from -1 (first value) to 1 (last value)
 struct Course {
-    double mean = 0;  ///< mean of the fitted series, in the unit of the series
-    /// Change of the fitted trend from the first to the last sample, in the unit of the series.
+    double mean = 0;  ///< fitted mean of the series, in the unit of the series
+    /// Change of the fitted trend from the first to the last value, in the unit of the series.
     double change = 0;
-    /// Standard error of the trend's `change` from first to last sample, in the unit of the series.
+    /// Standard error of the trend's `change` from the first to the last value, in the unit of the
+    /// series.
     double change_error = 0;
-    /// Coefficient of the curved part (3 x^2 - 1)/2 of the trend, in the unit of the series.
+    /// Coefficient of the curvature (3 x^2 - 1)/2 of the trend, in the unit of the series; x
+    /// increases from -1 at the first value to 1 at the last value.
     double bend = 0;
-    /// Standard error of the trend's curvature coefficient `bend`, in the unit of the series.
+    /// Standard error of the trend's coefficient of curvature `bend`, in the unit of the series.
     double bend_error = 0;
-    /// Degrees of freedom of the standard errors of the trend: number of independent samples minus
+    /// Degrees of freedom of the standard errors of the trend: number of independent values minus
     /// three.
     double freedom = 1;
 
-    /// Distance, in the unit of the series, between the last sample and the constant value that the
-    /// series approaches exponentially. The distance follows from the fitted means of the three
-    /// thirds of the series; it is 0 if the series approaches no constant value.
+    /// Returns the distance, in the unit of the series, between the last value and the constant
+    /// value that the series approaches exponentially. The distance follows from the fitted means
+    /// of the three thirds of the series. The distance is 0 if the series approaches no constant
+    /// value.
     double distance_at_end() const;
 };
 
-/// Fits the trend and its curvature to evenly spaced samples. Empty for less than `shortest_step`
-/// samples, and for samples without noise.
+/// Fits the trend and the curvature of the trend to evenly spaced values. The result is empty for
+/// less than `shortest_step` values, and for values without noise.
 std::optional<Course> course_of(std::span<const double> samples);
 
-/// Tests for each step whether torque or gap still approaches its steady value at the end of the
-/// step. This is so if its trend over the second half of the step bends towards a constant value
+/// Tests for each step whether torque or gap still approaches a steady value at the end of the
+/// step. To do so, the trend over the second half of the step must bend towards a constant value
 /// that is at least 0.5 % away. Returns one entry for each test with its p value, significant or
 /// not.
 std::vector<RecordingFinding> run_in_tests(const std::string& file,
@@ -51,17 +54,20 @@ struct StepTrend {
     Course course;
 };
 
-/// Trends of torque and gap over the second half of each step in which the lid turns and that has
-/// at least 40 samples.
+/// Returns the trends of torque and gap over the second half of each step in which the lid turns
+/// and that has at least 40 data points.
 /// @param file path of the recording
 std::vector<StepTrend> step_trends(const std::string& file, const std::vector<RecordedStep>& steps);
 
 /// Tests whether torque or gap drifts in one direction through the steps of a study. Returns at
 /// most one test for each column, with its p value. The tested value is the weighted mean of the
-/// relative changes over the second halves of the steps; its standard error is the larger of two
-/// estimates, from the scatter within steps and from the scatter between steps. At least three
-/// steps are needed. A drift must have the same direction in at least three of four steps.
-/// @param unfinished steps that are left out, since torque or gap still approaches its steady value
+/// relative changes over the second halves of the steps. The standard error of the weighted mean is
+/// the larger of two estimates, from the scatter within steps and from the scatter between steps.
+/// At least three steps are needed. A drift must have one direction in at least three of four
+/// steps.
+/// @param trends trends of torque and gap in the steps, from `step_trends`
+/// @param unfinished findings on steps in which torque or gap still approaches its steady value;
+///         the steps are left out
 std::vector<RecordingFinding> drift_tests(const std::vector<StepTrend>& trends,
                                           const std::vector<RecordingFinding>& unfinished);
 

@@ -8,21 +8,21 @@ namespace pendular {
 
 /// Probability [1] that chance alone causes a finding of one kind, such as a wobble, in the
 /// recordings of a faultless study. Since faults of six kinds are tested, chance causes a finding
-/// in at most 3 % of faultless studies. The allowed share is 5 %; the difference covers
+/// in at most 3 % of faultless studies. The allowed share is 5 %. The difference covers
 /// approximations in the distributions of the test statistics.
 constexpr double finding_significance = 0.005;
 
 /// Returns the findings that are significant among all tests of one kind in a study, by the
-/// procedure of Benjamini and Hochberg. These are the findings with the k smallest p values, for
-/// the largest k whose k-th smallest p value is at most alpha k/N, with N tests and alpha =
+/// procedure of Benjamini and Hochberg. Significant are the findings with the k smallest p values,
+/// for the largest k whose k-th smallest p value is at most alpha k/N, with N tests and alpha =
 /// `finding_significance`. If nothing is wrong, the probability of any finding is alpha. If many
-/// steps have the same fault, each step needs less evidence.
-/// @param tested one entry for each test made, significant or not
+/// steps have one kind of fault, each step needs less evidence.
+/// @param tested one entry for each test, significant or not
 /// Source: Benjamini and Hochberg, J. R. Stat. Soc. B 57 (1995) 289.
 std::vector<RecordingFinding> significant_findings(std::vector<RecordingFinding> tested);
 
-/// Two-sided p value [1]: probability that a variable with Student's t distribution is farther from
-/// zero than z. At least one degree of freedom is assumed.
+/// Returns the two-sided p value [1]: probability that a variable with Student's t distribution is
+/// farther from zero than z. At least one degree of freedom is assumed.
 /// @param z estimate divided by its standard error [1]
 /// @param freedom degrees of freedom of the standard error
 double two_sided_p(double z, double freedom);

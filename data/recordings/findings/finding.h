@@ -8,12 +8,13 @@
 namespace pendular {
 
 /// Fault found in the rows of recordings, such as a wobble of the lid. The result of a test for a
-/// fault, whether significant or not, has this type too.
+/// fault, whether significant or not, also has the type RecordingFinding.
 struct RecordingFinding {
     /// Kind of fault that can be found in the rows of recordings.
     enum class Kind {
         saturation,  ///< torque or force is limited by the largest value that the instrument gives
-        level_change,      ///< from one recording on, readings at repeated conditions differ
+        /// From one recording on, readings at repeated conditions differ from earlier readings.
+        level_change,
         wobble,            ///< a column varies periodically with the rotation angle of the lid
         stick_slip,        ///< the torque rises slowly and drops suddenly, again and again
         drift,             ///< a column changes in one direction through the steps of a study
@@ -26,41 +27,44 @@ struct RecordingFinding {
     std::vector<std::string> files = {};
     /// Number of the faulty step in its file, from 1; 0: the fault concerns several steps or files.
     int step = 0;
-    /// Number of steps from which the fault was found; for a level change, the number of recordings
-    /// compared.
+    /// Number of steps from which the fault was found. For a level change, `count` is the number of
+    /// recordings that were compared.
     std::size_t count = 1;
-    /// Size of the fault, in the SI unit of the faulty column. Saturation: largest value; wobble:
-    /// amplitude; stick-slip: median drop; drift: change over a whole step; level change: change of
-    /// the column; unfinished run-in: distance from the steady value at the end of the step. Drifts
-    /// and level changes are negative for a decrease.
+    /// Size of the fault, in the SI unit of the faulty column. The size of a saturation is the
+    /// largest value, of a wobble the amplitude, of a stick-slip the median drop, of a drift the
+    /// change over a whole step, of a level change the change of the column, and of an unfinished
+    /// run-in the distance from the steady value at the end of the step. Drifts and level changes
+    /// are negative for a decrease.
     double size = 0;
     /// Standard error of the fault's size `size`, in the SI unit of the column; 0: not estimated.
     double size_error = 0;
-    /// Size of the fault (`size`) divided by the mean of the faulty column [1]. For a saturation:
-    /// share of the step's rows that are at the largest value.
+    /// Size of the fault (`size`) divided by the mean of the faulty column [1]. For a saturation,
+    /// `relative` is the share of the step's rows that are at the largest value.
     double relative = 0;
     /// Standard error of the fault's relative size `relative` [1]; 0: not estimated.
     double relative_error = 0;
-    /// Period of the fault. Wobble: number of turns of the lid; stick-slip: time [s] from one drop
-    /// of the torque to the next; 0 for other faults.
+    /// Period of the fault. The period of a wobble is a number of turns of the lid. The period of a
+    /// stick-slip is the time [s] from one drop of the torque to the next drop. All other faults
+    /// have the period 0.
     double period = 0;
     /// p value [1]: probability that a faultless instrument causes as clear a finding by chance in
-    /// one step (level change and drift: in one study).
+    /// one step. For level changes and drifts, the probability is that of a finding in one study.
     double p = 1;
-    /// True for a level change of the column that a common offset describes better than a common
-    /// factor.
+    /// Whether the fault is a level change of the column that a common offset describes better than
+    /// a common factor.
     bool offset = false;
-    /// True if the readings with this fault were excluded or corrected when the recording was read.
+    /// Whether the readings with the fault were excluded or corrected when the recording was read.
     bool corrected = false;
 };
 
-/// Name of a kind of fault in JSON, such as "stick-slip".
+/// Returns the name of a kind of fault in JSON, such as "stick-slip".
 std::string_view to_string(RecordingFinding::Kind kind);
 
-/// Returns sentences for the user about findings, the most serious kinds first. Findings of one
-/// kind, quantity and period are combined in a sentence with the number of steps and files, the
-/// first position, the usual size with its unit and in per cent, and the smallest p value.
-/// @param all true: findings are not combined, and each has a sentence of its own
+/// Returns sentences for the user about findings, the most serious kinds first. Findings that agree
+/// in kind, quantity and, for a wobble, period are combined in a sentence. A sentence has the
+/// number of steps and files, the first position, the usual size with its unit and in per cent, and
+/// the smallest p value.
+/// @param all true: findings are not combined, and each finding has a sentence of its own
 std::vector<std::string> sentences(const std::vector<RecordingFinding>& findings, bool all = false);
 
 }  // namespace pendular

@@ -13,43 +13,46 @@ struct Harmonic {
     int per_turn = 1;           ///< number of periods of the variation per turn of the lid
     double amplitude = 0;       ///< amplitude of the periodic variation, in the unit of the series
     double standard_error = 0;  ///< standard error of the amplitude, in the unit of the series
-    double p = 1;  ///< p value [1]: probability that noise alone has an amplitude this large
+    /// p value [1]: probability that the amplitude of noise alone is at least as large.
+    double p = 1;
 };
 
-/// Rotation angle [rad] of the lid at each sample of a step, 0 at the first sample: integral of the
-/// angular velocity over time by the trapezoidal rule.
+/// Returns the rotation angle [rad] of the lid at each data point of a step, with 0 at the first
+/// data point: integral of the angular velocity over time by the trapezoidal rule.
 std::vector<double> rotation_angle(const StepSeries& series);
 
 /// Fits the periodic parts of a series with one and two periods per turn of the lid by least
 /// squares:
 ///     a + b t + sum_q (c_q cos(q angle) + s_q sin(q angle)),   q = 1, 2,   t: time
-/// For each q, the squared amplitude c^2 + s^2 is compared with the noise at its frequency. The
-/// noise is the spectrum of the best autoregressive model of the residuals, times the mean ratio of
-/// the residuals' power to this spectrum at up to K = 20 neighbouring frequencies. The p value is
+/// For each q, the squared amplitude c^2 + s^2 is compared with the noise at the frequency of the
+/// periodic part. The noise is the spectrum of the best autoregressive model of the residuals,
+/// times the mean ratio of the residuals' power to the spectrum at up to K = 20 neighbouring
+/// frequencies. The p value is
 ///     p = (1 + F/K)^-K,   F = (c s) C^-1 (c s)'/(2 noise),
 /// with the covariance matrix C of c and s for independent noise of variance 1. Over whole turns of
-/// n samples, F = n (c^2 + s^2)/(4 noise). The result is empty for less than one and a half turns,
-/// less than eight samples a turn, less than 40 samples, and a series without noise.
-/// @param angle rotation angle of the lid at each sample [rad]
+/// n values, F = n (c^2 + s^2)/(4 noise). The result is empty for less than one and a half turns,
+/// less than eight values a turn, less than 40 values, and a series without noise.
+/// @param angle rotation angle of the lid at each value of the series [rad]
 std::vector<Harmonic> harmonics(std::span<const double> samples, std::span<const double> angle);
 
 /// Periodic parts of one column of a step with one and two periods per turn of the lid.
 struct PeriodicColumn {
     const char* quantity = "";  ///< name of the column: "torque", "normal_force" or "height"
-    double mean = 0;  ///< arithmetic mean of the column's samples, in the column's SI unit
+    double mean = 0;            ///< arithmetic mean of the column, in the column's SI unit
     /// Standard error of the column's mean, autocorrelation included, in the column's SI unit.
     double mean_error = 0;
     std::vector<Harmonic> harmonics;
 };
 
-/// Periodic parts of torque, normal force and gap of a step, by `harmonics`. Empty for less than
-/// one and a half turns of the lid, less than eight samples a turn, or less than 40 samples.
+/// Returns the periodic parts of torque, normal force and gap of a step, which `harmonics` fits.
+/// The result is empty for less than one and a half turns of the lid, less than eight data points a
+/// turn, or less than 40 data points.
 std::vector<PeriodicColumn> periodic_columns(const StepSeries& series);
 
-/// Number of samples to leave out at the beginning of a steady series so that a whole number of
-/// turns of the lid remains. The result is 0 unless a wobble of the lid biases the mean. It does so
-/// if a periodic part of torque, force or gap has p < 0.001 and an amplitude above the standard
-/// error of the mean.
+/// Returns the number of data points to leave out at the beginning of a steady series so that a
+/// whole number of turns of the lid remains. The result is 0 unless a wobble of the lid biases the
+/// mean. A wobble biases the mean if a periodic part of torque, force or gap has p < 0.001 and an
+/// amplitude above the standard error of the mean.
 /// @param columns periodic parts of the series, from `periodic_columns`
 std::size_t whole_turns_begin(const StepSeries& steady, const std::vector<PeriodicColumn>& columns);
 

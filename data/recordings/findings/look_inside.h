@@ -17,13 +17,13 @@ namespace pendular {
 class InsideRecordings {
   public:
     /// Tests the steps of one recording for wobble, stick-slip, drift and an unfinished approach to
-    /// the steady state. Steps with a shear strain below `least_strain` [1] are left out:
-    /// consolidation, for example, and shear to failure are not steady.
+    /// the steady state. Steps with a shear strain below `least_strain` [1], such as consolidation
+    /// and shear to failure, are not steady and are left out.
     /// @param file path of the recording
     void look_at(const std::string& file, std::vector<RecordedStep> steps, const AnnularCell& cell,
                  double least_strain);
     /// Returns the findings that remain significant after a correction for the number of tests
-    /// (`significant_findings`). Findings of one kind follow one another.
+    /// (`significant_findings`). The findings are grouped by kind.
     /// @param from_recordings readings of the study that were made from recordings
     /// @param cell cell of the study, with which shear stresses are converted to torques
     std::vector<RecordingFinding> findings(const std::vector<Reading>& from_recordings,

@@ -10,23 +10,25 @@
 
 namespace pendular {
 
-/// One step of constant set points in a recording: its samples without spikes, and where its
-/// transient ends.
+/// One step of constant set points in a recording: data points without spikes, and the end of the
+/// transient.
 struct RecordedStep {
     Step rows;                        ///< rows of the recording that form the step
-    int number = 0;                   ///< number of the step in its file, from 1
-    StepSeries series;                ///< samples of the step, without spikes
-    std::vector<std::size_t> spikes;  ///< indices of the step's samples that were spikes
-    bool lid_turns = false;           ///< true if the lid turns during the step
-    /// Index of the first sample after the step's transient; empty if no part of the step is
-    /// steady.
+    int number = 0;                   ///< number of the step in the file of the recording, from 1
+    StepSeries series;                ///< data points of the step, without spikes
+    std::vector<std::size_t> spikes;  ///< indices of the step's data points that were spikes
+    bool lid_turns = false;           ///< whether the lid turns during the step
+    /// Index of the first data point after the step's transient. The index is empty if no part of
+    /// the step is steady, or if no transient was searched for.
     std::optional<std::size_t> steady;
-    /// Reason why no part of the step is steady; empty if a part is steady.
+    /// Reason why no part of the step is steady. The reason is empty if a part is steady, or if no
+    /// transient was searched for.
     std::string why_unsteady = {};
-    /// Periodic parts of the step's columns after the transient; empty if this part is too short.
+    /// Periodic parts of the step's columns after the transient or, if no part of the step is
+    /// steady, in the second half of the step; empty if too few data points are left.
     std::vector<PeriodicColumn> periodic = {};
-    /// Number of samples at the beginning of the steady part that are not averaged, so that the
-    /// average covers whole turns of the lid and a wobble does not bias it.
+    /// Number of data points at the beginning of the steady part that are not averaged, so that the
+    /// average covers whole turns of the lid and a wobble does not bias the average.
     std::size_t beyond_whole_turns = 0;
 };
 
@@ -35,9 +37,10 @@ struct RecordedStep {
 /// @throws InputError if the torque has both signs within a step
 std::vector<RecordedStep> recorded_steps(const Recording& recording);
 
-/// Returns the samples of a step in which torque, force and gap should be constant: the samples
-/// after the transient or, if the step never becomes steady, its second half. Empty if the lid does
-/// not turn, or if less than `shortest_step` samples are left.
+/// Returns the data points of a step in which torque, force and gap should be constant: the data
+/// points after the transient or, if the step never becomes steady, the second half of the step.
+/// The result is empty if the lid does not turn, or if less than `shortest_step` data points are
+/// left.
 std::optional<StepSeries> level_part(const RecordedStep& step);
 
 }  // namespace pendular

@@ -16,42 +16,45 @@ struct Saturation {
     std::string quantity;  ///< name of the saturated column: "torque" or "normal_force"
     double limit = 0;  ///< largest magnitude of the column that the instrument records [N m or N]
     std::set<int> lines;  ///< line numbers in the file of the saturated rows
-    /// p value of the saturation [1]: probability that an unlimited column reaches its largest
-    /// value in the same way by chance.
+    /// p value of the saturation [1]: probability that an unlimited column appears as clearly
+    /// saturated by chance.
     double p = 1;
 };
 
-/// Finds the columns of a recording, torque (by magnitude) or normal force, that are cut off at
-/// their largest value. Rows are saturated if they are within half the resolution or within 2e-4 of
-/// the largest value. A column is saturated in any of these cases, the first two at p < 1e-4:
-/// - More separate runs of rows reach the largest value than values just below it. In ordinary
-/// noise fewer runs do, since values become rarer towards the largest value. The p value is
-/// binomial.
+/// Finds the columns of a recording that are cut off at their largest value. The torque (by
+/// magnitude) and the normal force are examined. Rows are saturated if they are within half the
+/// resolution or within 2e-4 of the largest value. A column is saturated in any of three cases, in
+/// the first two at p < 1e-4:
+/// - More separate runs of rows reach the largest value than reach values just below it. In
+/// ordinary noise, values become rarer towards the largest value, so that fewer runs reach the
+/// largest value. The p value is binomial.
 /// - The torque stays at the largest value from row to row, while other rows of the recording
 /// differ from their neighbours.
 /// - The torques of at least three steps with the largest forces agree within 0.5 %, while the
-/// force increases by at least 20 % from each to the next. Smooth peaks do not count: the rows
-/// beside a saturated run must be clearly lower than the run.
+/// force increases by at least 20 % from each step to the next.
+///
+/// In the first two cases, smooth peaks do not count: the rows beside a saturated run must be
+/// clearly lower than the run.
 std::vector<Saturation> saturations(const Recording& recording,
                                     const std::vector<RecordedStep>& steps);
 
-/// Removes saturated samples from `RecordedStep::spikes`, so that they are not reported as spikes,
-/// and lists them in `result.excluded`, since their values were replaced.
+/// Removes saturated data points from `RecordedStep::spikes`, so that they are not reported as
+/// spikes, and lists them in `result.excluded`, since their values were replaced.
 /// @param saturated saturated columns of the recording
 /// @param file path of the recording
 void separate_from_spikes(const std::vector<Saturation>& saturated, const std::string& file,
                           std::vector<RecordedStep>& steps, Measurements& result);
 
-/// Adds a finding to `part.findings` for each step with at least three saturated rows. Readings of
-/// which more than 1 in 100 rows are saturated are moved to `part.excluded`, unless
-/// `choice.keep_implausible` is set.
+/// Adds a finding to `part.findings` for each step with at least three saturated rows. Unless
+/// `choice.keep_implausible` is set, readings of which more than 1 in 100 rows are saturated are
+/// moved to `part.excluded`.
 /// @param saturated saturated columns of the recording
 void set_aside_saturated(const std::vector<Saturation>& saturated, const Recording& recording,
                          const std::vector<RecordedStep>& steps, const ImportSettings& choice,
                          Measurements& part);
 
-/// Adds a message to `measurements.doubts` for each column that is saturated in recordings of a
-/// study.
+/// Adds a message to `measurements.doubts` for torque and for normal force, if the column is
+/// saturated in any recording of the study.
 void doubt_saturated(Measurements& measurements, const ImportSettings& choice);
 
 }  // namespace pendular

@@ -10,28 +10,29 @@
 namespace pendular {
 
 /// Sudden drops of a series that rises slowly between the drops, as the torque does in stick-slip.
+/// Describes the drops by size, by frequency and by their excess over sudden rises.
 struct Slips {
     double drop = 0;     ///< median size of a sudden drop, in the unit of the series
-    double samples = 0;  ///< mean number of samples from one sudden drop to the next
-    /// p value of the excess of sudden drops over sudden rises [1]: probability that noise, in
-    /// which both are equally frequent, has an excess at least as large.
+    double samples = 0;  ///< mean number of values from one sudden drop to the next
+    /// p value of the excess of sudden drops over sudden rises [1]: probability of at least as
+    /// large an excess in noise, in which drops and rises are equally frequent.
     double p = 1;
 };
 
-/// Finds sudden drops of a series and tests whether they are more frequent than sudden rises. Empty
-/// for less than 40 samples.
+/// Finds sudden drops of a series and tests whether drops are more frequent than sudden rises. The
+/// result is empty for less than 40 values.
 ///
 /// A sudden change is a run of increments of one sign that differ from the median increment by more
 /// than three times the robust deviation of all increments and by more than 2.5 times the
-/// resolution. In noise of any correlation, rises and drops are equally frequent; the p value is
-/// that of the binomial distribution with probability 1/2. The series is examined row by row and as
-/// means of 2, 4 and 8 rows, and p is multiplied by the number of these tests.
-/// @param resolution resolution of the series, in its unit
+/// resolution. In noise of any correlation, rises and drops are equally frequent. The p value is
+/// that of the binomial distribution with probability 1/2. The series is examined value by value
+/// and as means of 2, 4 and 8 values, and p is multiplied by the number of these tests.
+/// @param resolution resolution of the series, in the unit of the series
 std::optional<Slips> slips(std::span<const double> samples, double resolution);
 
-/// Tests the torque in each step for stick-slip. The part of the step after the transient is tested
-/// or, if the step never becomes steady, its second half. Returns one entry for each test with its
-/// p value, significant or not.
+/// Tests the torque in each step for stick-slip. The tested part is the part of the step after the
+/// transient or, if the step never becomes steady, the second half of the step. Returns one entry
+/// for each test with its p value, significant or not.
 /// @param file path of the recording
 std::vector<RecordingFinding> stick_slip_tests(const std::string& file,
                                                const std::vector<RecordedStep>& steps);
