@@ -11,67 +11,70 @@
 
 namespace pendular {
 
-/// Values in a table in SI units, found by the name of a quantity such as "torque".
+/// Values of a table in SI units, found by the name of a quantity such as "torque".
 ///
-/// Header cells read `name [unit]`, `name (unit)` or `name in unit`; columns may be in any order. A
-/// column `name_sd [unit]` has standard deviations; if it states no unit, it has the unit of the
-/// column `name`. Two other conventions are converted. A column `inertial_number_diameter_density`
-/// contains the shear rate times a sqrt(density/s22), with grain diameter a and normal stress s22;
-/// it is divided by sqrt(6/pi) and read as `inertial_number`. A column `rotational_speed`, which
-/// counts turns if its unit has no angle (1/min), is read as `angular_velocity`.
+/// Header cells read `name [unit]`, `name (unit)` or `name in unit`. Columns may be in any order. A
+/// column `name_sd [unit]` has standard deviations. If the header cell of the standard deviations
+/// states no unit, they have the unit of the column `name`. Two further conventions are converted.
+/// A column `inertial_number_diameter_density` contains the shear rate times a sqrt(density/s22),
+/// with grain diameter a and normal stress s22. The column is divided by sqrt(6/pi) and read as
+/// `inertial_number`. A column `rotational_speed` is read as `angular_velocity`. The rotational
+/// speed counts turns if the unit of the column has no angle (1/min).
 class Columns {
   public:
-    /// Assigns the header cells to quantities. The table is not copied and must outlive this
+    /// Assigns the header cells to quantities. The table is not copied and must outlive the Columns
     /// object. A faulty header cell causes an error only when its column is requested, so that
     /// unused columns may have any header.
     explicit Columns(const Table& table);
 
     /// Whether the table has a column of a quantity, such as "torque".
     /// @throws InputError at the header cell if the column's unit is missing, unknown or of the
-    ///         wrong dimension, or if two columns have this quantity; every function of this class
-    ///         with a parameter `name` throws this error
+    ///         wrong dimension, or if two columns have the quantity. Every function of Columns with
+    ///         a parameter `name` throws this error.
     bool has(std::string_view name) const { return find(name, false) != nullptr; }
 
     /// Checks that the table has a column of a quantity, such as "torque".
     /// @throws InputError if the column is missing; the message lists the header cells of the table
     void require(std::string_view name) const;
-    /// Returns which one of two quantities the table has a column of: `first` or `second`.
+    /// Returns the name of the quantity of which the table has a column: `first` or `second`.
     /// @throws InputError if the table has columns of both quantities or of neither
     std::string_view require_one_of(std::string_view first, std::string_view second) const;
 
-    /// Value of a quantity in a row, in SI units. The table must have a column of this quantity:
-    /// call `require` first.
-    /// @throws InputError at the cell if it is not a finite number, or is too large for a measured
-    ///         value
+    /// Returns the value of a quantity in a row, in SI units. The table must have a column of the
+    /// quantity, which the function `require` checks.
+    /// @throws InputError at the cell if the cell is not a finite number, or is too large for a
+    ///         measured value
     double value(const Row& row, std::string_view name) const;
-    /// Value of a quantity in a row, in SI units; empty if the table has no column of this quantity
-    /// or the cell is empty.
+    /// Returns the value of a quantity in a row, in SI units. The result is empty if the table has
+    /// no column of the quantity or if the cell is empty.
     /// @throws InputError at the cell if its text is not a finite number, or is too large for a
     ///         measured value
     std::optional<double> value_if_any(const Row& row, std::string_view name) const;
-    /// Conversion of the numbers in a column to SI units: a number x becomes factor x + offset. The
-    /// column has the index `index`, from 0.
+    /// Conversion of the numbers in the column with the index `index`, from 0, to SI units. A
+    /// number x becomes factor x + offset.
     struct Conversion {
         std::size_t index;
         double factor, offset;
     };
-    /// Index of a quantity's column in the table, and the conversion of its numbers to SI units;
-    /// empty if the table lacks the column.
+    /// Returns the index of a quantity's column in the table, and the conversion of the numbers in
+    /// the column to SI units. The result is empty if the table lacks the column.
     std::optional<Conversion> conversion(std::string_view name) const;
-    /// Standard deviation of a quantity in a row, in SI units, from the column `name_sd`; empty if
-    /// this column is missing or the cell is empty.
+    /// Returns the standard deviation of a quantity in a row, in SI units, from the column
+    /// `name_sd`. The result is empty if the column is missing or the cell is empty.
     /// @throws InputError at the cell if its text is not a positive number
     std::optional<double> deviation(const Row& row, std::string_view name) const;
 
-    /// Rounding step of a quantity in each row, in SI units, deduced from the number of digits that
-    /// the file gives. One element per row; 0 if the column is missing or the cell is empty.
+    /// Returns the rounding step of a quantity in each row, in SI units, deduced from the number of
+    /// digits that the file gives. The rounding step is 0 if the column is missing or the cell is
+    /// empty.
     std::vector<double> resolutions(std::string_view name) const;
 
-    /// Position in the file (line and column) of the cell of a quantity in a row; if the table
-    /// lacks the quantity's column, the line of the row.
+    /// Returns the position in the file (line and column) of the cell of a quantity in a row. If
+    /// the table lacks the quantity's column, the position is the line of the row.
     Position at(const Row& row, std::string_view name) const;
 
-    /// Indices, from 0, of the table's header cells whose names the program does not know.
+    /// Returns the indices, from 0, of the table's header cells whose names the program does not
+    /// know.
     const std::vector<std::size_t>& unknown() const { return unknown_; }
     /// Returns the header cells that are not empty and whose columns are not used.
     /// @param used names of the used quantities such as "torque", with "_sd" for their standard
@@ -79,15 +82,16 @@ class Columns {
     std::vector<std::string> others(const std::vector<std::string_view>& used) const;
 
   private:
-    /// Column of a quantity. A number x in the column is factor x + offset in SI units.
+    /// Column of a quantity in the table. A number x in the column is factor x + offset in SI
+    /// units.
     struct Column {
         std::string_view name;  ///< name of the quantity in the column
-        /// True if the column contains standard deviations of the quantity.
+        /// Whether the column contains standard deviations of the quantity.
         bool deviation = false;
         double factor = 1;
         double offset = 0;
         std::size_t index = 0;  ///< index of the column in the table, from 0
-        /// Error message about the column's unit; empty if the unit is valid.
+        /// Error message about the column's unit. The message is empty if the unit is valid.
         std::string wrong = {};
     };
 

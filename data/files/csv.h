@@ -12,7 +12,7 @@ namespace pendular {
 /// Cell of a table that was read from a text file.
 struct Cell {
     std::string text;  ///< content of the cell, without the blanks and quotes around it
-    /// Position of the cell in its line of the file: number of its first character, from 1.
+    /// Position of the cell in the line of the file: number of the cell's first character, from 1.
     int column = 0;
 };
 
@@ -22,25 +22,26 @@ struct Row {
     std::vector<Cell> cells;
 };
 
-/// Table of text cells from a file: a header and at least one row. Each row has as many cells as
-/// the header.
+/// Table of text cells from a file: a header and at least one row. Each row has one cell for each
+/// cell of the header.
 struct Table {
     std::string file;
     Row header;
     std::vector<Row> rows;
     char delimiter = ',';
 
-    /// Position in the file (line and column) of the cell with index `cell`, from 0, in a row of
-    /// the table.
+    /// Returns the position in the file (line and column) of the cell with index `cell`, from 0, in
+    /// a row of the table.
     Position at(const Row& row, std::size_t cell) const {
         return {file, row.line, row.cells[cell].column};
     }
-    /// Position in the file (line and column) of the table's header cell with index `cell`, from 0.
+    /// Returns the position in the file (line and column) of the table's header cell with index
+    /// `cell`, from 0.
     Position at_header(std::size_t cell) const { return at(header, cell); }
 };
 
-/// Largest numbers of table cells that are read: `most_cells` from one file (rows times columns),
-/// and `most_cells_of_line` from one line.
+/// Largest numbers of table cells that are read. From one file, at most `most_cells` cells (rows
+/// times columns) are read. From one line, at most `most_cells_of_line` cells are read.
 constexpr std::size_t most_cells = 20'000'000, most_cells_of_line = 2'000'000;
 
 /// Checks that a file does not have more than `most_cells` cells.
@@ -48,15 +49,15 @@ constexpr std::size_t most_cells = 20'000'000, most_cells_of_line = 2'000'000;
 /// @throws InputError at line `line` if `cells` exceeds `most_cells`
 void check_cell_count(std::size_t cells, const std::string& file, int line);
 
-/// Treatment of a quotation mark inside a table cell, as in the header `G"`: `refused` reports an
-/// error, `kept` keeps the mark as a plain character.
+/// Treatment of a quotation mark inside a table cell, as in the header `G"`. With `refused`, the
+/// mark is an error. With `kept`, the mark is a plain character of the cell.
 enum class InnerQuotes { refused, kept };
 
 /// Splits a line of a table into cells. A quote at the start of a cell opens a quoted cell, in
-/// which two quotes mean one. Blanks around a cell are removed.
+/// which two quotes mean one quote. Blanks around a cell are removed.
 /// @param at position of the line: file and line number
 /// @throws InputError at file:line:column if a quoted cell is not closed, if a quote is inside a
-///         cell and `inner` refuses it, or if there are more than `most_cells_of_line` cells
+///         cell and `inner` refuses the quote, or if there are more than `most_cells_of_line` cells
 Row split_cells(std::string_view line, char delimiter, const Position& at, InnerQuotes inner);
 
 /// Reads a text file of cells that are separated by a delimiter. The delimiter is the most frequent
@@ -64,18 +65,20 @@ Row split_cells(std::string_view line, char delimiter, const Position& at, Inner
 /// begin with '#' are skipped.
 /// @throws InputError at file:line:column if the file cannot be read, is empty or has no rows, a
 ///         row differs in length from the header, a quote is misplaced or not closed, a column name
-///         occurs twice, the header consists of numbers, or there are more than `most_cells` cells
+///         occurs twice, the header consists of numbers or has more than 1000 cells, or there are
+///         more than `most_cells` cells
 Table read_table(const std::filesystem::path& path);
 
 /// Parses the lines of a text as a table, by the rules of `read_table`, and returns the table.
 /// @param file path of the file, for error messages
 /// @throws InputError at file:line:column if there are no rows, a row differs in length from the
 ///         header, a quote is misplaced or not closed, a column name occurs twice, the header
-///         consists of numbers, or there are more than `most_cells` cells
+///         consists of numbers or has more than 1000 cells, or there are more than `most_cells`
+///         cells
 Table table_of(const std::string& file, const std::vector<std::string_view>& lines);
 
 /// Returns a text as one cell of a CSV file. A text with a delimiter, a quote or a line end (LF) is
-/// put in quotes; line ends become blanks.
+/// put in quotes. Line ends become blanks.
 std::string csv_cell(std::string_view text);
 
 }  // namespace pendular

@@ -18,7 +18,8 @@ constexpr std::uintmax_t largest_settings = 1u << 20;
 /// @throws InputError if the file cannot be read, is no regular file, or is larger than `largest`
 std::string read_bytes(const std::filesystem::path& path, std::uintmax_t largest);
 
-/// Whether a path is a symbolic link to a target outside of the folder of the link, or to nothing.
+/// Whether a path is a symbolic link whose target is outside of the folder of the link, or does not
+/// exist.
 bool leads_out(const std::filesystem::path& path);
 
 /// Whether a file is in a folder or in one of its subfolders, after all symbolic links are

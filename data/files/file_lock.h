@@ -10,8 +10,9 @@ namespace pendular {
 /// remains.
 class FileLock {
   public:
-    /// Prepares a lock without taking it; the function `take` takes it.
-    /// @param file file that represents the lock; it is created if it does not exist
+    /// Prepares a lock without taking the lock; the function `take` takes the lock.
+    /// @param file file that represents the lock; the function `take` creates the file if it does
+    ///         not exist
     explicit FileLock(std::filesystem::path file) : file_(std::move(file)) {}
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
@@ -22,7 +23,8 @@ class FileLock {
     /// @throws std::runtime_error if the file cannot be written or locked, or is a symbolic link
     bool take();
     /// Returns a description of the process that has the lock, such as "process 123 (pendular add
-    /// my-study)", or "another process" if the system does not reveal which process has it.
+    /// my-study)". The description is "another process" if the system does not reveal which process
+    /// has the lock.
     std::string holder() const;
 
   private:

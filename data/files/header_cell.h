@@ -5,13 +5,13 @@
 
 namespace pendular {
 
-/// Parts of a cell in the header of a table, such as "Torque_sd [mN m]".
+/// Name and unit in a cell of the header of a table, such as "Torque_sd [mN m]".
 struct HeaderCell {
     /// Name in the header cell, such as "Torque", without a mark of standard deviations such as
     /// "_sd".
     std::string name;
     std::string unit;  ///< unit in the header cell, such as "mN m"; empty if the cell gives none
-    /// True if the column under the header cell contains standard deviations.
+    /// Whether the column under the header cell contains standard deviations.
     bool deviation = false;
 };
 

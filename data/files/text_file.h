@@ -29,20 +29,21 @@ std::string read_text(const std::filesystem::path& path, std::uintmax_t largest 
 struct DecodedText {
     std::string text;  ///< text in UTF-8, with byte-order mark and line ends
     /// Encoding in which the file was written: "UTF-8", "UTF-16LE", "UTF-16BE", "Shift_JIS",
-    /// "windows-1252" or the one that was requested.
+    /// "windows-1252" or the encoding that was requested.
     std::string encoding;
 };
 
-/// Reads a text file and converts it to UTF-8. If `encoding` is empty, the encoding is that of the
-/// byte-order mark; else UTF-16 if the first character has a zero byte; else UTF-8 if all bytes are
-/// valid; else Shift-JIS if the charset detection of ICU ranks it first; else Windows-1252.
+/// Reads a text file and converts the text to UTF-8. If `encoding` is empty, the encoding is that
+/// of the byte-order mark. A text without byte-order mark is UTF-16 if the first character has a
+/// zero byte, else UTF-8 if all bytes are valid, else Shift-JIS if the charset detection of ICU
+/// ranks Shift-JIS first, else Windows-1252.
 /// @param largest largest size of the file [bytes]
 /// @throws InputError if the file cannot be read, is larger than `largest`, is not a text, or is
 ///         not in `encoding`
 DecodedText decode_file(const std::filesystem::path& path, const std::string& encoding = "",
                         std::uintmax_t largest = largest_table);
 
-/// Converts the bytes of a text file to UTF-8; the encoding is found by the rules of `decode_file`.
+/// Converts the bytes of a text file to UTF-8. The encoding is found by the rules of `decode_file`.
 /// @param path path of the file, for error messages
 /// @throws InputError if the bytes are not a text, or are not in `encoding`
 DecodedText decode_bytes(const std::string& bytes, const std::filesystem::path& path,

@@ -9,17 +9,17 @@ namespace pendular {
 /// Largest total size, after unpacking, of the parts of a workbook that are read [bytes].
 constexpr std::uintmax_t largest_unpacked = 256u << 20;
 
-/// Whether bytes are the beginning of a ZIP archive; a workbook (.xlsx) is one.
+/// Whether bytes are the beginning of a ZIP archive, such as a workbook (.xlsx).
 bool is_archive(std::string_view bytes);
 
 /// Returns a sheet of a workbook (.xlsx) as lines of text in UTF-8, with cells separated by tabs.
-/// Each line is a row of the sheet and has as many cells as the widest row; rows without cells are
+/// Each line is a row of the sheet and has as many cells as the widest row. Rows without cells are
 /// empty lines. Numbers have a decimal point and all digits that the workbook stores, whatever
-/// format it displays; a formula is given by its stored result; tabs and line ends within a cell
-/// become blanks; errors such as #DIV/0! are empty cells.
+/// format the workbook displays. A formula is given by its stored result. Tabs and line ends within
+/// a cell become blanks. Errors such as #DIV/0! are empty cells.
 /// @param bytes content of the file
 /// @param file path of the file, for error messages
-/// @param sheet name of the sheet; empty: the first one
+/// @param sheet name of the sheet; empty: the first sheet of the workbook
 /// @throws InputError if the bytes are no workbook, lack the sheet `sheet`, unpack to more than
 ///         `largest_unpacked`, or have more than `most_cells` cells
 /// Source: ECMA-376, Office Open XML File Formats, part 1, section 18 (SpreadsheetML).

@@ -9,14 +9,15 @@ namespace pendular {
 /// Writes readings (measured shear stresses and solid fractions with their conditions) to a CSV
 /// file in SI units, in the format of [[readings]] in study.toml. Each row also has the source file
 /// (relative to the folder of the CSV file), line, step, duration and number of replicates
-/// (readings at the same condition). The standard errors include the scatter between replicates.
-/// This scatter is not added again when the file is read, so that the readings stay the same.
+/// (repeated readings at one condition). The standard errors include the scatter between
+/// replicates. The scatter is not added again when the file is read, so that the readings do not
+/// change.
 /// @throws InputError if the path is a symbolic link out of its folder
 /// @throws std::runtime_error if the file cannot be written, on a full disk for example
 void write_readings(const std::filesystem::path& path, const Measurements& measurements);
 
-/// Writes to a CSV file which rows of the measured files were left out (`Measurements::excluded`),
-/// one line per range of rows: source file, first line, last line, reason.
+/// Writes the rows of the measured files that were left out (`Measurements::excluded`) to a CSV
+/// file, with one line per range of rows: source file, first line, last line and reason.
 /// @throws InputError if the path is a symbolic link out of its folder
 /// @throws std::runtime_error if the file cannot be written
 void write_excluded(const std::filesystem::path& path, const Measurements& measurements);

@@ -6,30 +6,32 @@
 
 namespace pendular {
 
-/// Moment at which a file counts as written: when the operating system has the data, or when the
-/// data are on the disk and survive a loss of power.
+/// Moment at which a file counts as written. With `by_system`, the operating system has the data.
+/// With `on_disk`, the data are on the disk and survive a loss of power.
 enum class Kept { by_system, on_disk };
 
-/// Writes a file completely or not at all: the content is written to a temporary file in the same
-/// folder, which is then renamed. Missing folders are created. An existing file keeps its mode and,
-/// if the system allows it, its owner. Devices and pipes are written directly.
-/// @throws InputError if the path is a symbolic link to a file outside of its folder
-/// @throws std::runtime_error if the file cannot be written, on a full disk for example; the
-///         message names the file and the system's reason
+/// Writes a file completely or not at all: the content is written to a temporary file in the folder
+/// of the file, and the temporary file is then renamed. Missing folders are created. An existing
+/// file keeps its mode and, if the system allows it, its owner. Devices and pipes are written
+/// directly.
+/// @throws InputError if the path is a symbolic link to a file outside of the folder of the link
+/// @throws std::runtime_error if the file cannot be written, on a full disk for example. The
+///         message names the file and the system's reason.
 void write_whole(const std::filesystem::path& path, const std::string& content,
                  Kept kept = Kept::on_disk);
 
 /// Writes a folder of files completely or not at all: the files are written to a temporary folder
-/// in the same parent folder, which is then renamed. If the folder exists, the files are written to
-/// a temporary folder inside it and moved after all are written.
-/// @param content_of_file text of each file, by file name
-/// @throws std::runtime_error if a file cannot be written; the message names the file or folder and
-///         the system's reason
+/// beside the folder, and the temporary folder is then renamed. If the folder exists, the files are
+/// written to a temporary folder inside the folder, and moved after all files are written.
+/// @param content_of_file map whose key is the name of a file and whose value is the text of the
+///         file
+/// @throws std::runtime_error if a file cannot be written. The message names the file or folder and
+///         the system's reason.
 void write_whole_folder(const std::filesystem::path& folder,
                         const std::map<std::string, std::string>& content_of_file);
 
-/// Temporary folder for files that are moved or read before the object is destroyed. The destructor
-/// removes the folder with its content.
+/// Temporary folder for files that are moved or read before the PassingFolder object is destroyed.
+/// The destructor removes the folder with its content.
 class PassingFolder {
   public:
     /// Creates a new, empty folder.
@@ -39,16 +41,16 @@ class PassingFolder {
     PassingFolder(const PassingFolder&) = delete;
     PassingFolder& operator=(const PassingFolder&) = delete;
     ~PassingFolder();
-    /// Path of the temporary folder.
+    /// Returns the path of the temporary folder.
     const std::filesystem::path& path() const { return path_; }
 
   private:
     std::filesystem::path path_;
 };
 
-/// Checks that a path is not a symbolic link to a file outside of its folder, which would be
-/// overwritten.
-/// @throws InputError if the path is a symbolic link to a file outside of its folder
+/// Checks that a path is not a symbolic link to a file outside of the folder of the link, so that
+/// the program does not overwrite the file.
+/// @throws InputError if the path is a symbolic link to a file outside of the folder of the link
 void refuse_link_out(const std::filesystem::path& path);
 
 }  // namespace pendular

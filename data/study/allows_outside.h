@@ -4,9 +4,9 @@
 
 namespace pendular {
 
-/// Whether a study may use files outside of its folder: the key allow_outside of study.toml; false
-/// if the key is missing.
-/// @param study folder of the study, or its study.toml
+/// Whether a study may use files outside of its folder: value of the key allow_outside of
+/// study.toml, or false if the key is missing.
+/// @param study folder of the study, or path of its study.toml
 /// @throws InputError at file:line:column if the file cannot be read, for a syntax error, an
 ///         unknown key of the top level, and a value that is not true or false
 bool allows_outside(const std::filesystem::path& study);

@@ -10,25 +10,27 @@ namespace pendular {
 class StudyTable;
 
 /// Direct measurement of an effect's parameter without shearing grains, such as the torque of the
-/// empty cell, as stated in study.toml. Value and error are kept as texts, since their unit depends
-/// on the effect, which is looked up later.
+/// empty cell, as stated in study.toml. The measured value and its standard error are kept as
+/// texts, since their unit depends on the effect, which is looked up later.
 struct StatedDirect {
     std::string effect;  ///< name of the effect whose parameter is measured directly
-    /// Measured value of the effect's parameter with its unit; empty if not measured yet.
+    /// Measured value of the effect's parameter with its unit. The text is empty if the parameter
+    /// is not measured yet.
     std::string value;
     std::string error;  ///< standard error of the measured value, with its unit
-    double cost = 1;    ///< cost of the direct measurement, relative to that of a dry reading [1]
+    double cost = 1;  ///< cost of the direct measurement, relative to the cost of a dry reading [1]
     /// Positions of the values of the keys effect, value and error in study.toml.
     Position effect_position = {}, value_position = {}, error_position = {};
 };
 
-/// Reads the direct measurements that were made: the tables [[direct]] of study.toml, with the keys
-/// effect, value and error, in the order of the file.
+/// Reads the direct measurements that were made from the tables [[direct]] of study.toml, which
+/// have the keys effect, value and error. Returns the measurements in the order of the file.
 /// @throws InputError if a table lacks a key, has an unknown key or an empty value
 std::vector<StatedDirect> read_direct(const StudyTable& root);
 
-/// Reads the direct measurements that a measuring rig can make: the tables [[rig.direct]] of
-/// study.toml, with the keys effect, error and, optionally, cost, in the order of the file.
+/// Reads the direct measurements that a measuring rig can make from the tables [[rig.direct]] of
+/// study.toml, which have the keys effect, error and, optionally, cost. Returns the measurements in
+/// the order of the file.
 /// @param rig table [rig] of study.toml
 /// @throws InputError if a table lacks a key or has an unknown key, or if a cost is not positive
 std::vector<StatedDirect> read_direct_of_rig(const StudyTable& rig);

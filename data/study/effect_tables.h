@@ -16,20 +16,21 @@ struct Formula {
     Position position;   ///< position of the formula in study.toml
 };
 
-/// A physical effect that a user defines by formulas in a table [[effect]] of study.toml.
+/// Physical effect that a user defines by formulas in a table [[effect]] of study.toml.
 struct WrittenEffect {
     std::string name;  ///< name of the effect, such as "torque-offset"
-    /// Name of the effect's parameter; "on": the effect can only be switched on or off.
+    /// Name of the effect's parameter. The name is "on" if the effect can only be switched on or
+    /// off.
     std::string parameter;
     std::string unit = "1";  ///< SI unit of the effect's parameter; "1": dimensionless
     /// Smallest and largest allowed value of the effect's parameter, in the parameter's unit.
     double lower = 0, upper = 1;
-    /// Value of the parameter at which the effect vanishes, in the parameter's unit.
+    /// Value of the effect's parameter at which the effect vanishes, in the parameter's unit.
     double neutral = 0;
-    /// Smallest effect of interest to the user: difference between the parameter's value and
-    /// `neutral` below which the effect may be ignored, in the parameter's unit.
+    /// Smallest difference between the parameter's value and `neutral` that is of interest to the
+    /// user, in the parameter's unit. An effect with a smaller difference may be ignored.
     double smallest_of_interest = 1;
-    /// Description of the effect in one line; empty if the user gave none.
+    /// Description of the effect in one line; empty if the user gave no description.
     std::string summary = {};
     std::vector<Formula> formulas;  ///< one formula for each quantity that the effect changes
     Position position;              ///< position of the effect's table [[effect]] in study.toml
@@ -42,28 +43,30 @@ struct WrittenEffect {
         flow,        ///< quantities of the flow of the grains (`flow_targets`)
         condition    ///< properties of the grains and of their liquid (`condition_targets`)
     };
-    /// Kind of quantities that the formulas of this effect set; all its formulas set the same kind.
+    /// Returns the kind of quantities that the formulas of the effect set. All formulas of an
+    /// effect set quantities of one kind.
     Kind kind() const;
 };
 
-/// Quantities of the instrument that formulas in a table [[effect]] of study.toml can set:
-/// "torque", "normal_force", "height" and "angular_velocity". One effect sets quantities of one
-/// kind only: of the instrument, of the flow (`flow_targets`) or of the condition
+/// Returns the names of the quantities of the instrument that formulas in a table [[effect]] of
+/// study.toml can set: "torque", "normal_force", "height" and "angular_velocity". One effect sets
+/// quantities of one kind only: of the instrument, of the flow (`flow_targets`) or of the condition
 /// (`condition_targets`).
 const std::vector<std::string>& instrument_targets();
-/// Quantities of the flow of the grains that formulas in a table [[effect]] of study.toml can set:
-/// "stress_ratio" and "solid_fraction".
+/// Returns the names of the quantities of the flow of the grains that formulas in a table
+/// [[effect]] of study.toml can set: "stress_ratio" and "solid_fraction".
 const std::vector<std::string>& flow_targets();
-/// Properties of the grains and of their liquid that formulas in a table [[effect]] of study.toml
-/// can set: "friction_difference" (friction coefficient between grains minus the fitted friction of
-/// the model [1]) and "surface_tension" [N/m].
+/// Returns the names of the properties of the grains and of their liquid that formulas in a table
+/// [[effect]] of study.toml can set: "friction_difference" and "surface_tension" [N/m]. The
+/// friction difference is the friction coefficient between grains minus the fitted friction
+/// coefficient of the model [1].
 const std::vector<std::string>& condition_targets();
 
-/// Reads the effects that a user defines in the tables [[effect]] of study.toml, in the order of
-/// the file.
-/// @throws InputError if a key is missing, unknown or has an invalid value, if two effects have the
-///         same name, or if an effect has no formula, or formulas for quantities of two kinds
-///         (`WrittenEffect::Kind`)
+/// Reads the effects that a user defines in the tables [[effect]] of study.toml. Returns the
+/// effects in the order of the file.
+/// @throws InputError if a key is missing, unknown or has an invalid value, if two effects have one
+///         name, if an effect has no formula, or if an effect has formulas for quantities of two
+///         kinds (`WrittenEffect::Kind`)
 std::vector<WrittenEffect> read_written_effects(const StudyTable& root);
 
 }  // namespace pendular

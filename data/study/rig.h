@@ -15,37 +15,37 @@ struct Span {
     double least = 0, greatest = 0;
 };
 
-/// Conditions at which a measuring rig can take further readings, and what they cost: table [rig]
-/// of study.toml. Costs are relative to the cost of a dry reading.
+/// Conditions at which a measuring rig can take further readings, and costs of the readings: table
+/// [rig] of study.toml. Costs are relative to the cost of a dry reading.
 struct Rig {
     Span normal_stress;  ///< normal stresses that the rig can impose [Pa]
-    /// Inertial numbers [1] to which the rig can be set; empty if it sets the shear rate.
+    /// Inertial numbers [1] to which the rig can be set; empty if the rig sets the shear rate.
     std::optional<Span> inertial_number;
-    /// Shear rates [1/s] to which the rig can be set; empty if it sets the inertial number.
+    /// Shear rates [1/s] to which the rig can be set; empty if the rig sets the inertial number.
     std::optional<Span> shear_rate;
     /// Liquid contents (volume of liquid divided by volume of grains [1]) at which the rig can
     /// measure; 0: dry.
     std::vector<double> liquid_contents = {0};
     /// Solid volumes of the grains [m^3] with which the cell can be filled; empty: only the volume
-    /// in the study's cell.
+    /// in the table [cell] of the study.
     std::vector<double> bead_volumes = {};
     int repeats = 5;  ///< largest number of further readings that the rig may take at one condition
     /// Largest total number of further readings that the rig may take, over all conditions.
     int readings = 12;
     double wet_cost = 1;  ///< cost of a wet reading, relative to the cost of a dry reading [1]
-    /// Cost of filling the cell with another amount of grains, relative to the cost of a dry
+    /// Cost of filling the cell with a different amount of grains, relative to the cost of a dry
     /// reading [1].
     double filling_cost = 0;
-    /// Times [s] that the user may wait between the last reading and the next one.
+    /// Times [s] that the user may wait between the last reading and the next reading.
     std::vector<double> waits = {0};
     /// Cost of waiting for an hour between readings, relative to the cost of a dry reading [1].
     double hour_cost = 1;
-    /// Direct measurements of effect parameters, such as the torque of the empty cell, that the rig
-    /// can make.
+    /// Direct measurements of effect parameters that the rig can make without shearing grains, such
+    /// as the torque of the empty cell.
     std::vector<StatedDirect> direct = {};
 };
 
-/// Reads the table [rig] of study.toml; empty if the study has none.
+/// Reads the table [rig] of study.toml. The result is empty if the study has no table [rig].
 /// @param has_liquid whether the study has a table [liquid], which liquid contents above 0 need
 /// @param grains grains whose density converts the key bead_mass to a solid volume
 /// @throws InputError at a key that is missing, unknown or has an invalid value

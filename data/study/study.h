@@ -19,26 +19,29 @@
 namespace pendular {
 
 /// Entry [[recording]] (raw time series) or [[readings]] (table of readings) of study.toml, with
-/// the files that it names.
+/// the files that the entry names.
 struct Source {
     enum class Kind { recording, readings };
     Kind kind = Kind::recording;
     std::string pattern;  ///< pattern of file paths, relative to the study's folder
     std::vector<std::filesystem::path> files;  ///< files that match the pattern, sorted by path
-    /// Volume of liquid divided by volume of grains [1], if the entry states it.
+    /// Liquid content: volume of liquid divided by volume of grains [1], if the entry states the
+    /// liquid content.
     std::optional<double> liquid_content;
-    /// Solid volume of the grains in the cell [m^3], if the entry overrides the value in [cell].
+    /// Solid volume of the grains in the cell [m^3], if the entry overrides the volume in the table
+    /// [cell].
     std::optional<double> bead_volume;
-    /// True if the readings of the entry are points of failure (state = "failure") rather than
+    /// Whether the readings of the entry are points of failure (state = "failure") rather than
     /// steady shear.
     bool at_failure = false;
-    /// Settings for reading the entry's files, such as layout and decimal mark, that the entry
-    /// states.
+    /// Settings that the entry states for reading the entry's files, such as layout and decimal
+    /// mark.
     FileFormat format = {};
     Position position;  ///< position of the entry in study.toml
 };
 
-/// Effect in the list `effects` of [model] in study.toml, which makes it part of the study's model.
+/// Physical effect in the list `effects` of the table [model] in study.toml, which makes the effect
+/// part of the study's model.
 struct ListedEffect {
     std::string name;
     Position position;  ///< position of the effect's name in study.toml
@@ -51,14 +54,16 @@ struct MeasuredStrength {
     double standard_error = 0;  ///< standard error of the reading's stress ratio [1]
 };
 
-/// Settings of the model: [model] in study.toml.
+/// Settings of the model: table [model] of study.toml.
 struct ModelSettings {
-    /// Base model of wet grains: "dem" (simulations), "rumpf" (law of dry grains plus a cohesion
-    /// that follows from Rumpf's formula) or "mohr-coulomb" (law of dry grains plus constant
-    /// cohesions that are fitted to `strengths`).
+    /// Base model of wet grains: "dem", "rumpf" or "mohr-coulomb". The model "dem" consists of
+    /// simulations. The model "rumpf" adds a cohesion that follows from Rumpf's formula to the law
+    /// of dry grains. The model "mohr-coulomb" adds constant cohesions, which are fitted to
+    /// `strengths`, to the law of dry grains.
     std::string base = "dem";
-    /// Stress ratios of the study's wet readings, needed if the base model is "mohr-coulomb". The
-    /// strengths are not part of study.toml; the function `with_strengths` computes them.
+    /// Stress ratios of the study's wet readings, which are needed if the base model is
+    /// "mohr-coulomb". The strengths are not part of study.toml. The function `with_strengths`
+    /// computes the strengths.
     std::vector<MeasuredStrength> strengths = {};
     /// Names of the model's parameters to fit, such as "friction".
     std::vector<std::string> calibrate = {"friction"};
@@ -68,16 +73,17 @@ struct ModelSettings {
     std::vector<ListedEffect> effects;
     /// Variant of the formula of the bridge force that the model uses.
     FormulaVariant bridge_force = FormulaVariant::derived;
-    /// Expected standard error of the model's predictions, relative to the values of (stress ratio,
-    /// solid fraction) [1]; 0: the model is exact.
+    /// Expected standard errors [1] of the model's predictions, divided by the value: first of the
+    /// stress ratio, second of the solid fraction. The standard errors are 0 if the model counts as
+    /// exact.
     std::array<double, 2> discrepancy = {0, 0};
 };
 
 /// Settings for the conversion of recordings to readings: table [import] of study.toml.
 struct ImportSettings {
-    /// True if readings that are physically implausible are used nevertheless.
+    /// Whether readings that are physically implausible are used nevertheless.
     bool keep_implausible = false;
-    /// Smallest shear strain of the steady part of a step [1]; a step with a shorter steady part is
+    /// Smallest shear strain of the steady part of a step [1]. A step with a shorter steady part is
     /// excluded.
     double least_strain = 1;
 };
@@ -88,48 +94,51 @@ struct Study {
     std::filesystem::path file;    ///< path of the study's file study.toml
     GrainProperties grains;
     std::optional<Liquid> liquid;
-    /// Annular cell of the rheometer; present if the study has recordings.
+    /// Annular cell of the rheometer, if stated; always stated if the study has recordings.
     std::optional<AnnularCell> cell;
     std::vector<Source> sources;  ///< recordings and tables of readings, in the order of study.toml
     ImportSettings import;
-    /// Scatter of the instrument between repeated readings, if the user stated it in [scatter].
+    /// Scatter of the instrument between repeated readings, if the user stated the scatter in the
+    /// table [scatter].
     std::optional<StatedScatter> scatter;
     ModelSettings model;
     std::vector<WrittenEffect> written_effects;  ///< effects that the study defines by formulas
     /// Direct measurements of effect parameters, made without shearing grains.
     std::vector<StatedDirect> direct;
-    /// Conditions at which the rig can take further readings, and their costs, if stated.
+    /// Conditions at which the rig can take further readings, and costs of the readings, if stated.
     std::optional<Rig> rig;
 };
 
 /// Reads the file study.toml of a study and checks every key. Quantities are texts with a unit, or
 /// plain numbers if dimensionless.
-/// @param study folder of the study, or its study.toml
+/// @param study folder of the study, or path of its study.toml
 /// @throws InputError at file:line:column for a key that is missing or unknown (suggesting the
 ///         nearest known key), a unit of the wrong dimension, an invalid value (an inner radius
-///         above the outer radius for example), and a pattern that matches no file
+///         above the outer radius for example), a file that is missing, outside of the study's
+///         folder without allow_outside, or in two entries, and a study without any file
 Study read_study(const std::filesystem::path& study);
 
-/// Pattern of file paths in an entry [[recording]] or [[readings]] of study.toml. Matching files
-/// need not exist.
+/// Pattern of file paths in an entry [[recording]] or [[readings]] of study.toml. Files that match
+/// the pattern need not exist.
 struct FilePattern {
     Source::Kind kind = Source::Kind::recording;
     std::string pattern;  ///< pattern of file paths, relative to the study's folder
-    /// Settings for reading the entry's files, such as layout and decimal mark, that the entry
-    /// states.
+    /// Settings that the entry states for reading the entry's files, such as layout and decimal
+    /// mark.
     FileFormat format = {};
 };
 
 /// Reads only the patterns of file paths from study.toml, without the files, for a study in which
 /// nothing has been measured yet.
-/// @param study folder of the study, or its study.toml
+/// @param study folder of the study, or path of its study.toml
 /// @throws InputError at file:line:column if the file cannot be read, for a syntax error, an
 ///         unknown key of the top level or of an entry, and a wrong value of a key that says how
 ///         files are read
 std::vector<FilePattern> read_patterns(const std::filesystem::path& study);
 
 /// Returns a warning for the user if a liquid content is outside of the pendular range, in which
-/// the liquid forms separate bridges; empty inside this range and for dry grains.
+/// the liquid forms separate bridges. The result is empty inside the pendular range and for dry
+/// grains.
 /// @param liquid_content volume of liquid divided by volume of grains [1]
 std::optional<std::string> pendular_range_warning(double liquid_content);
 

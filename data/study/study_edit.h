@@ -6,18 +6,19 @@
 
 namespace pendular {
 
-/// Returns the text of study.toml with an effect added at the end of the list `effects` in [model].
-/// If [model] or the list is missing, it is added. All other text, comments and line ends are
-/// preserved.
+/// Returns the text of study.toml with an effect added at the end of the list `effects` in the
+/// table [model]. If the table or the list is missing, the table or the list is added. All other
+/// text, comments and line ends are preserved.
 /// @param text text of study.toml
 /// @param file path of study.toml, for error messages
 /// @param name name of the effect
 /// @throws InputError if the text is not TOML, if the effect is in the list already, or if the
-///         layout of the list cannot be edited safely; the message says what to write by hand
+///         layout of the list cannot be edited safely. For the layout, the message says what to
+///         write by hand.
 std::string with_effect(const std::string& text, const std::string& file, std::string_view name);
 
-/// Returns the text of study.toml with an effect removed from the list `effects` in [model]. All
-/// other text and comments are preserved.
+/// Returns the text of study.toml with an effect removed from the list `effects` in the table
+/// [model]. All other text and comments are preserved.
 /// @param text text of study.toml
 /// @param file path of study.toml, for error messages
 /// @param name name of the effect
@@ -28,8 +29,8 @@ std::string without_effect(const std::string& text, const std::string& file, std
 /// Replaces the content of a study's file study.toml by a new text, completely or not at all.
 /// @param file path of study.toml
 /// @throws InputError if the path is a symbolic link out of its folder
-/// @throws std::runtime_error if the file cannot be written; the message names the file and the
-///         system's reason
+/// @throws std::runtime_error if the file cannot be written. The message names the file and the
+///         system's reason.
 void replace_study(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace pendular

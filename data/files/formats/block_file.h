@@ -13,40 +13,45 @@
 
 namespace pendular {
 
-/// Column of an interval (step of a rheometer's test): its name and unit in the file, and the
-/// quantity that the program reads from it.
+/// Column of an interval (step of a rheometer's test): name and unit of the column in the file, and
+/// the quantity that the program reads from the column.
 struct BlockColumn {
-    std::string name;  ///< name of the column in the file: "Contrainte de Cisaillement"
-    std::string unit;  ///< unit of the column in the file, such as "Pa"; empty if none
-    /// Name of the quantity that the column is read as, such as "shear_stress"; empty: the column
-    /// is not used.
+    std::string name;  ///< name of the column in the file, such as "Contrainte de Cisaillement"
+    /// Unit of the column in the file, such as "Pa"; empty if the file gives no unit.
+    std::string unit;
+    /// Name of the quantity that the column is read as, such as "shear_stress". The name is empty
+    /// if the column is not used.
     std::string quantity;
-    /// Name of the quantity whose set points the column contains, such as "normal_force"; empty for
-    /// a column of measured values.
+    /// Name of the quantity whose set points the column contains, such as "normal_force". The name
+    /// is empty for a column of measured values.
     std::string set_point_of = {};
 };
 
 /// Key and value in the header of a file, such as "Stress constant" and "79577.5 Pa/N.m".
 struct Fact {
     std::string key, value;
-    int line = 0;  ///< line of the file in which the key and its value are, from 1
+    int line = 0;  ///< line of the file with the key and the value, from 1
 };
 
 /// Rows of a file under one header, such as an interval of a rheometer's test.
 struct Block {
-    /// Name of the test to which the interval belongs; empty if the file names none.
+    /// Name of the test to which the interval belongs; empty if the file does not name the test.
     std::string test;
-    std::string name;  ///< name of the interval, "Peak hold - 1"; empty if the file names none
-    int number = 0;    ///< number of the interval in its test, from 1; 0: the file gives none
-    /// Role of the interval in the test, such as "failure", if the file states it; else empty.
+    /// Name of the interval, such as "Peak hold - 1"; empty if the file does not name the interval.
+    std::string name;
+    int number = 0;  ///< number of the interval in its test, from 1; 0: not in the file
+    /// Role of the interval in the test, such as "failure", if the file states the role; else
+    /// empty.
     std::string stated_role = {};
-    /// Bulk density of the sample, with its liquid [kg/m^3]; empty if the file does not state it.
+    /// Bulk density of the sample with its liquid [kg/m^3]; empty if the file does not state the
+    /// bulk density.
     std::optional<double> bulk_density = {};
-    /// Number of rows that the file declares for the interval; empty if it declares none.
+    /// Number of rows that the file declares for the interval; empty if the file declares no
+    /// number.
     std::optional<std::size_t> declared_rows;
     std::vector<BlockColumn> columns;
-    /// Rows of the interval. Header cells of used columns read `quantity [unit]`; header cells of
-    /// other columns keep the text of the file, with the number of the column. Numbers have a
+    /// Rows of the interval. Header cells of used columns read `quantity [unit]`. Header cells of
+    /// unused columns keep the text of the file, with the number of the column. Numbers have a
     /// decimal point.
     Table table;
 };
@@ -55,13 +60,13 @@ struct Block {
 struct SkippedRows {
     int first_line = 0, last_line = 0;
     std::string reason;
-    /// True if the skipped rows count among the rows (points) that the file declares for an
+    /// Whether the skipped rows count among the rows (points) that the file declares for an
     /// interval.
     bool points = true;
 };
 
-/// Numbers of intervals and cells read from a file, which are limited so that a small file cannot
-/// use much memory.
+/// Numbers of intervals and cells read from a file. The numbers are limited so that a small file
+/// cannot use much memory.
 struct FileCounts {
     std::size_t intervals = 0;
     /// Number of header cells read from the file: sum of the columns of all intervals.
@@ -69,8 +74,8 @@ struct FileCounts {
     std::size_t cells = 0;  ///< number of table cells read from the file: rows times columns
 };
 
-/// Largest number of intervals, and of header cells (intervals times columns), that are read from
-/// one file.
+/// Largest number of intervals that are read from one file, and largest number of header cells
+/// (intervals times columns) that are read from one file.
 constexpr std::size_t most_intervals = 10'000, most_header_cells = 1'000'000;
 
 /// Content of a file of measurements, independent of the layout of the file.
@@ -80,25 +85,25 @@ struct BlockFile {
     std::string encoding;  ///< name of the file's character encoding
     char delimiter = ',';
     NumberStyle numbers;
-    /// Keys and values in the header of the file, such as "Stress constant"; each key once.
+    /// Keys, such as "Stress constant", and values in the header of the file; each key once.
     std::vector<Fact> facts;
-    std::vector<Block> blocks;  ///< intervals of the file, in its order
+    std::vector<Block> blocks;  ///< intervals of the file, in the order of the file
     /// Rows of the file that were left out, in the order of reading.
     std::vector<SkippedRows> skipped;
     FileCounts counts;  ///< numbers of intervals and cells that were read from the file so far
     std::set<std::string> known_keys;  ///< keys in the header of the file (`facts`), in lower case
 
-    /// Value of a key in the header of the file; empty if the header lacks the key. Upper and lower
-    /// case count as equal.
+    /// Returns the value of a key in the header of the file. The text is empty if the header lacks
+    /// the key. Upper and lower case count as equal.
     std::string fact(std::string_view key) const;
 
-    /// Adds a key with its value, unless the key is already known. Upper and lower case count as
-    /// equal.
+    /// Adds a key of the header with its value, unless the key is already known. Upper and lower
+    /// case count as equal.
     void add_fact(Fact fact);
 };
 
-/// Lines of a file of measurements. The lines refer to a text that they do not copy, which must
-/// outlive this object.
+/// Lines of a file of measurements. The lines refer to the text of the file without a copy, so that
+/// the text must outlive the SourceLines object.
 struct SourceLines {
     std::string file;
     std::vector<std::string_view> lines;
@@ -113,41 +118,41 @@ struct SourceLines {
 bool is_blank(const Row& row);
 
 /// Returns the delimiter (tab, semicolon or comma) that splits the lines from `begin` to `end` - 1
-/// most consistently: most lines have as many cells as the line before. At most 1000 lines are
-/// examined; if two delimiters are equally consistent, the earlier one in the order tab, semicolon,
-/// comma is returned.
+/// most consistently. With the most consistent delimiter, most lines have as many cells as the
+/// preceding line. At most 1000 lines are examined. If two delimiters are equally consistent, the
+/// earlier delimiter in the order tab, semicolon, comma is returned.
 char consistent_delimiter(const SourceLines& source, std::size_t begin, std::size_t end);
 
 /// Returns the whole number from 1 to a billion that a cell states, such as the number of an
-/// interval, or 0 if the cell has any other text.
+/// interval. The result is 0 if the cell has any other text.
 int count_of(const std::string& cell);
 
 /// Returns the unit in a cell without brackets: "mN·m" for "[mN·m]" or "(mN·m)".
 std::string bare_unit(std::string_view cell);
 
 /// Sets the columns and the header of an interval from the names and units in the file. If several
-/// columns contain the same quantity, the column with the most specific name is used ("Time" rather
-/// than "Run time"). If their names are equally specific, the first column is used.
+/// columns contain one quantity, the column with the most specific name is used ("Time" rather than
+/// "Run time"). If the names of several columns are equally specific, the first column is used.
 /// @param file file to which the interval belongs; its number of intervals is increased
 /// @param header row whose cells have the positions of the columns in the file
-/// @param details further text on each column, such as "Constant component"; may be shorter than
-///         the list of columns
+/// @param details further text on each column, such as "Constant component"; the list may be
+///         shorter than the list of columns
 /// @throws InputError for more than 1000 columns, `most_intervals` intervals or `most_header_cells`
 ///         header cells, and for an unknown unit of a known quantity
 void set_columns(BlockFile& file, Block& block, Row header, const std::vector<std::string>& names,
                  const std::vector<std::string>& units,
                  const std::vector<std::string>& details = {});
 
-/// Adds a row to an interval. A row is left out as cut off, and listed in `file.skipped`, if it
-/// ends before a used column in which the preceding row has a value. Other missing cells at the end
-/// of the row, and cells such as "---" and "***", become empty.
+/// Adds a row to an interval. A row that ends before a used column in which the preceding row has a
+/// value is left out as cut off, and listed in `file.skipped`. Other missing cells at the end of
+/// the row, and cells such as "---" and "***", become empty.
 /// @param file file to which the interval belongs; its number of cells is increased
-/// @throws InputError if the row has more cells than the interval has columns, and they are not
-///         empty, or if the file has more than `most_cells` cells
+/// @throws InputError if the row has more cells than the interval has columns and the additional
+///         cells are not empty, or if the file has more than `most_cells` cells
 void add_row(BlockFile& file, Block& block, Row row);
 
 /// Adds a line of a file to `file.skipped`, the list of lines that are left out. If the preceding
-/// line was left out for the same reason, the range of lines in its entry is extended.
+/// line was left out for an equal reason, the line extends the entry of the preceding line.
 /// @param reason reason for the user
 /// @param points whether the line is one of the points (rows) whose number the file declares
 void skip_line(BlockFile& file, int line, const char* reason, bool points = true);

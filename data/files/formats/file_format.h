@@ -6,8 +6,8 @@
 
 namespace pendular {
 
-/// Settings of the user for reading a file of measurements. An empty setting is determined from the
-/// content of the file.
+/// Settings of the user for reading a file of measurements. A setting that is empty is determined
+/// from the content of the file.
 struct FileFormat {
     /// Name of the file's layout, one of `layout_names`; empty: determined from the file.
     std::string layout;
@@ -16,13 +16,13 @@ struct FileFormat {
     std::string encoding;
     /// Decimal mark of the file's numbers, "." or ","; empty: determined from the file.
     std::string decimal;
-    std::string sheet;  ///< name of the sheet of a workbook file; empty: the first one
+    std::string sheet;  ///< name of the sheet of a workbook; empty: the first sheet of the workbook
     /// Header cells `name [unit]` of all columns, for a file that has no header or no units.
     std::vector<std::string> columns;
-    /// Intervals whose role the user states: the key is a role such as "failure", the value lists
-    /// the numbers or names of the intervals, such as "4".
+    /// Intervals whose role the user states. The key is a role such as "failure". The value is the
+    /// list of the numbers or names of the intervals, such as "4".
     std::map<std::string, std::vector<std::string>> roles;
-    /// True if torques of the file that lost a decimal mark are corrected from the shear stresses
+    /// Whether torques of the file that lost a decimal mark are corrected from the shear stresses
     /// and reported.
     bool repair = false;
 };

@@ -13,24 +13,26 @@ namespace pendular {
 struct Layout {
     std::string name;     ///< name of the layout in study.toml, such as "rheocompass"
     std::string meaning;  ///< description of the layout in a few words, for the user
-    /// Returns true if the lines of a file have this layout.
+    /// Function that returns whether the lines of a file have the layout.
     bool (*recognise)(const SourceLines&);
-    /// Reads the delimiter, the header and the intervals of a file with this layout into `file`.
+    /// Function that reads the delimiter, the header and the intervals of a file with the layout
+    /// into `file`.
     /// @throws InputError at file:line:column for text that the layout does not allow
     void (*read)(const SourceLines&, const FileFormat&, BlockFile& file);
 };
 
-/// All known layouts, in the order in which `read_blocks` tries to recognise them.
+/// Returns all known layouts, in the order in which `read_blocks` tries to recognise them.
 const std::vector<Layout>& layouts();
 
-/// Names of all known layouts, which are the values of the key `layout` in study.toml.
+/// Returns the names of all known layouts, which are the values of the key `layout` in study.toml.
 std::vector<std::string> layout_names();
 
-/// Names of the roles that an interval may have in a test: "steady", "failure" and so on.
+/// Returns the names of the roles that an interval may have in a test: "steady", "failure" and so
+/// on.
 const std::vector<std::string>& interval_roles();
 
 /// Reads a file of measurements in any known layout. Layout, encoding, delimiter and decimal mark
-/// are determined from the content unless `format` states them.
+/// are determined from the content of the file unless `format` states them.
 /// @throws InputError if the file cannot be read, has no rows or no units, or has text that its
 ///         layout does not allow
 BlockFile read_blocks(const std::filesystem::path& path, const FileFormat& format = {});

@@ -8,8 +8,9 @@
 
 namespace pendular {
 
-/// Index, from 0, of the first line of a file, at or after the line with index `from`, that
-/// contains more than blanks and delimiters. If no line does, the result is the number of lines.
+/// Returns the index, from 0, of the first line of a file, at or after the line with index `from`,
+/// that contains more than blanks and delimiters. If every line from `from` on is blank, the result
+/// is the number of lines.
 std::size_t first_filled_line(const SourceLines& source, std::size_t from);
 
 /// Names and units of the columns of a table, one element per column.
@@ -20,9 +21,9 @@ struct NamesAndUnits {
 /// Returns the names and units of the columns in the user's settings (`FileFormat::columns`).
 NamesAndUnits stated_columns(const FileFormat& format);
 
-/// Reads intervals that follow each other in one table, and adds them to `file.blocks`. An interval
-/// begins after a row of two whole numbers (number of the interval and number of its points), or at
-/// a row in which a counter of points in the first column restarts.
+/// Reads intervals that follow each other in one table, and adds the intervals to `file.blocks`. An
+/// interval begins after a row of two whole numbers (number of the interval and number of points of
+/// the interval), or at a row in which a counter of points in the first column restarts.
 /// @param begin index of the line of the first row, from 0
 /// @param header row whose cells have the positions of the columns
 void read_stacked_rows(const SourceLines& source, std::size_t begin, const Row& header,
