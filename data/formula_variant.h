@@ -6,18 +6,20 @@
 
 namespace pendular {
 
-/// Variant of a formula that is misprinted in Badetti et al. (2018): as derived from the
-/// definitions in that paper, or as printed there.
+/// Variant of a formula that is misprinted in Badetti et al. (2018). The variant `derived` follows
+/// from the definitions in the paper. The variant `as_printed` is the formula as the paper prints
+/// it.
 enum class FormulaVariant { derived, as_printed };
 
-/// Names of the formula variants in study.toml, on the command line and in JSON: "derived" (the
-/// default) and "as_printed", in the order of the enumerators.
+/// Returns the names of the formula variants, which study.toml, the command line and JSON use:
+/// first "derived" (the default), second "as_printed".
 const std::vector<std::string>& formula_variant_names();
-/// Name of a formula variant: "derived" or "as_printed".
+/// Returns the name of a formula variant: "derived" or "as_printed".
 const std::string& to_string(FormulaVariant form);
 
 /// Returns the formula variant with the name "derived" or "as_printed".
-/// @throws InputError for any other name; the message suggests the nearest name or lists both
+/// @throws InputError for every other name. The message suggests the name that was probably meant,
+///         or lists both names.
 FormulaVariant formula_variant_named(std::string_view name);
 
 }  // namespace pendular

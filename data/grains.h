@@ -7,17 +7,18 @@ namespace pendular {
 /// Standard acceleration of gravity [m/s^2].
 constexpr double gravity = 9.80665;
 
-/// Properties of the grains: size, density and elasticity, in SI units.
+/// Properties of the grains in SI units: size, density and elasticity.
 struct GrainProperties {
     double diameter = 0;  ///< mean diameter a of the grains [m]
     double density = 0;   ///< density of the grain material [kg/m^3]
-    /// Young's modulus E of the grain material [Pa]. If it is empty, grains are simulated at a
-    /// stiffness number (see `stiffness_number`) that is chosen together with the size and accuracy
-    /// of the simulations (`Fidelity`).
+    /// Young's modulus E of the grain material [Pa]. If E is not given, grains are simulated at a
+    /// stiffness number (see `stiffness_number`) that is chosen together with the number of grains
+    /// and the strain of the simulations (`Fidelity`).
     std::optional<double> youngs_modulus = {};
     double poisson_ratio = 0.3;  ///< Poisson ratio nu of the grain material [1]
 
-    /// Mass of one grain [kg]: rho pi a^3/6, with rho the density and a the mean diameter.
+    /// Returns the mass of one grain [kg]: rho pi a^3/6, with the density rho of the grain material
+    /// and the mean diameter a of the grains.
     double mass() const;
 };
 
@@ -30,31 +31,32 @@ struct Liquid {
     bool operator==(const Liquid&) const = default;
 };
 
-/// Inertial number I [1] at a shear rate [1/s] and a normal stress s22 [Pa].
+/// Returns the inertial number I [1] at a shear rate [1/s] and a normal stress s22 [Pa].
 ///     I = shear rate sqrt(m/(a s22))      m, a: mass [kg] and diameter [m] of a grain
-/// Source: Badetti et al. (2018), eq:defI, in its three-dimensional form. The other common
-/// definition, shear rate times a sqrt(density/s22), gives sqrt(6/pi) = 1.382 times larger values.
+/// A second common definition is shear rate times a sqrt(density/s22). Inertial numbers by the
+/// second definition are sqrt(6/pi) = 1.382 times larger.
+/// Source: Badetti et al. (2018), eq:defI, in its three-dimensional form.
 double inertial_number(double shear_rate, double normal_stress, const GrainProperties& grains);
 
-/// Shear rate [1/s] at an inertial number I [1] and a normal stress s22 [Pa], the inverse of the
-/// function `inertial_number`.
+/// Returns the shear rate [1/s] at an inertial number I [1] and a normal stress s22 [Pa]. The
+/// function inverts `inertial_number`.
 ///     shear rate = I / sqrt(m/(a s22))      m, a: mass [kg] and diameter [m] of a grain
 double shear_rate_at(double inertial_number, double normal_stress, const GrainProperties& grains);
 
-/// Stiffness number kappa [1] of the contacts at a normal stress s22 [Pa]; empty if the grains have
-/// no Young's modulus.
+/// Returns the stiffness number kappa [1] of the contacts at a normal stress s22 [Pa]. The result
+/// is empty if the Young's modulus of the grains is not given.
 ///     kappa = (E/((1 - nu^2) s22))^(2/3)      E: Young's modulus [Pa], nu: Poisson ratio [1]
 std::optional<double> stiffness_number(double normal_stress, const GrainProperties& grains);
 
-/// Pull-off force F0 [N]: attraction of two equal grains in contact that are joined by a liquid
-/// bridge of any volume.
+/// Returns the pull-off force F0 [N]: attraction of two equal grains in contact that are joined by
+/// a liquid bridge of any volume.
 ///     F0 = pi a Gamma cos(theta)      a: grain diameter [m], Gamma: surface tension [N/m],
 ///                                     theta: contact angle [rad]
 /// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105; Badetti et al. (2018), eq:Maugis.
 double pull_off_force(const GrainProperties& grains, const Liquid& liquid);
 
-/// Reduced pressure P* [1] at a normal stress s22 [Pa]; infinite for a liquid without surface
-/// tension.
+/// Returns the reduced pressure P* [1] at a normal stress s22 [Pa]. The reduced pressure is
+/// infinite for a liquid without surface tension.
 ///     P* = a^2 s22/F0      a: grain diameter [m], F0: pull-off force of a liquid bridge [N]
 /// Source: Badetti et al. (2018), eq:defPstar.
 double reduced_pressure(double normal_stress, const GrainProperties& grains, const Liquid& liquid);

@@ -5,7 +5,8 @@
 
 namespace pendular {
 
-/// Position in a file of the user. Lines and columns count from 1; 0 means unknown.
+/// Position in a file of the user. Lines and columns are counted from 1; 0 stands for an unknown
+/// line or column.
 struct Position {
     std::string file;
     int line = 0;
@@ -15,13 +16,13 @@ struct Position {
 /// Returns a position as the text "file:line:column". An unknown line or column is left out.
 std::string to_string(const Position& position);
 
-/// Error in the user's input. The message what() reads "file:line:column: what is wrong; what to
-/// do". The program prints the message and ends with exit code 2. Errors of the program itself,
-/// such as a violated invariant, have other types.
+/// Error in the user's input. The message that what() returns has the form "file:line:column: what
+/// is wrong; what to do". The program prints the message and ends with exit code 2. Errors of the
+/// program itself, such as a violated invariant, have types other than InputError.
 class InputError : public std::runtime_error {
   public:
     InputError(const Position& position, const std::string& message);
-    /// Error that concerns no file, such as an unknown option on the command line.
+    /// Creates an error that concerns no file, such as an unknown option on the command line.
     explicit InputError(const std::string& message);
 };
 

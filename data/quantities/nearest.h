@@ -7,18 +7,19 @@
 
 namespace pendular {
 
-/// Number of single-character edits (insertions, deletions, replacements, swaps of neighbours) that
-/// turn the first word into the second. Upper and lower case count as equal.
+/// Returns the number of single-character edits (insertions, deletions, replacements, swaps of
+/// neighbours) that turn the first word into the second word. Upper and lower case count as equal.
 /// Source: Damerau-Levenshtein distance, optimal string alignment.
 int edit_distance(std::string_view first, std::string_view second);
 
 /// Returns the known name that differs from a misspelt word by the fewest edits (`edit_distance`).
-/// Empty if every name needs more edits than a third of the length of the word in bytes, at least
-/// one edit being allowed.
+/// At least one edit is allowed, and at most a third of the number of bytes of the word. The result
+/// is empty if every known name needs more edits.
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> known);
 
-/// Returns a hint for the end of an error message about an unknown word: "did you mean 'diameter'?"
-/// or, if no known name is similar, "known are 'density', 'diameter'".
+/// Returns a hint for the end of an error message about an unknown word, such as "did you mean
+/// 'diameter'?". If no known name is similar to the word, the hint lists all known names: "known
+/// are 'density', 'diameter'".
 std::string did_you_mean(std::string_view word, std::span<const std::string> known);
 
 }  // namespace pendular

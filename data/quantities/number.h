@@ -6,27 +6,27 @@
 
 namespace pendular {
 
-/// Returns a text without the blanks, tabs and line ends at its beginning and end.
+/// Returns a text without the blanks, tabs and line ends at the beginning and end of the text.
 std::string_view trimmed(std::string_view text);
 
-/// Converts a text to a finite number; empty if the text is anything else. The decimal mark is '.'
-/// in every locale; blanks before and after the number are allowed.
+/// Converts a text to a finite number. The result is empty if the text is not a finite number. The
+/// decimal mark is '.' in every locale. Blanks before and after the number are allowed.
 std::optional<double> parse_number(std::string_view text);
 
-/// Largest magnitude, in SI units, that is accepted for a quantity. Larger values are mistakes, and
-/// their powers would overflow in a fit.
+/// Largest magnitude, in SI units, that is accepted for a quantity. Larger magnitudes are mistakes,
+/// whose powers would overflow in a fit.
 constexpr double largest_magnitude = 1e15;
 /// Smallest magnitude, in SI units, that is accepted for a quantity that must not be 0, such as a
 /// standard deviation.
 constexpr double smallest_magnitude = 1e-15;
 
-/// Returns why a number in SI units cannot be a measured value, as the end of an error message: it
-/// is not finite, or its magnitude exceeds `largest_magnitude`. Empty if it can be a measured
-/// value.
+/// Returns the reason why a number in SI units cannot be a measured value, as the end of an error
+/// message. The reason is that the number is not finite, or that its magnitude exceeds
+/// `largest_magnitude`. The result is empty if the number can be a measured value.
 std::optional<std::string> beyond_measure(double number);
 
 /// Returns a number as text with three significant digits, such as "1000", "0.0123" or "2e+07".
-/// Magnitudes below 0.0001 and from a million on have an exponent.
+/// Numbers of magnitude below 0.0001, and of a million or more, are written with an exponent.
 std::string short_text(double number);
 
 /// Whether a text is a number with a decimal comma, such as "1,25".

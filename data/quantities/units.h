@@ -6,24 +6,24 @@
 
 namespace pendular {
 
-/// Unit of measurement. A value x in this unit is factor x + offset in SI units.
+/// Unit of measurement. A value x in the unit of measurement is factor x + offset in SI units.
 class Unit {
   public:
-    /// Reads a unit in any common spelling: "mN m", "mNm", "N·m", "kPa", "1/s", "deg", "rpm", "%".
-    /// The texts "", "-" and "1" mean dimensionless.
-    /// @throws std::invalid_argument naming the text if it is no unit, or if its upper and lower
-    ///         case letters make it an unlikely unit ("pa" would be a pico-are)
+    /// Reads a unit in any common spelling, such as "mN m", "mNm", "N·m", "kPa", "1/s", "deg",
+    /// "rpm" or "%". The texts "", "-" and "1" mean dimensionless.
+    /// @throws std::invalid_argument naming the text if the text is no unit, or if the case of its
+    ///         letters makes the text an unlikely unit ("pa" would be a pico-are)
     explicit Unit(std::string_view spelling);
 
-    /// Converts a value in this unit to SI units.
+    /// Returns the SI value of a value that is given in the unit.
     double to_si(double value) const { return factor_ * value + offset_; }
-    /// Whether two units have the same dimension, such as mN m and kgf cm. The radian counts as a
+    /// Whether two units have equal dimensions, such as mN m and kgf cm. The radian counts as a
     /// dimension of its own, so that an angle is not accepted in place of a stress ratio.
     bool same_dimension(const Unit& other) const { return dimension_ == other.dimension_; }
-    /// Text that the unit was read from, without blanks around it.
+    /// Returns the text that the unit was read from, without blanks around the text.
     const std::string& spelling() const { return spelling_; }
-    /// Dimension of the unit as a product of SI base units, such as "kg m^2 s^-2"; empty if it is
-    /// dimensionless.
+    /// Returns the dimension of the unit as a product of SI base units, such as "kg m^2 s^-2". The
+    /// text is empty if the unit is dimensionless.
     const std::string& dimension() const { return dimension_; }
 
   private:
@@ -34,26 +34,26 @@ class Unit {
 };
 
 /// Returns an error message for a unit whose dimension is not the expected one. If grams were
-/// written for gram-force, the message suggests the unit that was meant:
+/// probably written for gram-force, the message suggests gram-force:
 ///     'g cm' measures kg m, not kg m^2 s^-2 as 'N m' does; did you mean 'gf cm'?
 std::string wrong_dimension(const Unit& unit, const Unit& expected);
 
-/// Returns the common spelling of the SI unit with the dimension of `unit`: "N m" for "mNm", "Pa"
-/// for "kPa", "1" if dimensionless. For a dimension without a common spelling, the prefixes of the
-/// unit's own spelling are left out, "N m s/rad" for "mN m s/rad"; if this gives no SI unit, the
-/// result is a product of SI base units.
+/// Returns the common spelling of the SI unit with the dimension of `unit`, such as "N m" for "mNm"
+/// and "Pa" for "kPa". The result is "1" if `unit` is dimensionless. For a dimension without a
+/// common spelling, the prefixes of `unit` are left out, as in "N m s/rad" for "mN m s/rad". If
+/// leaving out the prefixes gives no SI unit, the result is a product of SI base units.
 std::string si_spelling(const Unit& unit);
 
 /// Returns the value in SI units of a text such as "500 um". The text needs no unit if the expected
 /// unit is dimensionless.
-/// @throws std::invalid_argument if the text is no number with a unit, or its unit has another
-///         dimension than `expected`; the message says what to write
+/// @throws std::invalid_argument if the text is no number with a unit, or if the dimension of its
+///         unit is not that of `expected`. The message says what to write.
 double quantity_in_si(std::string_view text, const Unit& expected);
 
-/// Returns the values in SI units, in the order of the text, of a comma-separated list such as
-/// "0.3, 1, 3 kPa". A number without a unit has the unit of the next number that has one.
-/// @throws std::invalid_argument if an item is no number with a unit, or its unit has another
-///         dimension than `expected`; the message says what to write
+/// Returns the values in SI units of a comma-separated list such as "0.3, 1, 3 kPa", in the order
+/// of the list. A number without a unit has the unit of the next number that has a unit.
+/// @throws std::invalid_argument if an item is no number with a unit, or if the dimension of its
+///         unit is not that of `expected`. The message says what to write.
 std::vector<double> quantities_in_si(std::string_view list, const Unit& expected);
 
 }  // namespace pendular
