@@ -9,43 +9,54 @@ namespace pendular::closures {
 /// Values of the closures (analytical formulas) of Badetti et al. (2018) for one state of wet
 /// grains. All values are dimensionless.
 struct ClosureValues {
-    /// Stress ratio of dry grains at the same friction and inertial number.
+    /// Stress ratio of dry grains that have the friction coefficient and the inertial number of the
+    /// wet grains.
     double dry_stress_ratio = 0;
-    /// Ratio of shear stress to normal stress in wet grains, both from the contact forces alone,
-    /// without the bridge forces (eq:coulombeff).
+    /// Stress ratio of wet grains from the contact forces alone: shear stress divided by normal
+    /// stress, both without the contribution of the bridge forces.
+    /// Source: Badetti et al. (2018), eq:coulombeff.
     double contact_stress_ratio = 0;
-    /// Effective coordination number Z* = Z_c + Z_d F_d/F0 (eq:defzstar). Z_c: contacts per grain;
-    /// Z_d: distant bridges per grain (bridges between grains that do not touch); F_d: mean force
-    /// of distant bridges; F0: pull-off force.
+    /// Effective coordination number Z* = Z_c + Z_d F_d/F0. Z_c is the number of contacts per
+    /// grain, Z_d the number of distant bridges per grain (bridges between grains that do not
+    /// touch), F_d the mean force of distant bridges, and F0 the pull-off force.
+    /// Source: Badetti et al. (2018), eq:defzstar.
     double effective_coordination = 0;
-    /// Approximate effective coordination number: contacts per grain plus half the number per grain
-    /// of bridges between grains that do not touch.
+    /// Approximate effective coordination number: contacts per grain plus half the number of
+    /// bridges per grain between grains that do not touch.
     double approximate_coordination = 0;
-    /// Reduced cohesion a^2 c/F0 from the approximate coordination number (eq:cohesion3), with
-    /// cohesion c, grain diameter a and pull-off force F0.
+    /// Reduced cohesion a^2 c/F0 from the approximate coordination number, with cohesion c, grain
+    /// diameter a and pull-off force F0.
+    /// Source: Badetti et al. (2018), eq:cohesion3.
     double rumpf_cohesion = 0;
-    /// Reduced cohesion a^2 c/F0 with the capillary shear stress included (eq:cohgen), with
-    /// cohesion c, grain diameter a and pull-off force F0.
+    /// Reduced cohesion a^2 c/F0 with the capillary shear stress included, with cohesion c, grain
+    /// diameter a and pull-off force F0.
+    /// Source: Badetti et al. (2018), eq:cohgen.
     double generalised_cohesion = 0;
-    /// Stress ratio of wet grains computed from the measured capillary stresses (eq:strength1).
+    /// Stress ratio of wet grains from the measured normal stress and shear stress of the bridge
+    /// forces.
+    /// Source: Badetti et al. (2018), eq:strength1.
     double strength1 = 0;
-    /// Stress ratio of wet grains from the effective coordination number and the capillary shear
-    /// stress (eq:strength2).
+    /// Stress ratio of wet grains from the effective coordination number and the shear stress of
+    /// the bridge forces.
+    /// Source: Badetti et al. (2018), eq:strength2.
     double strength2 = 0;
-    /// Stress ratio of wet grains from the effective coordination number alone (eq:strength3).
+    /// Stress ratio of wet grains from the effective coordination number alone.
+    /// Source: Badetti et al. (2018), eq:strength3.
     double strength3 = 0;
     double saturation = 0;  ///< share of the pore volume between the grains that liquid fills [1]
 };
 
-/// Name, text and axis label of a member of `ClosureValues`.
+/// Key, name and axis label of one member of `ClosureValues` (values of analytical formulas for wet
+/// grains), with a pointer to the member.
 struct ClosureQuantity {
-    const char* name;   ///< key of the closure's value in JSON and CSV
-    const char* text;   ///< name of the closure's value in printed tables
-    const char* label;  ///< label of the closure's value at an axis
+    const char* name;   ///< key of the closure (analytical formula) in JSON and CSV
+    const char* text;   ///< name of the closure (analytical formula) in printed tables
+    const char* label;  ///< label of the closure (analytical formula) at an axis
     double ClosureValues::*value;
 };
 
-/// All members of `ClosureValues`, in the order in which they are printed.
+/// Keys, names and axis labels of all members of `ClosureValues` (values of analytical formulas for
+/// wet grains), in the order in which the members are printed.
 inline constexpr std::array<ClosureQuantity, 10> closure_quantities = {{
     {"dry_stress_ratio", "stress ratio of dry grains, predicted", "stress ratio μ*_0 of dry grains",
      &ClosureValues::dry_stress_ratio},
@@ -71,17 +82,19 @@ inline constexpr std::array<ClosureQuantity, 10> closure_quantities = {{
 }};
 
 /// Returns the values of all closures (analytical formulas) for one state of wet grains.
-/// @param capillary capillary stresses of the state in units of F0/a^2 [1], with pull-off force F0
+/// @param capillary stresses of the bridge forces in units of F0/a^2 [1], with pull-off force F0
 ///         and grain diameter a
-/// @param stress_ratio stress ratio of the state [1]
-/// @param dry_stress_ratio stress ratio of dry grains at the same friction and inertial number [1]
+/// @param stress_ratio stress ratio of the wet grains [1]
+/// @param dry_stress_ratio stress ratio [1] of dry grains that have the friction coefficient and
+///         the inertial number of the wet grains
 /// @param liquid_content liquid volume divided by grain volume [1]
 ClosureValues closure_values(const State& state, const CapillaryStress& capillary,
                              double stress_ratio, double dry_stress_ratio, double liquid_content);
 
-/// Evaluates all closures (analytical formulas for strength, cohesion and coordination) with the
-/// structure and stresses of a simulation of wet grains, averaged over the simulation.
-/// @param dry_stress_ratio stress ratio of dry grains at the same friction and inertial number [1]
+/// Returns the values of all closures (analytical formulas for strength, cohesion and coordination
+/// number) for the averages of the observables in a simulation of wet grains.
+/// @param dry_stress_ratio stress ratio [1] of dry grains that have the friction coefficient and
+///         the inertial number of the wet grains
 ClosureValues closure_values(const dem::RunResult& run, double dry_stress_ratio);
 
 }  // namespace pendular::closures

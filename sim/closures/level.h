@@ -5,36 +5,42 @@
 namespace pendular::closures {
 
 /// Levels of accuracy at which the stress ratio of wet grains is computed, from the simplest
-/// formula to the simulation. Each level replaces one approximation of the level below. Symbols:
-/// P*: reduced pressure; mu*_0: stress ratio of dry grains; Phi: solid fraction; Z_c: contacts per
-/// grain; Z_d: distant bridges per grain (bridges between grains that do not touch); F_d: mean
-/// force of distant bridges; F0: pull-off force.
+/// formula to the simulation. Each level replaces one approximation of the level below. In the
+/// formulas of the levels, P* is the reduced pressure, mu*_0 the stress ratio of dry grains, Phi
+/// the solid fraction, Z_c the number of contacts per grain, Z_d the number of distant bridges per
+/// grain (bridges between grains that do not touch), F_d the mean force of distant bridges, and F0
+/// the pull-off force.
 /// Source: Badetti et al. (2018).
 enum class Level {
-    /// Stress ratio of dry grains plus c*/P*, with reduced pressure P* and a constant reduced
-    /// cohesion c* that is fitted to measured stress ratios (eq:mohrcoulomb2).
+    /// Stress ratio of dry grains plus c*/P*. P* is the reduced pressure. The constant reduced
+    /// cohesion c* is fitted to measured stress ratios.
+    /// Source: Badetti et al. (2018), eq:mohrcoulomb2.
     mohr_coulomb,
-    /// Stress ratio of wet grains with Rumpf's cohesion, from the approximate coordination number Z
-    /// (eq:cohesion3):
+    /// Stress ratio of wet grains with Rumpf's cohesion, from an approximate coordination number Z:
     ///     mu*_0 [1 + Phi Z/(pi P*)],   Z = Z_c + 0.5 Z_d
+    /// Source: Badetti et al. (2018), eq:cohesion3.
     rumpf,
-    /// Stress ratio of wet grains from the effective coordination number Z* (eq:strength3):
+    /// Stress ratio of wet grains from the effective coordination number Z*:
     ///     mu*_0 [1 + Phi Z*/(pi P*)],   Z* = Z_c + Z_d F_d/F0
+    /// Source: Badetti et al. (2018), eq:strength3.
     strength3,
-    /// Stress ratio of level `strength3` minus the capillary shear stress divided by the normal
-    /// stress (eq:strength2).
+    /// Stress ratio of level `strength3` minus the ratio of the capillary shear stress to the
+    /// normal stress.
+    /// Source: Badetti et al. (2018), eq:strength2.
     strength2,
-    /// Stress ratio of level `strength2` with the capillary normal stress itself in place of its
-    /// estimate by the effective coordination number (eq:strength1).
+    /// Stress ratio of level `strength2`, with the capillary normal stress itself in place of the
+    /// estimate of this stress from the effective coordination number.
+    /// Source: Badetti et al. (2018), eq:strength1.
     strength1,
-    /// Stress ratio of wet grains from a simulation. In contrast to the formulas, the stress ratio
-    /// of the contact forces may differ from that of dry grains.
+    /// Stress ratio of wet grains from a simulation. In contrast to the formulas, a simulation
+    /// allows the stress ratio of the contact forces to differ from the stress ratio of dry grains.
     simulation
 };
 
 /// Returns the level of accuracy at which a study's base model computes the stress ratio of wet
-/// grains: "mohr-coulomb" is `mohr_coulomb`, "rumpf" is `strength3`, and any other name ("dem") is
-/// `simulation`.
+/// grains. The level is `mohr_coulomb` for "mohr-coulomb", `strength3` for "rumpf", and
+/// `simulation` for any other name, such as "dem".
+/// @param base name of the base model
 Level level_of_base(std::string_view base);
 
 }  // namespace pendular::closures

@@ -7,17 +7,17 @@
 namespace pendular::closures {
 
 /// Averages of a state of steady shear, from which the closures (analytical formulas) compute
-/// stresses: solid fraction, and properties of the contacts and of the distant pairs (pairs that a
-/// bridge joins without contact). All averages are dimensionless. A dry state has an infinite
-/// reduced pressure and no distant pairs.
+/// stresses. The averages are the solid fraction and properties of contacts and of distant pairs. A
+/// distant pair consists of two grains that a bridge joins but that do not touch. All averages are
+/// dimensionless. A dry state has an infinite reduced pressure and no distant pairs.
 struct State {
     /// Reduced pressure a^2 s22/F0 [1], with grain diameter a, imposed normal stress s22 and
-    /// pull-off force F0; infinite for dry grains.
+    /// pull-off force F0. For dry grains, the reduced pressure is infinite.
     double reduced_pressure = std::numeric_limits<double>::infinity();
-    double solid_fraction = 0;        ///< solid fraction of the state [1]
+    double solid_fraction = 0;        ///< solid fraction of the sample [1]
     double contact_coordination = 0;  ///< mean number of contacts per grain [1]
-    /// Mean number per grain of distant pairs [1]: pairs of grains that a bridge joins but that do
-    /// not touch.
+    /// Mean number of distant pairs per grain [1]. A distant pair consists of two grains that a
+    /// bridge joins but that do not touch.
     double distant_coordination = 0;
     /// Mean elastic normal force of contacts divided by a^2 s22 [1], with grain diameter a and
     /// normal stress s22.
@@ -31,28 +31,31 @@ struct State {
     /// Mean distance between the centres of distant pairs (joined by a bridge but not touching),
     /// divided by the grain diameter [1].
     double distant_length = 1;
-    /// Mean of n1 n2 over contacts with direction n [1]; 1: flow, 2: velocity gradient.
+    /// Mean of n1 n2 over contacts [1], where n1 and n2 are the components of the contact direction
+    /// along the flow and along the velocity gradient.
     double fabric_12_contact = 0;
-    /// Mean of n1 n2 [1] over distant pairs (joined by a bridge but not touching), whose line of
-    /// centres has the direction n; 1: flow, 2: velocity gradient.
+    /// Mean of n1 n2 over distant pairs (joined by a bridge but not touching) [1], where n1 and n2
+    /// are the components of the line of centres along the flow and along the velocity gradient.
     double fabric_12_distant = 0;
-    /// Component 12 of the anisotropy of the force q(n) of distant pairs (joined by a bridge but
-    /// not touching) with direction n [1], negative in steady shear: integral of q n1 n2 over the
-    /// sphere, divided by 4 pi and the mean of q. Direction 1 is the flow, 2 the velocity gradient.
+    /// Component 12 of the anisotropy of the force of distant pairs (joined by a bridge but not
+    /// touching) [1]. The component is negative in steady shear. For the force q(n) of distant
+    /// pairs with direction n, the component is the integral of q n1 n2 over the sphere, divided by
+    /// 4 pi and the mean of q. Direction 1 is the flow, direction 2 the velocity gradient.
     double force_anisotropy_12_distant = 0;
-    /// Component 12 of the anisotropy of the distance q(n) between the centres of distant pairs
-    /// (joined by a bridge but not touching) with direction n [1]: integral of q n1 n2 over the
-    /// sphere, divided by 4 pi and the mean of q. Direction 1 is the flow, 2 the velocity gradient.
+    /// Component 12 of the anisotropy of the distance between the centres of distant pairs (joined
+    /// by a bridge but not touching) [1]. For the distance q(n) of distant pairs with direction n,
+    /// the component is the integral of q n1 n2 over the sphere, divided by 4 pi and the mean of q.
+    /// Direction 1 is the flow, direction 2 the velocity gradient.
     double length_anisotropy_12_distant = 0;
 };
 
 /// Stresses of the bridge forces in units of F0/a^2 [1], with pull-off force F0 and grain diameter
-/// a. Compression is positive. Bridges attract, so that the normal stress is negative. The total
-/// shear stress of the sample is negative, so that a positive capillary shear stress reduces the
-/// magnitude of the total.
+/// a. Compression is positive. The normal stress of the bridge forces is negative, since bridges
+/// attract. The total shear stress of the sample is negative. A positive shear stress of the bridge
+/// forces therefore reduces the magnitude of the total shear stress.
 struct CapillaryStress {
     /// Normal stress of the bridge forces in units of F0/a^2 [1], with pull-off force F0 and grain
-    /// diameter a; negative: attraction.
+    /// diameter a. Attraction makes the normal stress negative.
     double normal = 0;
     /// Shear stress of the bridge forces in units of F0/a^2 [1], with pull-off force F0 and grain
     /// diameter a.
@@ -63,8 +66,9 @@ struct CapillaryStress {
 /// stresses: solid fraction, coordination numbers, mean forces and anisotropies.
 State network_state_of(const dem::RunResult& run);
 
-/// Returns the normal and shear stress of the bridge forces that a simulation run measured, in
-/// units of F0/a^2 [1] (F0: pull-off force, a: grain diameter); zero for a dry run.
+/// Returns the normal stress and the shear stress of the bridge forces that a simulation run
+/// measured, in units of F0/a^2 [1], with pull-off force F0 and grain diameter a. Both stresses are
+/// zero for a dry run.
 CapillaryStress capillary_stress_of(const dem::RunResult& run);
 
 }  // namespace pendular::closures

@@ -2,66 +2,70 @@
 
 #include "sim/closures/state.h"
 
-// Stress ratio and cohesion of wet grains from the stress ratio of dry grains at the same friction
-// and inertial number. All formulas assume effective stress: capillary forces load the network of
-// contacts as external stresses do. Source of all equations: Badetti et al. (2018).
+// Stress ratio and cohesion of wet grains from the stress ratio of dry grains. The dry grains have
+// the friction coefficient and the inertial number of the wet grains. All formulas assume effective
+// stress: capillary forces load the network of contacts as external stresses do. Source of all
+// equations: Badetti et al. (2018).
 namespace pendular::closures {
 
-/// Stress ratio of the contact forces alone [1], without the capillary stresses.
+/// Returns the stress ratio of the contact forces alone [1], without the capillary stresses.
 ///     |s12 - s12cap| / (s22 - s22cap)      s12, s22: shear and normal stress, cap: capillary
-/// If capillary forces load the contacts as external stresses do, the result equals the stress
-/// ratio of dry grains. The two stress ratios differ by 5 to 10 % at the smallest reduced pressure
-/// (0.5) for small friction and large bridges, and by less elsewhere.
-/// @param stress_ratio total stress ratio [1]
+/// If capillary forces load the contacts as external stresses do, the stress ratio of the contact
+/// forces equals the stress ratio of dry grains. The two stress ratios differ by 5 to 10 % at the
+/// smallest reduced pressure (0.5) for a small friction coefficient and large bridges. They differ
+/// by less elsewhere.
+/// @param stress_ratio total stress ratio of the wet grains [1]
 /// Source: Badetti et al. (2018), eq:coulombeff.
 double contact_stress_ratio(double stress_ratio, const CapillaryStress& capillary,
                             double reduced_pressure);
 
-/// Stress ratio mu* of wet grains [1] from the stress ratio mu*_0 of dry grains, the capillary
-/// stresses s22cap (normal) and s12cap (shear), and the normal stress s22.
+/// Returns the stress ratio mu* of wet grains [1] from the stress ratio mu*_0 of dry grains, the
+/// capillary normal stress s22cap, the capillary shear stress s12cap, and the normal stress s22.
 ///     mu* = mu*_0 (1 - s22cap/s22) - s12cap/s22
-/// At the smallest reduced pressure (0.5), small friction and large bridges, the error is 5 to 10
-/// %; it is smaller elsewhere.
-/// @param dry_stress_ratio stress ratio mu*_0 of dry grains at the same friction and inertial
-///         number [1]
+/// The error is 5 to 10 % at the smallest reduced pressure (0.5) for a small friction coefficient
+/// and large bridges. The error is smaller elsewhere.
+/// @param dry_stress_ratio stress ratio mu*_0 [1] of dry grains that have the friction coefficient
+///         and the inertial number of the wet grains
 /// Source: Badetti et al. (2018), eq:strength1.
 double stress_ratio_from_stresses(double dry_stress_ratio, const CapillaryStress& capillary,
                                   double reduced_pressure);
 
-/// Reduced cohesion of wet grains [1]: a^2 c/F0, with cohesion c, grain diameter a and pull-off
-/// force F0. The capillary shear stress is neglected.
+/// Returns the reduced cohesion c* = a^2 c/F0 of wet grains [1], with cohesion c, grain diameter a
+/// and pull-off force F0. The capillary shear stress is neglected.
 ///     c* = mu*_0 Phi Z*/pi      mu*_0: stress ratio of dry grains, Phi: solid fraction,
 ///                               Z*: effective coordination number
-/// At friction 0.09, the formula is accurate for liquid contents of 0.03 and above, and gives too
-/// large values for smaller ones.
+/// At a friction coefficient of 0.09, the formula is accurate for liquid contents of 0.03 and
+/// above. For smaller liquid contents, the formula gives too large cohesions.
 /// Source: Badetti et al. (2018), eq:cohesion3.
 double reduced_cohesion(double dry_stress_ratio, double solid_fraction,
                         double effective_coordination);
 
-/// Cohesion of wet grains [Pa] by Rumpf's formula.
+/// Returns the cohesion of wet grains [Pa] by Rumpf's formula.
 ///     c = mu*_0 Z Phi F0/(pi a^2)
-/// mu*_0: stress ratio of dry grains [1], Z: coordination number [1], Phi: solid fraction [1], F0:
-/// pull-off force [N], a: grain diameter [m]. At friction 0.09, the formula is accurate for liquid
-/// contents of 0.03 and above, and gives too large values for smaller ones.
+/// mu*_0 is the stress ratio of dry grains [1], Z the coordination number [1], Phi the solid
+/// fraction [1], F0 the pull-off force [N], and a the grain diameter [m]. At a friction coefficient
+/// of 0.09, the formula is accurate for liquid contents of 0.03 and above. For smaller liquid
+/// contents, the formula gives too large cohesions.
 /// Source: Badetti et al. (2018), eq:Rumpf.
 double rumpf_cohesion(double dry_stress_ratio, double solid_fraction, double coordination,
                       double pull_off_force, double diameter);
 
-/// Reduced cohesion of wet grains that includes the capillary shear stress s12cap, in units of
-/// F0/a^2 [1] (F0: pull-off force, a: grain diameter).
+/// Returns the reduced cohesion of wet grains that includes the capillary shear stress s12cap, in
+/// units of F0/a^2 [1], with pull-off force F0 and grain diameter a.
 ///     c*_g = mu*_0 Phi Z*/pi - a^2 s12cap/F0
-/// mu*_0: stress ratio of dry grains, Phi: solid fraction, Z*: effective coordination number; all
-/// arguments are dimensionless. The formula is satisfactory also at small liquid contents, at which
-/// `reduced_cohesion` fails; elsewhere it is as accurate as `reduced_cohesion`.
+/// mu*_0 is the stress ratio of dry grains, Phi the solid fraction, and Z* the effective
+/// coordination number. All arguments are dimensionless. The formula is satisfactory also at small
+/// liquid contents, at which `reduced_cohesion` fails. At larger liquid contents, the formula is as
+/// accurate as `reduced_cohesion`.
 /// Source: Badetti et al. (2018), eq:cohgen.
 double generalised_cohesion(double dry_stress_ratio, double solid_fraction,
                             double effective_coordination, double capillary_shear_stress);
 
-/// Stress ratio mu* of wet grains [1] from the stress ratio mu*_0 of dry grains, a reduced cohesion
-/// c* and the reduced pressure P*.
+/// Returns the stress ratio mu* of wet grains [1] from the stress ratio mu*_0 of dry grains, a
+/// reduced cohesion c* and the reduced pressure P*.
 ///     mu* = mu*_0 + c*/P*
 /// With c* from `generalised_cohesion`, mu* is accurate for all P* >= 0.5 (eq:strength2). With c*
-/// from `reduced_cohesion`, mu* is too high by up to 20 to 30 %, most at small liquid content
+/// from `reduced_cohesion`, mu* is too high by up to 20 to 30 %, most at a small liquid content
 /// (eq:strength3). With c* from a straight-line (Mohr-Coulomb) fit, mu* is too high for P* <= 1
 /// (eq:mohrcoulomb2).
 /// Source: Badetti et al. (2018), eq:strength2, eq:strength3, eq:mohrcoulomb2.

@@ -13,102 +13,112 @@
 
 namespace pendular {
 
-/// Plan of a virtual laboratory, which simulates rheometer recordings with known effects:
-/// conditions, instrument, and the friction and effects that a calibration has to find. Values are
-/// in SI units.
+/// Plan of a virtual laboratory, which simulates rheometer recordings with known effects. The plan
+/// contains the conditions, the instrument, and the friction coefficient and effects that a
+/// calibration has to find. Values are in SI units.
 struct LabPlan {
     double friction = 0.09;  ///< true friction coefficient between the simulated grains [1]
     GrainProperties grains = {.diameter = 500e-6, .density = 1050, .poisson_ratio = 0.3};
     Liquid liquid = {.surface_tension = 20.6e-3};
     AnnularCell cell = {.inner_radius = 21e-3, .outer_radius = 45e-3, .bead_volume = 60e-3 / 1050};
-    /// Normal stresses in dry recordings [Pa].
+    /// Normal stresses of the recordings of dry grains [Pa].
     std::vector<double> dry_normal_stresses = {300, 1000, 3000};
-    /// Normal stresses in wet recordings [Pa].
+    /// Normal stresses of the recordings of wet grains [Pa].
     std::vector<double> wet_normal_stresses = {300, 600, 1000, 3000};
-    /// Liquid volume divided by grain volume in the wet recordings [1]; empty: dry recordings only.
+    /// Liquid contents of the recordings of wet grains [1]: liquid volume divided by grain volume.
+    /// If the list is empty, only dry grains are recorded.
     std::vector<double> liquid_contents = {0.007, 0.03};
-    /// Inertial numbers in all recordings [1].
+    /// Inertial numbers of the recordings of dry grains and of wet grains [1].
     std::vector<double> inertial_numbers = {3e-3, 3e-2};
-    /// Effects that act in the simulated recordings; study.toml does not state them.
+    /// Physical effects, with parameter values, that act in the simulated recordings. The written
+    /// file study.toml does not list these effects.
     std::vector<ActiveEffect> effects;
-    int replicates = 2;  ///< number of recordings planned for each liquid content, dry included
+    int replicates = 2;  ///< number of recordings at each liquid content and of dry grains
     Instrument instrument;
     Fidelity fidelity;
     std::uint64_t seed = 1;
 };
 
-/// Recording that a virtual laboratory is to simulate: one pass through all steps of constant set
-/// points at one liquid content.
+/// Planned recording of a virtual laboratory: one pass through all steps of constant set points at
+/// one liquid content.
 struct PlannedRecording {
     std::string file;  ///< name of the recording's file, as in "wet_0.03_1.csv"
-    /// Liquid volume divided by grain volume in the recording [1]; 0: dry.
+    /// Liquid content of the recording [1]: liquid volume divided by grain volume, 0 for dry
+    /// grains.
     double liquid_content = 0;
-    /// Number of the recording among all recordings of its liquid content, from 1.
+    /// Number of the recording, from 1, among the recordings that have its liquid content.
     int replicate = 1;
-    std::uint64_t seed = 0;  ///< seed of the instrument's noise in the recording
-    /// Requested condition and time of each step of the recording.
+    std::uint64_t seed = 0;  ///< seed of the random numbers for the noise of the recording
+    /// Requested condition of each step of the recording, with the mean time of the step.
     std::vector<Condition> conditions;
 };
 
-/// Returns all recordings of a plan, in the order of measurement: first the dry recordings, then
-/// the recordings of each liquid content. The recordings follow one another without a pause. The
-/// time of a step of constant set points is the mean time of its part after the start-up transient
-/// [s]; effects on the grains that depend on time keep the strength that they have at this mean
-/// time throughout the step.
+/// Returns all recordings of a plan in the order of measurement. The recordings of dry grains come
+/// first, followed by the recordings at each liquid content. There is no pause between recordings.
+/// The time of a step of constant set points is the mean time [s] of the part of the step after the
+/// start-up transient. An effect on the grains that depends on time keeps, throughout a step, the
+/// strength that it has at this mean time.
 std::vector<PlannedRecording> recordings_of(const LabPlan& plan);
 
 /// Returns the true condition of the grains, in SI units, at which the instrument shows the
-/// requested condition. Effects on the instrument are inverted, effects of type `ChangeCondition`
-/// are applied, and effects on grains are listed in `grain_effects`.
+/// requested condition. Effects on the instrument are inverted. Effects of type `ChangeCondition`,
+/// which change properties of the grains or the liquid, are applied. Effects on the grains in the
+/// simulation are listed in the member `grain_effects` of the result.
 ///
-/// The height of the sample, which is unknown before the simulation, follows from a typical solid
-/// fraction of 0.6. True heights differ by up to 4 %, which shifts the simulated condition by about
-/// 0.1 %. The recording is made with the simulated height, so that the recorded set points equal
-/// the requested ones exactly (`shown_over_time`).
+/// The height of the sample is unknown before the simulation and is therefore computed from a
+/// typical solid fraction of 0.6. True heights differ from the computed height by up to 4 %, which
+/// shifts the simulated condition by about 0.1 %. The recording is made with the simulated height
+/// (`shown_over_time`), so that the recorded set points equal the requested set points exactly.
 /// @param asked requested condition
 /// @throws InputError if there is no true state that the instrument shows as the requested
 ///         condition
 EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked);
 
-/// Returns a function of the time [s] since the first recording began: the state of the cell that
-/// the instrument shows at that time, without noise. The true state is constant. It is the state
-/// that the instrument shows as the requested condition at the time of this condition. The effects
-/// on the instrument may change with time, as a wobble of the lid does.
+/// Returns a function that computes the state of the cell that the instrument shows, without noise,
+/// from the time [s] since the first recording began. The true state of the cell is constant. At
+/// the time of the requested condition, the instrument shows the true state as the requested
+/// condition. At other times the instrument may show a different state, because effects on the
+/// instrument may change with time, as a wobble of the lid does.
 /// @param asked requested condition
-/// @param flow true stress ratio and solid fraction of the grains [1]
+/// @param flow true stress ratio [1] and true solid fraction [1] of the grains
 /// @throws InputError if there is no true state that the instrument shows as the requested
 ///         condition
 std::function<CellState(double)> shown_over_time(const LabPlan& plan, const Condition& asked,
                                                  const FlowPoint& flow);
 
 /// Returns the reason why an effect cannot act in a virtual laboratory, for messages that begin
-/// with the name of the effect; empty if the effect can act. Effects on closures (formulas for the
-/// strength of wet grains) and on predictions act on models only.
+/// with the name of the effect. The text is empty if the effect can act. An effect on closures
+/// (formulas for the strength of wet grains) or on the predicted flow cannot act, since closures
+/// and predictions belong to models only.
 std::string why_no_lab_has(const Effect& effect);
 
-/// Checks that a plan can be simulated and recorded, and that any two values planned for one
-/// quantity (dry or wet normal stress, liquid content, inertial number) differ by at least 5 %.
+/// Checks that a plan can be simulated and recorded. Any two planned values of a quantity must
+/// differ by at least 5 %. The quantities are the normal stress of dry grains, the normal stress of
+/// wet grains, the liquid content and the inertial number.
 /// @throws InputError if the plan fails a check; the message names the mistake
 void check_plan(const LabPlan& plan);
 
 /// Returns the requested condition of each step of a planned recording, in the order of
 /// measurement. The times of the conditions are not set.
-/// @param liquid_content liquid volume divided by grain volume of the recording [1]
+/// @param liquid_content liquid content of the recording [1]: liquid volume divided by grain volume
 std::vector<Condition> conditions_of(const LabPlan& plan, double liquid_content);
 
-/// Returns the liquid contents (liquid volume divided by grain volume [1]) of a plan's recordings:
-/// 0 (dry), then the values of `plan.liquid_contents`.
+/// Returns the liquid contents of a plan's recordings [1]: first 0 for dry grains, then the values
+/// of `plan.liquid_contents`. A liquid content is the liquid volume divided by the grain volume.
 std::vector<double> contents_of(const LabPlan& plan);
 
-/// Returns the parameters, in reduced units, of the simulation run at an imposed condition. The
-/// caller must set the seed of the run.
-/// @param bridge_volume volume of a liquid bridge divided by the cubed grain diameter [1], for wet
-///         conditions
+/// Returns the parameters of the simulation run at a true condition of the grains, in reduced units
+/// (grain diameter, grain mass and normal stress are 1). The caller must set the seed of the run.
+/// @param condition true condition of the grains (`imposed_condition`)
+/// @param bridge_volume volume of a liquid bridge divided by the cubed grain diameter [1], used for
+///         wet grains only
 dem::RunParameters run_at(const LabPlan& plan, const EffectiveCondition& condition,
                           double bridge_volume);
 
-/// Returns the parameters, in reduced units, of a pilot run at an imposed condition. A pilot run is
-/// a smaller and shorter simulation that measures the liquid content at a given bridge volume.
+/// Returns the parameters of a pilot run at a true condition of the grains, in reduced units (grain
+/// diameter, grain mass and normal stress are 1). A pilot run is a simulation with few grains and a
+/// short strain that measures the liquid content at a given bridge volume.
+/// @param condition true condition of the grains (`imposed_condition`)
 /// @param bridge_volume volume of a liquid bridge divided by the cubed grain diameter [1]
 dem::RunParameters pilot_at(const LabPlan& plan, const EffectiveCondition& condition,
                             double bridge_volume);

@@ -7,28 +7,32 @@
 namespace pendular {
 
 /// Function that simulates wet samples, one short run for each bridge volume, and returns the
-/// liquid contents (liquid volume divided by grain volume [1]) of the samples in the same order.
+/// liquid contents of the samples [1], in the order of the bridge volumes. A liquid content is the
+/// liquid volume divided by the grain volume.
 /// @param which index of each sample in the list of requested liquid contents
-/// @param bridge_volumes volume of one bridge divided by the cubed grain diameter [1] of each
-///         sample
+/// @param bridge_volumes volume of one bridge in each sample, divided by the cubed grain diameter
+///         [1]
 using MeasureLiquidContents = std::function<std::vector<double>(
     std::span<const std::size_t> which, std::span<const double> bridge_volumes)>;
 
-/// Returns the bridge volumes divided by the cubed grain diameter [1] at which samples have the
-/// requested liquid contents (liquid volume divided by grain volume [1]), in the same order.
+/// Returns the bridge volumes, divided by the cubed grain diameter [1], at which samples have the
+/// requested liquid contents, in the order of the liquid contents.
 ///     liquid content = 3 Z (V0/a^3)/pi      V0: bridge volume, a: grain diameter
-/// The number Z of bridges per grain depends on V0, friction and stress. A first simulation, with
-/// V0 for a typical Z, measures the Z with which V0 is corrected. If the liquid content of the
-/// first simulation was wrong by more than 3 %, a second simulation checks the corrected V0. If the
-/// second liquid content is also wrong by more than 3 %, a secant step in the logarithms corrects
-/// V0 again. Since Z changes by only 5 % if V0 doubles, the final error is far below 3 %.
-/// @param measure function that simulates samples and returns their liquid contents
+/// The number Z of bridges per grain depends on V0, friction coefficient and normal stress. A first
+/// simulation, with V0 for a typical Z, measures the Z with which V0 is corrected. If the liquid
+/// content of the first simulation was wrong by more than 3 %, a second simulation checks the
+/// corrected V0. If the liquid content of the second simulation is also wrong by more than 3 %, a
+/// secant step in the logarithms of V0 and liquid content corrects V0 again. Since Z changes by
+/// only 5 % if V0 doubles, the final relative error of the liquid content is far below 3 %.
+/// @param liquid_contents requested liquid contents [1]: liquid volume divided by grain volume
+/// @param measure function that simulates samples and returns the liquid contents of the samples
 /// Source: Badetti et al. (2018), eq:lcont.
 std::vector<double> bridge_volumes(std::span<const double> liquid_contents,
                                    const MeasureLiquidContents& measure);
 
-/// Returns the bridge volume divided by the cubed grain diameter [1] with which the search by
-/// `bridge_volumes` begins: its value for a typical number of bridges per grain.
+/// Returns the bridge volume, divided by the cubed grain diameter [1], with which the search by the
+/// function `bridge_volumes` begins. This bridge volume gives the liquid content if the number of
+/// bridges per grain has a typical value.
 /// @param liquid_content liquid volume divided by grain volume [1]
 double first_bridge_volume(double liquid_content);
 

@@ -10,46 +10,48 @@
 
 namespace pendular {
 
-/// One step of constant set points in a virtual recording: requested condition, true condition, and
-/// the simulation that gives the true state of the grains.
+/// One step of constant set points in a virtual recording, with its requested condition, its true
+/// condition, and the simulation that gives the true state of the grains.
 struct LabStep {
     Condition condition;         ///< requested condition of the step, which the instrument shows
     EffectiveCondition imposed;  ///< true condition of the grains in the step (`imposed_condition`)
-    dem::RunResult run;          ///< simulation of the step at its true condition
+    dem::RunResult run;          ///< simulation of the grains at their true condition in the step
 };
 
-/// One simulated recording: one pass through all steps of constant set points at one liquid
-/// content.
+/// Simulated recording of a virtual laboratory: one pass through all steps of constant set points
+/// at one liquid content.
 struct LabRecording {
     std::string file;  ///< name of the recording's file, as in "wet_0.03_1.csv"
-    /// Liquid volume divided by grain volume in the recording [1]; 0: dry.
+    /// Liquid content of the recording [1]: liquid volume divided by grain volume, 0 for dry
+    /// grains.
     double liquid_content = 0;
-    /// Number of the recording among all recordings of its liquid content, from 1.
+    /// Number of the recording, from 1, among the recordings that have its liquid content.
     int replicate = 1;
-    std::uint64_t seed = 0;  ///< seed of the instrument's noise in the recording
+    std::uint64_t seed = 0;  ///< seed of the random numbers for the noise of the recording
     std::vector<LabStep> steps;
 };
 
-/// Simulated recordings of a virtual laboratory, with the plan from which they were made.
+/// Simulated recordings of a virtual laboratory, with the plan of the recordings.
 struct LabResult {
     LabPlan plan;
     std::vector<LabRecording> recordings;
-    /// Number of short simulations made to find the volumes of liquid bridges.
+    /// Number of pilot runs: short simulations that determine the volumes of the liquid bridges.
     std::size_t pilots = 0;
     /// Messages for the user about the simulations, for example about repeated runs.
     std::vector<std::string> notes;
 };
 
-/// Callback that receives the name of each phase of a virtual laboratory's work, such as "pilot
-/// runs for the liquid contents" or "recordings", before the simulations of the phase begin.
+/// Callback that receives the name of each phase of a virtual laboratory's work, before the
+/// simulations of the phase begin. The names are "simulations that seek the bridge volumes",
+/// "second simulations that seek the bridge volumes" and "recordings".
 using AnnouncePhase = std::function<void(const std::string&)>;
 
 /// Simulates each step of each planned recording by a run with a seed of its own, and returns the
 /// recordings in the order of the plan. The runs have 1.5 times as many grains as `plan.fidelity`
-/// prescribes. Their seeds differ from the seeds of a calibration, even if the user states the same
-/// seed for both (`SeedDomain`). Short runs first determine the bridge volumes that give the liquid
-/// contents. A run that fails, crystallises or is not steady is repeated with another seed, at most
-/// three times.
+/// prescribes. Their seeds differ from the seeds of a calibration (`SeedDomain`), even if the user
+/// states one seed for both. Short pilot runs first determine the bridge volumes that give the
+/// liquid contents. A run that fails, crystallises or is not steady is repeated with a new seed, at
+/// most three times. A pilot run need not be steady.
 /// @param workers threads, store and progress callback for the runs
 /// @throws InputError if `check_plan` does not accept the plan
 /// @throws dem::SimulationError if no run of a step can be used
@@ -57,9 +59,9 @@ using AnnouncePhase = std::function<void(const std::string&)>;
 LabResult simulate_lab(const LabPlan& plan, const Workers& workers,
                        const AnnouncePhase& announce = {});
 
-/// Returns the typical relative standard error [1] of an observable in the simulations of all
-/// steps: the median of (standard error divided by mean). The median is used since the error of a
-/// single run is estimated from few independent samples.
+/// Returns the typical relative standard error of an observable in the simulations of all steps
+/// [1]. The typical value is the median of standard error divided by mean. The median is used since
+/// the standard error of a single run is estimated from few independent values.
 double typical_error(const LabResult& result, dem::Observable which);
 
 }  // namespace pendular

@@ -14,65 +14,74 @@
 
 namespace pendular {
 
-/// Relative standard deviations [1], from the true values, of the mean torque (1 %) and of the mean
-/// solid fraction (0.2 %) of a recorded step, if `Instrument::noise` is 1.
+/// Relative standard deviation [1] of the mean torque of a recorded step about its true value, if
+/// `Instrument::noise` is 1.
 constexpr double torque_scatter = 0.01;
+/// Relative standard deviation [1] of the mean solid fraction of a recorded step about its true
+/// value, if `Instrument::noise` is 1.
 constexpr double solid_fraction_scatter = 0.002;
 
 /// True steady state of the grains in one step of a virtual recording, with the standard errors of
-/// the simulation from which it comes.
+/// the simulated averages.
 struct TrueState {
     Condition condition;  ///< requested condition of the step
     Mean stress_ratio;    ///< true stress ratio of the grains with its standard error [1]
     Mean solid_fraction;  ///< true solid fraction of the grains with its standard error [1]
-    /// Function of the time [s] since the first recording began: the state of the cell that the
-    /// instrument shows at that time, without noise. Empty if the instrument shows the true state.
+    /// Function that computes the state of the cell that the instrument shows, without noise, from
+    /// the time [s] since the first recording began. The function is empty if the instrument shows
+    /// the true state.
     std::function<CellState(double)> shown = {};
 };
 
-/// Noise, drift and number of recorded rows of a virtual rheometer.
+/// Noise, drift and number of recorded data points of a virtual rheometer.
 struct Instrument {
-    /// Factor [1] for the scatter of the mean torque and mean solid fraction of a step about their
-    /// true values. 1: standard deviations of 1 % and 0.2 %; 0: only the statistical errors of the
-    /// simulations.
+    /// Factor [1] for the scatter of the mean torque and of the mean solid fraction of a step about
+    /// their true values. If the factor is 1, the relative standard deviations are 1 % for the
+    /// torque and 0.2 % for the solid fraction. If the factor is 0, only the statistical errors of
+    /// the simulations remain.
     double noise = 1;
-    int rows = 400;  ///< number of rows that the rheometer records in each step
-    /// Standard deviation of the drift of torque and solid fraction from the first to the last step
-    /// of a recording, in units of `torque_scatter` and `solid_fraction_scatter` [1].
+    int rows = 400;  ///< number of data points that the rheometer records in each step
+    /// Standard deviation of the drift from the first to the last step of a recording [1]. The
+    /// drift of the torque is in units of `torque_scatter`, the drift of the solid fraction in
+    /// units of `solid_fraction_scatter`.
     double drift = 0;
 };
 
-/// Sets the time of each step of a recording: the mean time [s] of the part of the step after the
-/// start-up transient. Returns the duration of the recording [s].
-/// @param steps conditions of the steps; their member `time` is set
+/// Sets the time of each step of a recording and returns the duration of the recording [s]. The
+/// time of a step is the mean time [s] of the part of the step after the start-up transient.
+/// @param steps conditions of the steps; the member `time` of each condition is set
 /// @param now time at which the recording begins [s]
 double time_steps(std::vector<Condition>& steps, const GrainProperties& grains,
                   const Instrument& instrument, double now);
 
-/// Returns the noisy recording that an annular cell would give for a sequence of steady states,
-/// with one step for each state. Each step begins with a start-up transient.
+/// Returns the noisy recording that an annular cell would give for a sequence of steady states. The
+/// recording has one step for each state. Each step begins with a start-up transient.
 ///
-/// The mean torque and gap of a step scatter about their values in an infinitely long step with a
-/// relative standard deviation of `noise` times `torque_scatter` or `solid_fraction_scatter`. Its
-/// variance is the sum of three parts: the squared standard error of the simulation, the variance
-/// from noise within the step (with a quarter of the standard deviation), and the remainder, which
-/// is applied as a random factor of the step. The noise of torque and gap within the step is
-/// Gaussian and correlated over strains of 0.03 and 0.1, as in simulated samples. The normal force
-/// has white noise of `noise` times 0.2 % about its set point, so that the mean force of a step of
-/// 400 rows is off by 0.01 %.
+/// The mean torque and the mean gap of a step scatter about their values in an infinitely long
+/// step. The relative standard deviation of the mean torque is `noise` times `torque_scatter`. The
+/// relative standard deviation of the mean gap is `noise` times `solid_fraction_scatter`. The
+/// variance has three contributions. The first is the squared standard error of the simulation. The
+/// second comes from noise within the step and has a quarter of the standard deviation. The third
+/// is the remainder, which is applied as a random factor of the step.
 ///
-/// If the faults of the instrument change with time (`TrueState::shown`), they are applied at the
-/// time of each row.
+/// The noise within the step is Gaussian. Like the fluctuations of simulated samples, it is
+/// correlated over a strain of 0.03 for the torque and of 0.1 for the gap. The normal force has
+/// white noise about its set point, with a relative standard deviation of `noise` times 0.2 %. If
+/// `noise` is 1, the mean normal force of a step of 400 data points is therefore off by 0.01 %.
 ///
-/// A step lasts a strain of 20. The torque first rises over a strain of about 0.02 and overshoots
-/// its steady value by up to 30 %; the gap begins 2 % below its steady value. Both deviations decay
-/// as exp(-strain/0.15), to 4 % of their size at a strain of 0.5.
+/// If the faults of the instrument change with time (`TrueState::shown`), the faults are applied at
+/// the time of each data point.
+///
+/// A step lasts a strain of 20. The torque rises over a strain of about 0.02, overshoots its steady
+/// value by 15 %, and then decays to its steady value. The gap begins 2 % below its steady value.
+/// Both deviations decay as exp(-strain/0.15), which is 4 % at a strain of 0.5.
 /// @param seed seed of the instrument's random numbers
 Recording record(const std::vector<TrueState>& steps, const AnnularCell& cell,
                  const GrainProperties& grains, const Instrument& instrument, std::uint64_t seed);
 
-/// Returns a recording as the text of a CSV file that `read_recording` can read, in the usual units
-/// of rheometers (torque [mN m], gap [mm]), with seven digits.
+/// Returns a recording as the text of a CSV file that `read_recording` can read. Quantities are in
+/// the usual units of rheometers, such as torque in mN m and gap in mm. Measured values have seven
+/// significant digits.
 std::string recording_csv(const Recording& recording);
 
 }  // namespace pendular
