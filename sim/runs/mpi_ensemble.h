@@ -6,8 +6,8 @@
 
 namespace pendular {
 
-/// MPI processes of this program. The process of rank 0 distributes simulations to the other ranks.
-/// The constructor initialises MPI, and the destructor finalises it.
+/// MPI processes of this program. The process of rank 0 distributes simulations to the processes of
+/// the other ranks. The constructor initialises MPI, and the destructor finalises MPI.
 class MpiProcesses {
   public:
     /// Whether mpirun, mpiexec or srun started this process with MPI. The function reads only
@@ -19,27 +19,31 @@ class MpiProcesses {
     MpiProcesses(const MpiProcesses&) = delete;
     MpiProcesses& operator=(const MpiProcesses&) = delete;
 
-    /// Whether this process is rank 0, which distributes the runs.
+    /// Whether this process has rank 0 and therefore distributes the runs.
     bool manager() const { return rank_ == 0; }
-    /// Number of MPI ranks that carry out runs: all except rank 0.
+    /// Returns the number of MPI processes that carry out runs: all processes except that of rank
+    /// 0.
     int workers() const { return size_ - 1; }
 
-    /// Distributes simulations to the other ranks, the longest first, one at a time to each rank,
-    /// and adds each result to the store (SQLite file of runs) when it arrives. Called on rank 0,
-    /// which alone accesses the store, so that the machines need no shared disk. After an error,
-    /// the caller must end the other ranks with `abort`.
-    /// @param workers `stop`, `report` and `store` are used; `store` must be set
+    /// Distributes simulations to the processes of the other ranks, the longest simulation first,
+    /// one at a time to each process. Adds each result to the store (SQLite file of runs) when the
+    /// result arrives. This function is to be called on rank 0, which alone accesses the store, so
+    /// that the machines need no shared disk. After an error, the caller must end the processes of
+    /// the other ranks with `abort`.
+    /// @param workers settings, of which `stop`, `report` and `store` are used; `store` must be set
     /// @throws dem::Interrupted if a stop is requested
-    /// @throws std::runtime_error if another rank runs another version of the program
+    /// @throws std::runtime_error if a process of another rank runs another version of the program
     /// @throws InputError, std::runtime_error if the store cannot be read or written
     void manage(const std::vector<dem::RunParameters>& runs, const Workers& workers) const;
 
     /// Carries out the simulations that rank 0 sends and returns each result to rank 0, until rank
-    /// 0 reports that no simulations are left. Called on all ranks other than 0.
+    /// 0 reports that no simulations are left. This function is to be called on all ranks other
+    /// than 0.
     /// @throws dem::Interrupted if a stop is requested
     void work(const std::stop_token& stop) const;
 
-    /// Ends all MPI processes of this program, including this one, with an exit code (MPI_Abort).
+    /// Ends all MPI processes of this program, including this process, with an exit code
+    /// (MPI_Abort).
     [[noreturn]] void abort(int exit_code) const;
 
   private:

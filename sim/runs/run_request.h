@@ -11,8 +11,8 @@
 
 namespace pendular {
 
-/// Returns effects on grains in the form that the solver uses. Effects whose parameters all have
-/// their neutral values (no effect) are left out.
+/// Returns effects on grains in the form that the solver uses. An effect is left out if all its
+/// parameters have their neutral values, at which the effect changes nothing.
 /// @param effects names of the effects, with parameter values in reduced units (grain diameter,
 ///         grain mass and imposed normal stress are 1)
 /// @param wet whether the run has liquid bridges
@@ -20,12 +20,12 @@ namespace pendular {
 ///         out of its bounds, and an effect on bridges in a dry run
 dem::GrainEffects grain_effects(const std::vector<EffectValues>& effects, bool wet);
 
-/// Returns effects on grains with their parameter values in reduced units as text:
+/// Returns effects on grains, with their parameter values in reduced units, as text such as
 ///     rolling-resistance.coefficient=0.1 willett-bridges.on=1
 std::string effects_text(const std::vector<EffectValues>& effects);
-/// Returns the effects on grains and parameter values that a text describes, sorted by name of the
-/// effect; the inverse of `effects_text`.
-/// @throws std::invalid_argument if the text has another form or contains an unknown name
+/// Returns the effects on grains and the parameter values that a text describes, sorted by the name
+/// of the effect. The function is the inverse of `effects_text`.
+/// @throws std::invalid_argument if the text does not have this form or contains an unknown name
 std::vector<EffectValues> effects_from(const std::string& text);
 
 /// Checks, before any computation, that a run with its effects on grains can be simulated.
@@ -33,21 +33,22 @@ std::vector<EffectValues> effects_from(const std::string& text);
 ///         effect that is unknown, does not act on grains, or acts on bridges in a dry run
 void check_run(const dem::RunParameters& run);
 
-/// Returns a text that identifies a simulation: its parameters as lines "name = value", with
-/// numbers in their shortest exact form. The number of threads is included, since it changes the
-/// rounding of the results.
+/// Returns a text that identifies a simulation. The text contains the parameters of the simulation
+/// as lines "name = value", with numbers in their shortest exact form. The number of threads is
+/// included, since it changes the rounding of the results.
 std::string run_description(const dem::RunParameters& run, int threads = 1);
 
 /// Returns the 64-bit FNV-1a hash of a text. The hash of a run's `run_description` identifies the
 /// run.
 std::uint64_t fingerprint(std::string_view text);
 
-/// Carries out a simulation with the effects on grains in `run.effects`, and returns its time
-/// averages. `options.description` is replaced by the run's `run_description`.
+/// Carries out a simulation with the effects on grains in `run.effects`, and returns the averages
+/// of its observables. `options.description` is replaced by the run's `run_description`.
 /// @throws std::invalid_argument for a run or effect that cannot be simulated
 /// @throws dem::SimulationError if the simulation fails
 /// @throws dem::Interrupted if a stop is requested
-/// @throws InputError if the checkpoint belongs to another run or version, or is corrupt
+/// @throws InputError if the checkpoint belongs to a run other than `run` or to another version of
+///         the program, or is corrupt
 dem::RunResult simulate(const dem::RunParameters& run, dem::RunOptions options = {});
 
 }  // namespace pendular

@@ -7,15 +7,16 @@ namespace pendular {
 /// Purpose for which random numbers are drawn: the runs of a calibration, the noise of a virtual
 /// instrument, the runs of a virtual laboratory, or the choice of parameters of calibration runs
 /// (`run_places`). Seeds for different purposes differ. A calibration can therefore be tested on a
-/// virtual measurement without using the same initial samples.
+/// virtual measurement without using the initial samples of the virtual measurement.
 enum class SeedDomain : std::uint64_t { calibration, instrument, virtual_lab, run_places };
 
 /// Returns the seed of run number `run`: a hash of the user's seed, the number of the run and the
-/// purpose.
+/// purpose of the random numbers.
 ///     z = seed x A + (run + 1) x B + domain x 2^62 (mod 2^64),  A and B odd
-/// z is then scrambled by the finalizer of splitmix64, which maps different z to different seeds.
-/// For one user's seed, two runs of one domain never have the same seed, and runs of two domains
-/// can have the same seed only if their numbers differ by a multiple of 2^62.
+/// The number z is then scrambled by the finalizer of splitmix64, which maps different z to
+/// different seeds. For one user's seed, two runs of one domain never have equal seeds. Two runs of
+/// different domains can have equal seeds only if the numbers of the runs differ by a multiple of
+/// 2^62.
 /// Source: Steele, Lea and Flood, OOPSLA (2014) 453, "Fast splittable pseudorandom number
 /// generators".
 constexpr std::uint64_t seed_of_run(std::uint64_t seed, std::uint64_t run,

@@ -9,31 +9,34 @@
 
 namespace pendular {
 
-/// Grains, liquid and normal stress with which values of a single run are converted between SI
-/// units and reduced units (grain diameter, grain mass and normal stress are 1).
+/// Scale of a single run, which consists of grains, liquid and normal stress. The scale is used to
+/// convert values of the run between SI units and reduced units (grain diameter, grain mass and
+/// normal stress are 1).
 struct RunScale {
     GrainProperties grains{.diameter = 500e-6, .density = 1050};
     Liquid liquid{.surface_tension = 20.6e-3};
     double normal_stress = 1000;  ///< normal stress on the grains in dry runs [Pa]
 
-    /// Returns the grains, liquid and normal stress with which values of a given run are converted.
-    /// The normal stress of a wet run follows from its reduced pressure P*: s22 = P* F0/a^2 [Pa],
-    /// with pull-off force F0 and grain diameter a. The normal stress of a dry run is
-    /// `normal_stress`.
+    /// Returns the grains, the liquid and the normal stress with which values of a given run are
+    /// converted between SI units and reduced units. The normal stress of a wet run follows from
+    /// its reduced pressure P*: s22 = P* F0/a^2 [Pa], with pull-off force F0 and grain diameter a.
+    /// The normal stress of a dry run is `normal_stress`.
     RunScale of(const dem::RunParameters& run) const;
 };
 
-/// Returns the reason, for a message, why an effect cannot act on a single simulation: it acts on
-/// the instrument, a closure (analytical formula) or the flow. Empty if it can act.
+/// Returns the reason, for a message, why an effect cannot act on a single simulation. Effects on
+/// the instrument, on a closure (analytical formula) or on the flow cannot act on a simulation. The
+/// text is empty if the effect can act.
 std::string why_no_run_has(const Effect& effect);
 
-/// Whether an effect has a parameter with a unit other than 1 and rad, whose value can be converted
-/// to reduced units only if grains, liquid and normal stress are known (`RunScale`).
+/// Whether an effect has a parameter with a unit other than 1 and rad. The value of this parameter
+/// can be converted to reduced units only if grains, liquid and normal stress are known
+/// (`RunScale`).
 bool needs_scale(const Effect& effect);
 
 /// Applies effects to the parameters of a run and returns the changed parameters. Effects of type
-/// `ChangeCondition` change friction and reduced pressure; effects on grains are added to
-/// `run.effects` in reduced units.
+/// `ChangeCondition` change the friction coefficient and the reduced pressure. Effects on grains
+/// are added to `run.effects` in reduced units.
 /// @param effects effects with parameter values in SI units
 /// @param scale grains, liquid and normal stress with which SI units are converted to the reduced
 ///         units of the run (grain diameter, grain mass and normal stress are 1)

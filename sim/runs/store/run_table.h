@@ -8,28 +8,29 @@
 
 namespace pendular {
 
-/// Writes simulation runs to a CSV file, one row per run: the version of the solver and all
-/// `run_columns()`. Numbers have the fewest digits from which the same number is read back. Traces
-/// and final states are not written.
+/// Writes simulation runs to a CSV file, one row per run. A row contains the version of the solver
+/// and all `run_columns()`. Numbers have the fewest digits from which the exact number is read
+/// back. Time series (traces) and final states are not written.
 /// @throws InputError if the path is a symbolic link out of its folder
 /// @throws std::runtime_error if the file cannot be written
 void write_runs(const std::filesystem::path& file, const std::vector<StoredRun>& runs);
 
-/// Returns a hash of a run's inputs and results, as 16 hexadecimal digits: the hash of its row in
-/// the CSV file of `write_runs`. It is the same whether the run comes from a CSV file, from a store
-/// or directly from the simulation.
+/// Returns a hash of a run's inputs and results, as 16 hexadecimal digits. The hash is that of the
+/// run's row in the CSV file of `write_runs`. The hash does not depend on whether the run comes
+/// from a CSV file, from a store or directly from the simulation.
 std::string run_fingerprint(const StoredRun& stored);
 
-/// Reads simulation runs from a CSV file with the columns of `write_runs`, in any order. Columns of
-/// results, and the column of effects, may be missing.
+/// Reads simulation runs from a CSV file that has the columns of `write_runs`, in any order.
+/// Columns of results, and the column of effects, may be missing.
 /// @throws InputError for a file that cannot be read as a table, at a cell with an invalid value,
-///         at a run that cannot be simulated, and at the header for an unknown or missing input
-///         column
+///         at a run that cannot be simulated, and at the header for an unknown column or a missing
+///         input column
 std::vector<StoredRun> read_runs(const std::filesystem::path& file);
 
-/// Path of the atlas, a CSV file of the simulation runs that come with the program: the environment
-/// variable PENDULAR_ATLAS, else the installed file, else the file in the repository. Empty if no
-/// such file exists.
+/// Returns the path of the atlas, a CSV file of the simulation runs that come with the program. The
+/// path is the value of the environment variable PENDULAR_ATLAS. If this variable is not set, the
+/// path is that of the installed file or, if no file is installed, of the file in the repository.
+/// The path is empty if the variable is not set and neither file exists.
 std::filesystem::path atlas_file();
 
 }  // namespace pendular

@@ -13,28 +13,29 @@ class Exception;
 
 namespace pendular {
 
-/// Version of the file format of stores.
+/// Version of the file format of stores (SQLite files of simulation runs).
 constexpr int store_format = 1;
-/// Path of a store (SQLite database of runs) that is in memory only, without a file.
+/// Path that stands for a store (SQLite database of runs) in memory, without a file.
 constexpr const char* store_in_memory = ":memory:";
 
-/// Opens the SQLite file of a store (file of simulation runs). Views, triggers and functions in its
-/// schema are not executed, since the file may come from somebody else.
+/// Opens a store (SQLite file of simulation runs). Views, triggers and functions in the schema of
+/// the file are not executed, since the file may come from somebody else. If `must_exist` is false,
+/// a missing file is created, with its folder. If `must_exist` is true, a file that cannot be
+/// written is opened for reading only.
 /// @param file absolute path, or `store_in_memory`
-/// @param must_exist true: a missing file is an error, and a file that cannot be written is opened
-///         for reading only; false: a missing file is created, with its folder
-/// @throws InputError for a file that is no store, or of a newer version
+/// @param must_exist whether a missing file is an error
+/// @throws InputError for a file that is no store or has a newer format
 /// @throws SQLite::Exception for other errors of SQLite
 std::unique_ptr<SQLite::Database> open_store_file(const std::filesystem::path& file,
                                                   bool must_exist);
 
-/// Replaces an error of SQLite by an error with advice for the user, and throws it.
+/// Throws an error with advice for the user in place of an error of SQLite.
 /// @throws InputError if the file cannot be opened or is not a valid store
 /// @throws std::runtime_error for any other error
 [[noreturn]] void explain(const std::filesystem::path& file, const SQLite::Exception& error);
 
-/// Device and inode number of a file, which change if another file replaces it; zeros if the file
-/// does not exist.
+/// Returns the device number and the inode number of a file. The numbers change if a new file
+/// replaces the file. Both are zero if the file does not exist.
 std::array<std::uint64_t, 2> identity_of(const std::filesystem::path& file);
 
 }  // namespace pendular
