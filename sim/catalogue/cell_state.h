@@ -3,8 +3,8 @@
 namespace pendular {
 
 /// State of an annular shear cell in SI units: either the true state or the state that the
-/// instrument shows. Torque and normal force are magnitudes, positive when the grains are sheared
-/// and compressed.
+/// instrument shows. The torque is positive when the grains are sheared. The normal force is
+/// positive when the grains are compressed.
 struct CellState {
     double torque = 0;            ///< torque on the lid of the cell [N m]
     double normal_force = 0;      ///< normal force on the sample at mid-height [N]
@@ -15,16 +15,17 @@ struct CellState {
     double time = 0;              ///< time since the first recording began [s]
 
     // No effect changes the quantities below.
-    /// Radii of the inner and outer side wall of the cell [m].
+    /// Radius of the inner side wall and radius of the outer side wall of the cell [m].
     double inner_radius = 0, outer_radius = 0;
     double density = 0;   ///< density of the grain material [kg/m^3]
     double diameter = 0;  ///< mean diameter of the grains [m]
 
-    /// Area of the annulus of the cell on which the lid presses [m^2].
+    /// Returns the area of the annulus on which the lid presses [m^2].
     double area() const;
-    /// Width of the annulus of the cell [m]: distance between the inner and outer side wall.
+    /// Returns the width of the annulus of the cell [m]: distance between the inner and the outer
+    /// side wall.
     double width() const { return outer_radius - inner_radius; }
-    /// Weight of the dry grains in the cell [N].
+    /// Returns the weight of the dry grains in the cell [N].
     double weight() const;
 };
 

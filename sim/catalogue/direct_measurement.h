@@ -8,33 +8,33 @@
 
 namespace pendular {
 
-/// Direct measurement of an effect's parameter without shearing grains, such as the drag from the
-/// torque of the empty cell, or the contact angle from a drop. A model without the effect predicts
-/// the value at which the effect vanishes.
+/// Direct measurement of an effect's parameter without shearing grains, such as the measurement of
+/// the drag from the torque of the empty cell, or of the contact angle from a drop. A model without
+/// the effect predicts the value of the parameter at which the effect vanishes.
 struct DirectMeasurement {
-    /// Name of the measured parameter, "EFFECT.PARAMETER": "torque-offset.torque".
+    /// Name of the measured parameter as "EFFECT.PARAMETER", such as "torque-offset.torque".
     std::string parameter;
     std::string unit;  ///< SI unit of the measured parameter
-    /// Instrument or method that measures the parameter, such as "a viscometer"; empty: unknown.
+    /// Instrument or method that measures the parameter, such as "a viscometer"; empty if unknown.
     std::string by = {};
     /// Value of the parameter that a model without the effect predicts, in the parameter's unit.
     double neutral = 0;
-    /// Measured value of the parameter, in its unit; 0 if it was not measured yet.
+    /// Measured value of the parameter, in the parameter's unit; 0 if not measured yet.
     double value = 0;
     double standard_error = 0;  ///< standard error of the measured value, in the parameter's unit
 };
 
-/// Converts a direct measurement from study.toml ([[direct]] or [[rig.direct]]) to the SI unit of
-/// the effect's parameter.
+/// Converts a direct measurement from a table [[direct]] or [[rig.direct]] of study.toml to the SI
+/// unit of the effect's parameter.
 /// @param catalogue all effects available to the study
 /// @throws InputError for an effect that is unknown, is a switch or does not apply to the study, a
-///         value or error in a unit that does not fit the parameter, or an error that is not
-///         positive
+///         value or standard error in a unit that does not fit the parameter, or a standard error
+///         that is not positive
 DirectMeasurement direct_measurement(const StatedDirect& stated, const Study& study,
                                      const EffectCatalogue& catalogue);
 
-/// Returns the direct measurements in the tables [[direct]] of study.toml, in their order, in the
-/// SI unit of each parameter.
+/// Returns the direct measurements of the tables [[direct]] of study.toml in the order of the
+/// tables, each in the SI unit of its parameter.
 /// @param catalogue all effects available to the study
 /// @throws InputError for a table that `direct_measurement` does not accept
 std::vector<DirectMeasurement> direct_measurements(const Study& study,

@@ -17,25 +17,25 @@
 
 namespace pendular {
 
-/// Effect on the instrument: the function `show` returns the state of the cell that the instrument
-/// shows for a true state. Effects on the grains in the cell (`Where::grains`) are applied before
-/// effects on the transducers. `InstrumentMap` combines the functions of all effects and inverts
-/// them together.
+/// Effect on the instrument. The function `show` receives a true state of the cell and returns the
+/// state that the instrument shows. Effects on the grains in the cell (`Where::grains`) are applied
+/// before effects on the transducers. `InstrumentMap` combines the functions of all effects and
+/// inverts the combination.
 struct ChangeInstrument {
     std::function<CellState(CellState, const Values&)> show;
     enum class Where { grains, transducers } where = Where::grains;
 };
 
 /// Effect that changes only the values of properties of the study's grains or liquid, such as the
-/// contact angle. The function `change` returns the condition with changed properties; a wet
-/// condition that it receives always has its `liquid` set.
+/// contact angle. The function `change` returns the condition with changed properties. A wet
+/// condition that the function receives always has its member `liquid` set.
 struct ChangeCondition {
     std::function<EffectiveCondition(EffectiveCondition, const Values&)> change;
 };
 
-/// Effect that makes a model compute the strength of wet grains by a more accurate method: the
-/// formula (closure) or simulation of `level`. A model that already uses a higher level is not
-/// changed. The levels of `closures::Level` are ordered from the simplest formula to the
+/// Effect that makes a model compute the strength of wet grains by a more accurate method, which is
+/// the formula (closure) or the simulation of `level`. A model that already uses a higher level is
+/// not changed. The levels of `closures::Level` are ordered from the simplest formula to the
 /// simulation.
 struct ChangeClosure {
     closures::Level level = closures::Level::simulation;
@@ -46,50 +46,53 @@ struct FlowPoint {
     double stress_ratio = 0, solid_fraction = 0;
 };
 
-/// Effect for which the user gives formulas of the stress ratio and solid fraction at a condition,
-/// without stating a physical mechanism.
+/// Effect on the predicted flow, without a stated physical mechanism. The user gives formulas for
+/// the stress ratio and the solid fraction at a condition.
 struct ChangeFlow {
     std::function<FlowPoint(FlowPoint, const Condition&, const Values&)> change;
 };
 
-/// Kind of change that an effect makes: to the instrument, the condition, the forces between grains
-/// (`dem::ChangePairs`), the grain sizes (`dem::ChangeSample`), a closure (formula for the strength
-/// of wet grains) or the flow. Only effects on forces and grain sizes act inside a simulation.
+/// Change that an effect makes. The effect changes the instrument, the condition, the forces
+/// between grains (`dem::ChangePairs`), the grain sizes (`dem::ChangeSample`), a closure (formula
+/// for the strength of wet grains) or the flow. Only effects on forces and on grain sizes act
+/// inside a simulation.
 using Change = std::variant<ChangeInstrument, ChangeCondition, dem::ChangePairs, dem::ChangeSample,
                             ChangeClosure, ChangeFlow>;
 
-/// Readings that an effect can change: all readings, or only readings of dry grains, of wet grains,
-/// or at points of failure.
+/// Kind of readings that an effect can change: all readings, or only readings of dry grains, of wet
+/// grains, or at points of failure (peaks of the shear stress).
 enum class Touches { all, dry, wet, failure };
 
-/// Physical effect that a model may lack, with everything that the program knows about it. Each
-/// built-in effect is defined in a file of sim/effects with the same name; CMake collects the
-/// files.
+/// Physical effect that a model may lack, with its description, its parameters and the change that
+/// it makes. Each built-in effect is defined in the file of sim/effects that has the name of the
+/// effect. CMake collects these files.
 struct Effect {
     std::string name = {};  ///< name of the effect, such as "torque-offset"
     std::string summary;    ///< description of the effect in one line
-    /// Equation of the effect and its range of validity, for the manual; lines of text.
+    /// Equation of the effect and range of validity of the equation, as lines of text for the
+    /// manual.
     std::string equation;
     std::vector<EffectParameter> parameters;
     Change change;
     Touches touches = Touches::all;
-    /// Whether the effect acts through the capillary forces between grains, so that the change of
-    /// stress ratio and solid fraction by the effect is proportional to 1/(reduced pressure). False
-    /// for an effect with forces of its own between wet grains, such as viscosity.
+    /// Whether the effect acts through the capillary forces between grains. The change of stress
+    /// ratio and solid fraction by the effect is then proportional to 1/(reduced pressure). The
+    /// member is false for an effect with forces of its own between wet grains, such as viscosity.
     bool fades_with_capillarity = false;
-    /// Property of the liquid that is the effect's parameter, such as its viscosity. If this member
-    /// is set, the effect acts in every study with a liquid, with the liquid's value, without being
-    /// listed. If it is null, the effect acts only if the study lists it.
+    /// Property of the liquid that is the effect's parameter, such as the viscosity of the liquid.
+    /// If this member is set, the effect acts in every study with a liquid, with the liquid's
+    /// value, without being listed. If this member is null, the effect acts only if the study lists
+    /// the effect.
     double Liquid::*given_by_liquid = nullptr;
-    /// Quantities with which the change of the readings by the effect increases, such as
-    /// "1/normal_stress" for a change that is largest at small normal stress.
+    /// Names of the quantities with which the change of the readings by the effect increases, such
+    /// as "1/normal_stress" for a change that is largest at small normal stress.
     std::vector<std::string> acts_through;
     /// Instrument or method that measures the effect's parameter without shearing grains, such as
     /// "a viscometer"; empty if none is known.
     std::string directly = {};
     std::vector<std::string> references;  ///< publications that describe the effect
 
-    /// Whether the effect acts on the instrument: it changes the state of the cell that the
+    /// Whether the effect acts on the instrument, so that it changes the state of the cell that the
     /// instrument shows.
     bool of_instrument() const { return std::holds_alternative<ChangeInstrument>(change); }
     /// Whether the effect changes grain sizes or the forces between grains in the simulation.
@@ -99,20 +102,23 @@ struct Effect {
     /// Whether the effect makes a model compute the strength of wet grains by a more accurate
     /// formula (closure) or by simulation (`ChangeClosure`).
     bool of_closure() const { return std::holds_alternative<ChangeClosure>(change); }
-    /// Level of accuracy (`closures::Level`) to which the effect raises a model's formula (closure)
-    /// for the strength of wet grains; empty if the effect does not change this formula.
+    /// Returns the level of accuracy (`closures::Level`) to which the effect raises a model's
+    /// formula (closure) for the strength of wet grains; empty if the effect does not change this
+    /// formula.
     std::optional<closures::Level> level() const {
         return of_closure() ? std::optional(std::get<ChangeClosure>(change).level) : std::nullopt;
     }
-    /// Value of the effect's first parameter, in the parameter's unit, in a study that does not
-    /// list the effect: the property of the liquid (`given_by_liquid`) or else the neutral value.
+    /// Returns the value of the effect's first parameter, in the parameter's unit, in a study that
+    /// does not list the effect. The value is the property of the liquid (`given_by_liquid`) or,
+    /// without such a property, the neutral value, at which the effect changes nothing.
     double unlisted_value(const std::optional<Liquid>& liquid) const;
-    /// Whether all parameters of the effect are switches, so that no value can be fitted.
+    /// Whether all parameters of the effect are switches (on or off), so that no value can be
+    /// fitted.
     bool is_switch() const;
-    /// Neutral value of each parameter of the effect, at which the effect changes nothing, in SI
-    /// units and in the order of `parameters`.
+    /// Returns the neutral value of each parameter of the effect in SI units, in the order of
+    /// `parameters`. The effect changes nothing at the neutral values.
     std::vector<double> neutral() const;
-    /// Index, in the effect's list `parameters`, of the parameter with a given name.
+    /// Returns the index, in the effect's list `parameters`, of the parameter with a given name.
     /// @throws std::invalid_argument if the effect has no parameter with this name; the message
     ///         suggests the nearest name
     std::size_t parameter(std::string_view parameter_name) const;
@@ -124,39 +130,40 @@ struct ActiveEffect {
     /// Value of each parameter of the effect in SI units, in the order of `Effect::parameters`.
     std::vector<double> values;
 
-    /// True if all parameters of the effect have their neutral values, so that the effect changes
+    /// Whether all parameters of the effect have their neutral values, so that the effect changes
     /// nothing.
     bool is_neutral() const { return values == effect->neutral(); }
-    /// Access to the values of the effect's parameters, in SI units, by parameter name; valid as
-    /// long as this object and `effect`.
+    /// Returns the values of the effect's parameters in SI units, accessed by parameter name. The
+    /// returned object is valid as long as this object and `effect`.
     Values by_name() const { return {effect->parameters, values}; }
 };
 
-/// Returns an effect as text for messages, such as "torque-offset (torque 0.1 mN m)": its name,
-/// then the names and values of its parameters, in the units of `printed_unit`.
+/// Returns an effect as text for messages, such as "torque-offset (torque 0.1 mN m)". The text
+/// consists of the name of the effect and of the names and values of its parameters, in the units
+/// of `printed_unit`.
 std::string to_string(const ActiveEffect& active);
 
-/// Whether an effect can change readings at a condition, by `Effect::touches`: some effects change
-/// only readings of dry grains, of wet grains, or at points of failure.
+/// Whether an effect can change readings at a condition. Some effects change only readings of dry
+/// grains, of wet grains, or at points of failure (`Effect::touches`).
 bool touches(const Effect& effect, const Condition& condition);
 
-/// Returns the effects in a list that can change readings at a given condition, in the order of the
-/// list.
+/// Returns those effects of a list that can change readings at a given condition, in the order of
+/// the list.
 std::vector<ActiveEffect> touching(const std::vector<ActiveEffect>& effects,
                                    const Condition& condition);
 
 /// Applies effects to a condition and returns the changed condition. Effects of type
-/// `ChangeCondition` change the condition itself; effects on grains are added to its list
-/// `grain_effects`, in SI units and sorted by name. Other effects are ignored: effects on the
-/// instrument, on closures (formulas for the strength of wet grains) and on the flow, and effects
-/// that do not act at the condition, such as effects on wet grains at a dry condition.
+/// `ChangeCondition` change the condition itself. Effects on grains are added to the list
+/// `grain_effects` of the condition, in SI units and sorted by name. Effects on the instrument, on
+/// closures (formulas for the strength of wet grains) and on the flow are ignored. Effects that do
+/// not act at the condition, such as effects on wet grains at a dry condition, are also ignored.
 /// @param liquid liquid of a wet condition that has no liquid of its own
 EffectiveCondition changed_condition(EffectiveCondition condition,
                                      const std::vector<ActiveEffect>& effects,
                                      const std::optional<Liquid>& liquid);
 
-/// All effects that come with the program, sorted by name, one for each file of sim/effects. CMake
-/// generates this function.
+/// Returns all effects that come with the program, sorted by name, one for each file of
+/// sim/effects. CMake generates this function.
 const std::vector<Effect>& built_in_effects();
 
 /// Returns the effect with a given name from a list of effects.

@@ -10,9 +10,9 @@
 
 namespace pendular {
 
-/// All effects available to a study: the effects that come with the program, and the effects that
-/// the user defines in study.toml. References and pointers to effects are valid as long as the
-/// catalogue.
+/// All effects available to a study, which are the effects that come with the program and the
+/// effects that the user defines in study.toml. References and pointers to effects are valid as
+/// long as the catalogue.
 class EffectCatalogue {
   public:
     /// Makes a catalogue of the built-in effects only.
@@ -27,8 +27,8 @@ class EffectCatalogue {
     EffectCatalogue& operator=(EffectCatalogue&&) = default;
     ~EffectCatalogue() = default;
 
-    /// All effects: the built-in effects sorted by name, then the user's in the order of
-    /// study.toml.
+    /// Returns all effects available to the study. The built-in effects come first, sorted by name.
+    /// The effects that the user defines follow in the order of study.toml.
     const std::vector<Effect>& all() const { return effects_; }
     /// Returns the effect, built-in or user-defined, with a given name.
     /// @throws std::invalid_argument if no effect has this name; the message suggests the nearest
@@ -37,8 +37,8 @@ class EffectCatalogue {
     /// Whether an effect was defined by the user in study.toml rather than built in.
     bool is_written(const Effect& effect) const;
 
-    /// Returns the effects of a study's model, which are in the list `effects` of [model] in
-    /// study.toml, in the order of the list.
+    /// Returns the effects of a study's model in the order of the list `effects` of [model] in
+    /// study.toml, which names the effects.
     /// @throws InputError at the name of an effect that is unknown (the message suggests the
     ///         nearest name) or does not apply to the study
     std::vector<const Effect*> active(const Study& study) const;
@@ -47,9 +47,9 @@ class EffectCatalogue {
     std::vector<Effect> effects_;
 };
 
-/// Level of the formula for the strength of wet grains that a study's model uses: the highest of
-/// the levels of its base model and of its listed effects. The levels are ordered from the simplest
-/// formula to the simulation.
+/// Returns the level of accuracy at which a study's model computes the strength of wet grains. The
+/// level is the highest of the levels of the base model and of the listed effects. The levels are
+/// ordered from the simplest formula to the simulation.
 closures::Level level_of(const Study& study);
 
 /// Reason why an effect does not apply to a study.
@@ -57,18 +57,19 @@ struct Obstacle {
     /// Reason why the effect does not apply, in two or three words for a table, such as "needs
     /// [cell]".
     std::string brief;
-    /// Reason why the effect does not apply to the study, with a remedy, as a sentence for the
-    /// user.
+    /// Reason why the effect does not apply to the study, as a sentence for the user that states a
+    /// remedy.
     std::string sentence;
 };
 
-/// Returns the reason why an effect does not apply to a study: the study has no readings that the
-/// effect changes, or it lacks the liquid, cell, bead volume or base model that the effect needs.
-/// Empty if the effect applies to the study.
+/// Returns the reason why an effect does not apply to a study; empty if the effect applies. An
+/// effect does not apply if the study has no readings that the effect changes. An effect does not
+/// apply either if the study lacks the liquid, cell, bead volume or base model that the effect
+/// needs.
 std::optional<Obstacle> obstacle(const Effect& effect, const Study& study);
 
-/// Returns the reason why an effect does not apply to a study, with a remedy, as a sentence for the
-/// user; empty if the effect applies.
+/// Returns the reason why an effect does not apply to a study, as a sentence for the user that
+/// states a remedy; empty if the effect applies.
 std::optional<std::string> why_not(const Effect& effect, const Study& study);
 
 }  // namespace pendular

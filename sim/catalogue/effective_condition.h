@@ -9,13 +9,14 @@
 namespace pendular {
 
 /// Condition that is truly imposed on the grains, with the properties of grains and liquid after
-/// all effects on them are applied. Without effects, it equals the condition that the study states.
+/// all effects on these properties are applied. Without effects, the condition equals the condition
+/// that the study states.
 struct EffectiveCondition : Condition {
     EffectiveCondition() = default;
     EffectiveCondition(const Condition& imposed) : Condition(imposed) {}
 
-    /// Properties of the liquid after effects are applied; empty: the properties of the study's
-    /// liquid.
+    /// Properties of the liquid after effects are applied; empty if the liquid has the properties
+    /// that the study states.
     std::optional<Liquid> liquid;
     /// Friction coefficient between grains minus the friction coefficient of the study's model [1].
     double friction_difference = 0;
@@ -26,8 +27,9 @@ struct EffectiveCondition : Condition {
     bool operator==(const EffectiveCondition&) const = default;
 };
 
-/// Converts conditions to effective conditions on which no effects act, with the liquid and
-/// friction of the study, and returns them in the same order.
+/// Converts conditions to effective conditions on which no effects act, and returns the effective
+/// conditions in the order of `conditions`. The effective conditions have the liquid and the
+/// friction coefficient of the study.
 inline std::vector<EffectiveCondition> without_effects(const std::vector<Condition>& conditions) {
     return {conditions.begin(), conditions.end()};
 }
