@@ -23,9 +23,9 @@ void load(Archive& archive, Vector& v) {
     archive(cereal::binary_data(&v, sizeof v));
 }
 
-/// Reads the bytes that `cereal::BinaryOutputArchive` wrote. In contrast to
-/// `cereal::BinaryInputArchive`, it throws an error, and allocates no memory, if the stated number
-/// of elements is larger than the remaining bytes can contain.
+/// Archive that reads the bytes which `cereal::BinaryOutputArchive` wrote. In contrast to
+/// `cereal::BinaryInputArchive`, the archive throws an error, and allocates no memory, if the
+/// stated number of elements is larger than the remaining bytes can contain.
 class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyClassElision> {
   public:
     explicit ByteReader(std::string_view bytes) : InputArchive(this), bytes_(bytes) {}
@@ -86,8 +86,9 @@ void load(ByteReader& reader, std::vector<T, Allocator>& elements) {
     }
 }
 
-/// Returns a state, which must have a member function `serialize`, as bytes. The function `restore`
-/// reads the bytes back, but only in a program with the same memory layout.
+/// Returns a state as bytes. The state must have a member function `serialize`. The function
+/// `restore` reads the bytes back, but only in a program that has the memory layout of this
+/// program.
 template <typename State>
 std::string archived(const State& state) {
     std::ostringstream stream(std::ios::binary);
@@ -97,7 +98,7 @@ std::string archived(const State& state) {
 }
 
 /// Reads a state from the bytes that `archived` returned.
-/// @return false if the bytes are too few or too many for this state
+/// @return false if the bytes are too few or too many for the state
 template <typename State>
 bool restore(std::string_view bytes, State& state) {
     ByteReader reader(bytes);

@@ -10,9 +10,9 @@
 namespace pendular::dem {
 
 /// Division of a periodic cell into bins, with a list of the grains in each bin, for the search of
-/// neighbours. The bins are sheared with the lattice of the cell and at least `range` [grain
-/// diameters] thick in every direction, so that all grains whose centres are closer than `range`
-/// are in the same or in adjacent bins.
+/// neighbours. The bins are sheared with the lattice of the cell. Their thickness in every
+/// direction is at least `range` [grain diameters]. Two grains whose centres are closer than
+/// `range` are therefore in one bin or in adjacent bins.
 class Bins {
   public:
     Bins(const Grains& grains, const Cell& cell, double range);
@@ -21,8 +21,9 @@ class Bins {
     /// visit a neighbouring bin twice.
     bool enough() const;
 
-    /// Indices, along the three lattice vectors, of the bin that contains a position inside the
-    /// cell. A position that rounding puts outside of a face belongs to the last bin at this face.
+    /// Returns the indices, along the three lattice vectors, of the bin that contains a position
+    /// inside the cell. A position that rounding puts outside of a face belongs to the last bin at
+    /// this face.
     std::array<int, 3> bin_of(const Vector& position) const;
     int count(int direction) const { return count_[direction]; }
     std::size_t index(int b1, int b2, int b3) const {
@@ -45,8 +46,8 @@ class Bins {
     std::vector<Entry> entries_;
 };
 
-/// Returns the indices of all grains in the order of rows along the flow that are one diameter
-/// wide. Rows follow one another along the velocity gradient, and planes of rows along the
+/// Returns the indices of all grains in the order of rows along the flow. A row is one mean grain
+/// diameter wide. Rows follow one another along the velocity gradient, and planes of rows along the
 /// vorticity. A loop over grains in this order reads memory at a few addresses that advance
 /// together, so that the processor can prefetch the data. Samples larger than the cache run a third
 /// faster than in the order of a Morton curve.

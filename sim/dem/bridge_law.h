@@ -15,23 +15,23 @@ struct Wetting {
     double reduced_pressure = 0;
     /// Volume of one liquid bridge divided by the cubed grain diameter [1].
     double bridge_volume = 0;
-    /// Formula of the bridge force: as derived, or as Badetti et al. (2018) print it.
+    /// Variant of the formula of the bridge force: as derived, or as printed in Badetti et al.
+    /// (2018).
     FormulaVariant bridge_force = FormulaVariant::derived;
 };
 
-/// Largest volume of one liquid bridge divided by the cubed grain diameter [1] at which bridges
+/// Largest volume of one liquid bridge, divided by the cubed grain diameter [1], at which bridges
 /// stay separate (pendular range). Larger bridges merge where three grains touch each other.
 /// Source: Badetti et al. (2018), section 3.1.
 constexpr double largest_pendular_volume = 8e-3;
 
-/// Typical number of liquid bridges per grain [1], as initial value of a search. Bridges of grains
-/// that touch and of grains that do not touch are counted. At friction 0.09 the number is 7 to 8 in
-/// the pendular range (separate bridges), computed from the liquid contents and bridge volumes in
-/// Badetti et al. (2018).
+/// Typical number of liquid bridges per grain [1], as initial value of a search. Bridges between
+/// grains that touch and bridges between grains that do not touch are counted. At a friction
+/// coefficient of 0.09, the number is 7 to 8 in the pendular range (separate bridges), computed
+/// from the liquid contents and bridge volumes in Badetti et al. (2018).
 constexpr double typical_coordination = 7.5;
 
-/// Liquid content [1] of a sample, the volume of liquid divided by the volume of grains, from the
-/// volume V0 of one bridge, the grain diameter a and the number Z of bridges per grain.
+/// Returns the liquid content of a sample [1]: volume of liquid divided by volume of grains.
 ///     liquid content = 3 Z (V0/a^3)/pi
 /// @param bridge_volume volume V0 of one liquid bridge divided by the cubed grain diameter a^3 [1]
 /// @param coordination mean number Z of bridges per grain [1]
@@ -39,25 +39,25 @@ constexpr double typical_coordination = 7.5;
 inline double liquid_content(double bridge_volume, double coordination) {
     return 3 * coordination * bridge_volume / std::numbers::pi;
 }
-/// Volume of one liquid bridge divided by the cubed grain diameter [1], in a sample with a given
-/// liquid content. The inverse of `liquid_content`.
+/// Returns the volume of one liquid bridge, divided by the cubed grain diameter [1], in a sample
+/// with a given liquid content. The function is the inverse of `liquid_content`.
 /// @param liquid_content volume of liquid divided by volume of grains [1]
 /// @param coordination mean number of bridges per grain [1]
 inline double bridge_volume(double liquid_content, double coordination) {
     return std::numbers::pi * liquid_content / (3 * coordination);
 }
 
-/// Attraction of two equal grains by a liquid bridge, in reduced units: lengths in grain diameters
-/// a, forces in a^2 s22 with the imposed normal stress s22.
+/// Law of the attraction of two equal grains by a liquid bridge, in reduced units. Lengths are in
+/// grain diameters a, forces in a^2 s22 with the imposed normal stress s22.
 ///     F = F0 [1 - 1/sqrt(1 + c/h^2)] = F0 [1 - h/sqrt(h^2 + c)],  c = 4 V0/(pi a)
-/// h >= 0 is the gap between the grains, V0 the volume of the bridge, F0 = pi a Gamma cos(theta)
-/// the force in contact with surface tension Gamma and contact angle theta. A bridge forms on
-/// contact and breaks if the gap exceeds V0^(1/3).
+/// The length h >= 0 is the gap between the grains, and V0 the volume of the bridge. F0 = pi a
+/// Gamma cos(theta) is the force in contact, with surface tension Gamma and contact angle theta. A
+/// bridge forms on contact and breaks if the gap exceeds V0^(1/3).
 /// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105, with the grain radius in c; Badetti et
 /// al. (2018), eq:Maugis, print half of this c (FormulaVariant::as_printed).
 struct BridgeLaw {
-    /// Pull-off force F0 of a bridge (its attraction in contact), divided by a^2 s22 [1] (a: grain
-    /// diameter, s22: imposed normal stress); 0: dry grains.
+    /// Pull-off force F0 of a bridge (its attraction in contact), divided by a^2 s22 [1], with
+    /// grain diameter a and imposed normal stress s22. The pull-off force is 0 for dry grains.
     double pull_off_force = 0;
     /// Gap V0^(1/3) at which a bridge of volume V0 breaks [grain diameters].
     double rupture_distance = 0;
@@ -76,16 +76,17 @@ struct BridgeLaw {
 
     bool wet() const { return pull_off_force > 0; }
 
-    /// Attraction of two grains by a bridge, divided by the pull-off force [1].
+    /// Returns the attraction of two grains by a bridge, divided by the pull-off force [1].
     /// @param gap gap between the grains, zero or more [grain diameters]
     double relative_force(double gap) const { return 1 - gap / std::sqrt(gap * gap + curvature); }
-    /// Attraction of two grains by a bridge, in units of a^2 s22 (a: grain diameter, s22: imposed
-    /// normal stress).
+    /// Returns the attraction of two grains by a bridge, in units of a^2 s22, with grain diameter a
+    /// and imposed normal stress s22.
     /// @param gap gap between the grains, zero or more [grain diameters]
     double attraction(double gap) const { return pull_off_force * relative_force(gap); }
     /// Returns the bridge law between two grains of unequal diameters d1 and d2, in Derjaguin's
-    /// approximation: the pull-off force is proportional to d = 2 d1 d2/(d1 + d2), the constant c
-    /// in the attraction to 1/d. The volume of the bridge is unchanged.
+    /// approximation. The pull-off force is proportional to d = 2 d1 d2/(d1 + d2). The constant c
+    /// in the attraction is proportional to 1/d. The volume and the rupture distance of the bridge
+    /// are unchanged.
     /// @param diameter the diameter d, divided by the mean grain diameter [1]
     BridgeLaw of(double diameter) const {
         BridgeLaw law = *this;
@@ -93,8 +94,8 @@ struct BridgeLaw {
         law.curvature /= diameter;
         return law;
     }
-    /// Potential energy of a liquid bridge, zero at the gap at which it breaks, in units of a^3 s22
-    /// (a: grain diameter, s22: imposed normal stress).
+    /// Returns the potential energy of a liquid bridge in units of a^3 s22, with grain diameter a
+    /// and imposed normal stress s22. The energy is zero at the gap at which the bridge breaks.
     /// @param gap gap between the grains, zero or more [grain diameters]
     double potential(double gap) const {
         const double root = std::sqrt(gap * gap + curvature);
@@ -102,10 +103,10 @@ struct BridgeLaw {
         return -pull_off_force * (rupture_distance - gap - (root_at_rupture - root));
     }
     /// Returns 1 if a bridge joins two grains after a time step, else 0. A bridge exists if the
-    /// grains overlap, or if it existed before the step and the gap does not exceed the rupture
-    /// distance.
-    /// @param overlap,gap overlap of the grains and gap between them, one of which is 0 [grain
-    ///         diameters]
+    /// grains overlap. A bridge that existed before the step also exists if the gap does not exceed
+    /// the rupture distance.
+    /// @param overlap overlap of the grains [grain diameters], 0 without contact
+    /// @param gap gap between the grains [grain diameters], 0 in contact
     /// @param before 1 if a bridge joined the grains before the step, else 0
     double joined(double overlap, double gap, double before) const {
         return overlap > 0 ? 1.0 : gap > rupture_distance ? 0.0 : before;

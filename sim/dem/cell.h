@@ -6,11 +6,11 @@
 
 namespace pendular::dem {
 
-/// Periodic cell of a sheared sample (Lees-Edwards boundary conditions), in grain diameters. Its
-/// lattice vectors are (length, 0, 0), (offset, height, 0) and (0, 0, width); direction 1 is the
-/// flow, 2 the velocity gradient, 3 the vorticity. The offset grows with the shear. The offset is
-/// reduced by whole lengths only when the neighbour list is rebuilt, so that the periodic images in
-/// the list stay valid.
+/// Periodic cell of a sheared sample (Lees-Edwards boundary conditions). Lengths are in grain
+/// diameters. The lattice vectors of the cell are (length, 0, 0), (offset, height, 0) and (0, 0,
+/// width). Direction 1 is the flow, 2 the velocity gradient, 3 the vorticity. The offset grows with
+/// the shear. The offset is reduced by whole lengths only when the neighbour list is rebuilt, so
+/// that the periodic images in the list stay valid.
 struct Cell {
     double length = 0;
     double height = 0;
@@ -28,8 +28,8 @@ struct Cell {
     /// diameters]. The periodic lattice stays the same.
     void reduce_offset() { offset -= length * std::floor(offset / length + 0.5); }
 
-    /// Coordinates of a position in multiples of the three lattice vectors [1]; from 0 to 1 inside
-    /// the cell.
+    /// Returns the coordinates of a position in multiples of the three lattice vectors [1]. The
+    /// coordinates are between 0 and 1 inside the cell.
     Vector fractions(const Vector& r) const {
         const double up = r[1] / height;
         return {(r[0] - up * offset) / length, up, r[2] / width};
@@ -42,7 +42,8 @@ struct Cell {
     }
 };
 
-/// Periodic image of the cell: the cell shifted by n1, n2 and n3 times its three lattice vectors.
+/// Periodic image of the cell, which is the cell shifted by n1, n2 and n3 times its three lattice
+/// vectors.
 struct Image {
     int n1 = 0, n2 = 0, n3 = 0;
 
@@ -51,14 +52,15 @@ struct Image {
     }
 };
 
-/// Codes of periodic images: numbers from 0 to 125, so that the neighbour list needs one byte per
-/// pair for the image of the second grain.
+/// Codes of periodic images of the cell. A code is a number from 0 to 125, so that the neighbour
+/// list needs one byte per pair for the image of the second grain.
 namespace image_code {
 constexpr int reach = 2;
 constexpr int per_direction = 2 * reach + 1;
 constexpr int count = per_direction * per_direction * per_direction;
-/// Image code of placeholder pairs, which fill up the last batch of a list of pairs. It stands for
-/// a position far outside the cell, so that the two grains of a placeholder never touch.
+/// Image code of placeholder pairs, which fill up the last batch of a list of pairs. The code
+/// stands for a position far outside the cell, so that the two grains of a placeholder pair never
+/// touch.
 constexpr int nowhere = count;
 
 constexpr int of(Image image) {

@@ -10,18 +10,18 @@
 
 namespace pendular::dem {
 
-/// Batch of pairs of grains that the force loop passes to an effect on grains: arrays of `size`
-/// elements, one per pair, in reduced units (grain diameter, grain mass and imposed normal stress
-/// are 1). Vectors point from the first to the second grain.
+/// Batch of pairs of grains that the force loop passes to an effect on grains. The batch consists
+/// of arrays of `size` elements, one element per pair, in reduced units (grain diameter, grain mass
+/// and imposed normal stress are 1). Vectors point from the first to the second grain.
 struct PairBatch {
     std::size_t size = 0;
     double time_step = 0;
     /// Components [1] of the unit vector from the first to the second centre of each pair.
     const double *nx, *ny, *nz;
-    /// Gap between the surfaces of each pair [grain diameters]; negative: overlap.
+    /// Gap between the surfaces of each pair [grain diameters]. An overlap is a negative gap.
     const double* gap;
-    /// 2 d1 d2/(d1 + d2) of each pair, with the diameters d1 and d2 of its grains divided by the
-    /// mean diameter [1].
+    /// Diameter 2 d1 d2/(d1 + d2) of each pair, with the diameters d1 and d2 of its two grains
+    /// divided by the mean grain diameter [1].
     const double* diameter;
     const double* normal_speed;  ///< rate at which the gap of each pair grows, in reduced units
     const double *rolling_x, *rolling_y,
@@ -30,22 +30,23 @@ struct PairBatch {
         *pair_rotation_z;     ///< angular velocity at which the pair turns as a whole
     const double* elastic;    ///< elastic normal force of each pair's contact, in reduced units
     const double* stiffness;  ///< tangential stiffness of each pair's contact, in reduced units
-    /// 1 for each pair of grains that a liquid bridge joins, else 0. The function `bridge` of an
-    /// effect may set it to 0, which breaks the bridge.
+    /// Number 1 for each pair of grains that a liquid bridge joins, and 0 for each pair without
+    /// bridge. The function `bridge` of an effect may change 1 to 0, which breaks the bridge.
     double* joined;
-    /// Attraction of each pair by its liquid bridge, in reduced units; 0 without bridge. The effect
-    /// may change it; initially it has the value without the effect.
+    /// Attraction of each pair by its liquid bridge, in reduced units; 0 without bridge. An effect
+    /// may change the attraction, which initially has the value without the effect.
     double* capillary;
-    /// Largest tangential force of each pair's contact, in reduced units. The effect may change it;
-    /// initially it is the friction coefficient times `elastic`.
+    /// Largest tangential force of each pair's contact, in reduced units. An effect may change this
+    /// force, which initially is the friction coefficient times `elastic`.
     double* coulomb_limit;
-    /// Force on the second grain of each pair, in reduced units; the first grain gets the opposite
-    /// force.
+    /// Force on the second grain of each pair, in reduced units. The opposite force acts on the
+    /// first grain.
     double *fx, *fy, *fz;
-    /// Torque on the second grain of each pair, in reduced units; the first grain gets the opposite
-    /// torque.
+    /// Torque on the second grain of each pair, in reduced units. The opposite torque acts on the
+    /// first grain.
     double *tx, *ty, *tz;
-    /// Values that the effect keeps from step to step for each pair: contact_history[value][pair].
+    /// Values that the effect keeps from step to step for each pair, as
+    /// contact_history[value][pair].
     double* const* contact_history = nullptr;
 };
 
@@ -68,37 +69,38 @@ struct ChangePairs {
     /// their places (first and second), the values change sign, as the components of the force on
     /// the second grain do.
     std::size_t contact_history = 0;
-    /// True if the first value of the contact history is the volume of the pair's bridge divided by
-    /// V0, with any sign (V0: mean volume of newly formed bridges). The liquid content of a sample
-    /// is then computed from the sum of the bridge volumes. If the member is false for all effects,
-    /// each bridge has the volume V0.
+    /// Whether the first value of the contact history (values that the effect keeps per pair) is
+    /// the volume of the pair's bridge divided by V0, with any sign. V0 is the mean volume of newly
+    /// formed bridges. The liquid content of a sample is then computed from the sum of the bridge
+    /// volumes. If the member is false for all effects, each bridge has the volume V0.
     bool volume_in_history = false;
     /// Function that returns the rate [1 per unit of shear strain] at which the volumes of the
-    /// bridges on a grain become equal by flow of liquid (`LiquidExchange`). Null: bridges exchange
-    /// no liquid.
+    /// bridges on a grain become equal by flow of liquid (`LiquidExchange`). If the function is
+    /// null, bridges exchange no liquid.
     double (*exchange_rate)(const Values&) = nullptr;
-    /// True if the effect lets bridges form between grains that do not touch, at any gap below the
+    /// Whether the effect lets bridges form between grains that do not touch, at any gap below the
     /// rupture distance.
     bool bridges_without_contact = false;
     /// Function that receives the law of the liquid bridges without the effect and returns the law
-    /// with the effect. Called before a run. Null: the effect does not change the law.
+    /// with the effect. The function is called before a run. If the function is null, the effect
+    /// does not change the law.
     BridgeLaw (*bridge_law)(BridgeLaw, const Values&) = nullptr;
     /// Function that changes `PairBatch::capillary`, the attraction of pairs with a bridge.
     Stage bridge = nullptr;
     /// Function that changes `PairBatch::coulomb_limit`, the largest tangential force of contacts.
     Stage limit = nullptr;
-    /// Function that adds forces and torques of the effect between grains; they count as contact
-    /// forces, not as capillary forces.
+    /// Function that adds the forces and torques of the effect between grains. The added forces
+    /// count as contact forces, not as capillary forces.
     Stage add = nullptr;
     /// Function that returns the largest damping coefficient (force divided by relative velocity)
     /// of the forces that `add` adds, divided by the mass of a grain, in reduced units (grain
     /// diameter, grain mass and imposed normal stress are 1). The coefficient limits the time step.
-    /// Null: the coefficient is 0.
+    /// If the function is null, the coefficient is 0.
     double (*damping_rate)(const BridgeLaw&, const Values&) = nullptr;
 };
 
 /// Physical effect on the sizes of the grains. Before a run, the function `diameters` sets the
-/// diameters of all grains from random numbers and the effect's parameter values; the solver then
+/// diameters of all grains from random numbers and the effect's parameter values. The solver then
 /// rescales the mean diameter to 1.
 struct ChangeSample {
     void (*diameters)(std::span<double>, std::mt19937_64&, const Values&) = nullptr;

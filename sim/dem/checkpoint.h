@@ -10,19 +10,19 @@
 namespace pendular::dem {
 
 /// Checkpoint file of a simulation run, from which a later process can resume the run. The function
-/// `write` replaces the file as a whole and returns once it is on the disk, so that neither a crash
-/// nor a full disk destroys the previous checkpoint. While the object exists, no other process can
-/// use the file.
+/// `write` replaces the file as a whole and returns once the new file is on the disk, so that
+/// neither a crash nor a full disk destroys the previous checkpoint. While the object exists, no
+/// other process can use the file.
 ///
 /// The file begins with lines of text: format, checksum, length, the parameters of the run (one per
-/// line) and an empty line. The state follows in binary.
+/// line) and an empty line. The state of the run follows in binary.
 class Checkpoint {
   public:
-    /// Locks the checkpoint file `file`, which need not exist yet, by means of a lock file with the
-    /// additional extension .lock in the same folder.
+    /// Locks the checkpoint file `file`, which need not exist yet. The lock is a file in the folder
+    /// of `file` whose name has the additional extension .lock.
     /// @param every time after which the next checkpoint is due (`due`)
-    /// @throws InputError if another process uses the file, if it is not a regular file, or if its
-    ///         folder cannot be written
+    /// @throws InputError if another process uses the file, if the path is not that of a regular
+    ///         file, or if the folder of the file cannot be written
     explicit Checkpoint(const std::filesystem::path& file,
                         std::chrono::duration<double> every = std::chrono::minutes(10));
     Checkpoint(const Checkpoint&) = delete;
@@ -31,15 +31,16 @@ class Checkpoint {
     /// Returns the last saved state of a run, as bytes; empty if the checkpoint file does not
     /// exist.
     /// @param run parameters of the run as lines "name = value"
-    /// @throws InputError if the file belongs to another run, has another format, or is truncated
-    ///         or corrupt; the file is left unchanged
+    /// @throws InputError if the file belongs to a run with other parameters, has a format other
+    ///         than `format`, or is truncated or corrupt; the file is left unchanged
     std::optional<std::string> read(const std::string& run) const;
-    /// Saves the state of a run: replaces the checkpoint file.
+    /// Saves the state of a run. The checkpoint file is replaced.
     /// @param run parameters of the run as lines "name = value"
     /// @param state state of the run as bytes
     /// @throws std::runtime_error if the file cannot be written; the previous file is then kept
     void write(const std::string& run, const std::string& state);
-    /// Deletes the checkpoint file if it exists. To be called once the run is complete and saved.
+    /// Deletes the checkpoint file if it exists. The function is to be called once the run is
+    /// complete and saved.
     void remove();
 
     bool due() const { return std::chrono::steady_clock::now() - written_ >= every_; }

@@ -9,8 +9,8 @@ namespace pendular::dem {
 /// normal stress are 1).
 struct Material {
     /// Reduced elastic modulus of the grains [1]: E/(1 - nu^2) divided by the imposed normal
-    /// stress, with Young's modulus E and Poisson ratio nu. It equals the stiffness number to the
-    /// power 3/2.
+    /// stress, with Young's modulus E and Poisson ratio nu. The reduced modulus equals the
+    /// stiffness number to the power 3/2.
     double modulus = 0;
     double poisson_ratio = 0.3;  ///< Poisson ratio nu of the grain material [1]
     double friction = 0;         ///< friction coefficient between grains [1]
@@ -18,20 +18,20 @@ struct Material {
     double damping = 0.98;
 };
 
-/// Ratio of tangential to normal stiffness of a Mindlin contact [1]: (2 - 2 nu)/(2 - nu), with the
-/// Poisson ratio nu of the grains.
+/// Returns the ratio of tangential to normal stiffness of a Mindlin contact [1]: (2 - 2 nu)/(2 -
+/// nu), with the Poisson ratio nu of the grains.
 inline double tangential_ratio(double poisson_ratio) {
     return (2 - 2 * poisson_ratio) / (2 - poisson_ratio);
 }
 
-/// Normal force and stiffness of a contact of two equal grains, by the laws of Hertz and Mindlin,
-/// in reduced units (grain diameter, grain mass and imposed normal stress are 1). Without contact
-/// the overlap h is zero, and so is every force.
+/// Normal force and normal stiffness of a contact of two equal grains, by the laws of Hertz and
+/// Mindlin, in reduced units (grain diameter, grain mass and imposed normal stress are 1). Without
+/// contact, the overlap h and every force are zero.
 ///     F_N = (E~/3) h^(3/2),  K_N = dF_N/dh = (E~/2) h^(1/2),  K_T = K_N (2 - 2 nu)/(2 - nu)
 ///     F_viscous = zeta sqrt(2 m K_N) dh/dt                    (not limited: it may attract)
-/// F_N is the elastic normal force, K_N and K_T are normal and tangential stiffness, E~ = E/(1 -
-/// nu^2) with Young's modulus E and Poisson ratio nu, zeta is the fraction of critical damping, and
-/// m the mass of a grain.
+/// F_N is the elastic normal force, K_N the normal stiffness, and K_T the tangential stiffness. E~
+/// = E/(1 - nu^2) follows from Young's modulus E and Poisson ratio nu. The symbol zeta is the
+/// fraction of critical damping, and m the mass of a grain.
 /// Source: Badetti et al. (2018), section 2.2, and the works that the section cites for the
 /// simplified Hertz-Mindlin law.
 struct Hertz {
@@ -43,48 +43,50 @@ struct Hertz {
         const double root = std::sqrt(overlap);
         return {root, modulus / 3 * overlap * root, modulus / 2 * root};
     }
-    /// Elastic energy that the normal force of a contact stores, (2/15) E~ h^(5/2), in units of a^3
-    /// s22 (a: grain diameter, s22: imposed normal stress).
+    /// Returns the elastic energy (2/15) E~ h^(5/2) that the normal force of a contact stores, in
+    /// units of a^3 s22, with grain diameter a and imposed normal stress s22.
     /// @param overlap overlap h of the contact [grain diameters]
     double energy(double overlap) const { return 0.4 * overlap * elastic; }
-    /// Viscous normal force of a contact between grains of unit mass, positive for repulsion, in
-    /// units of a^2 s22 (a: grain diameter, s22: imposed normal stress).
-    /// @param overlap_rate rate at which the overlap grows, reduced units
+    /// Returns the viscous normal force of a contact between grains of unit mass, positive for
+    /// repulsion, in units of a^2 s22, with grain diameter a and imposed normal stress s22.
+    /// @param overlap_rate rate at which the overlap grows, in reduced units
     /// @param damping fraction of critical damping [1]
     double viscous(double overlap_rate, double damping) const {
         return damping * std::sqrt(2 * normal_stiffness) * overlap_rate;
     }
 };
 
-/// Factor [1], at most 1, by which a tangential force must be multiplied so that it does not exceed
-/// Coulomb's limit.
+/// Returns the factor [1], at most 1, by which a tangential force must be multiplied so that the
+/// force does not exceed Coulomb's limit.
 /// @param squared squared magnitude of the tangential force
 /// @param limit friction coefficient times the elastic normal force (without the viscous force)
 inline double coulomb_factor(double squared, double limit) {
     return squared > limit * limit ? limit / std::sqrt(squared) : 1.0;
 }
 
-/// Factor [1], at most 1, by which the tangential force of a contact is multiplied in a time step
-/// in which the contact unloads: tangential stiffness after the step divided by tangential
-/// stiffness before the step. Without this factor a contact that opens would create elastic energy.
+/// Returns the factor [1], at most 1, by which the tangential force of a contact is multiplied in a
+/// time step in which the contact unloads. The factor is the tangential stiffness after the step
+/// divided by the tangential stiffness before the step. Without this factor, a contact that opens
+/// would create elastic energy.
 /// @param root_new,root_old square root of the overlap after and before the step
 /// Source: Badetti et al. (2018), section 2.2 (simplified Hertz-Mindlin law).
 inline double unloading_factor(double root_new, double root_old) {
     return root_new < root_old ? root_new / root_old : 1.0;
 }
 
-/// Energy stored in the tangential spring of a contact, in units of a^3 s22 (a: grain diameter,
-/// s22: imposed normal stress); 0 if the stiffness is 0 (no contact).
+/// Returns the energy stored in the tangential spring of a contact, in units of a^3 s22, with grain
+/// diameter a and imposed normal stress s22. The energy is 0 if the stiffness is 0 (no contact).
 /// @param squared squared magnitude of the tangential force
 /// @param stiffness tangential stiffness of the contact
 inline double tangential_energy(double squared, double stiffness) {
     return stiffness > 0 ? squared / (2 * stiffness) : 0.0;
 }
 
-/// Energy that a contact loses by sliding in a time step, in units of a^3 s22 (a: grain diameter,
-/// s22: imposed normal stress). A tangential force p that would exceed Coulomb's limit is reduced
-/// to `allowed` times p. The loss is the sliding displacement, (1 - allowed) p divided by the
-/// stiffness, times the mean of two forces: q before the step and (allowed p) after it.
+/// Returns the energy that a contact loses by sliding in a time step, in units of a^3 s22, with
+/// grain diameter a and imposed normal stress s22. A tangential force p that would exceed Coulomb's
+/// limit is reduced to `allowed` times p. The energy loss is the product of a displacement and a
+/// force. The sliding displacement is (1 - allowed) p divided by the stiffness. The force is the
+/// mean of the force q before the step and the force allowed p after the step.
 /// @param squared squared magnitude of p
 /// @param along scalar product of p and q
 /// @param allowed factor by which p is reduced [1]
@@ -93,9 +95,10 @@ inline double sliding_loss(double squared, double along, double allowed, double 
     return stiffness > 0 ? 0.5 * (1 - allowed) * (allowed * squared + along) / stiffness : 0.0;
 }
 
-/// Overlap [grain diameters] at which a Hertz contact of two equal grains has a given elastic
-/// normal force.
-/// @param force normal force in units of a^2 s22 (a: grain diameter, s22: imposed normal stress)
+/// Returns the overlap [grain diameters] at which a Hertz contact of two equal grains has a given
+/// elastic normal force.
+/// @param force normal force in units of a^2 s22, with grain diameter a and imposed normal stress
+///         s22
 /// @param modulus E/(1 - nu^2) divided by s22 [1], with Young's modulus E and Poisson ratio nu
 inline double overlap_at(double force, double modulus) {
     return std::cbrt(3 * force / modulus * (3 * force / modulus));

@@ -14,8 +14,8 @@
 
 namespace pendular::dem {
 
-/// Coordinate on which a field depends (a field is a quantity that a run measures as a function of
-/// one coordinate). The array `coordinates` lists the name, unit and meaning of each coordinate.
+/// Coordinate on which a field depends. A field is a quantity that a run measures as a function of
+/// one coordinate. The array `coordinates` lists the name, unit and meaning of each coordinate.
 enum class Coordinate { height, angle, relative_force, gap };
 
 /// Field: quantity that a run measures as a function of one coordinate, such as a velocity profile.
@@ -33,7 +33,7 @@ enum class Field {
 
 struct CoordinateAbout {
     std::string_view name;     ///< name of the coordinate in JSON and in headers of CSV files
-    std::string_view unit;     ///< unit of the coordinate; "1": dimensionless
+    std::string_view unit;     ///< unit of the coordinate, "1" if dimensionless
     std::string_view meaning;  ///< description of the coordinate in one line
     std::string_view table;  ///< name of the CSV file with all fields that depend on the coordinate
 };
@@ -50,7 +50,7 @@ constexpr std::array coordinates = std::to_array<CoordinateAbout>(
 struct FieldAbout {
     std::string_view name;  ///< name of the field in JSON and in headers of CSV files
     Coordinate coordinate;
-    std::string_view unit;     ///< unit of the field; "1": dimensionless
+    std::string_view unit;     ///< unit of the field, "1" if dimensionless
     std::string_view meaning;  ///< description of the field in one line, with its normalisation
     bool needs_bridges = false;
 };
@@ -87,38 +87,39 @@ constexpr bool is_profile(Field which) {
     return about(which).coordinate == Coordinate::height;
 }
 
-/// Bins of equal width between 0 and `end`, in the unit of the coordinate that is divided into
-/// bins.
+/// Bins of equal width between 0 and `end`. Values are in the unit of the coordinate that is
+/// divided into bins.
 struct Bins1d {
     std::size_t count = 0;
     double end = 1;
 
     double width() const { return end / static_cast<double>(count); }
     double middle(std::size_t bin) const { return (static_cast<double>(bin) + 0.5) * width(); }
-    /// Index, from 0, of the bin of a value; 0 for negative values, `count` for values beyond the
-    /// last bin.
+    /// Returns the index, from 0, of the bin of a value. The index is 0 for negative values and
+    /// `count` for values beyond the last bin.
     std::size_t of(double value) const {
         const double bin = value < 0 ? 0 : value / width();
         return bin < static_cast<double>(count) ? static_cast<std::size_t>(bin) : count;
     }
 };
 
-/// Bins for a coordinate of a field (`Coordinate`), in the unit of the coordinate. Height: one bin
-/// per grain diameter, from 0 to 1. Angle: bins of 5 degrees from 0 to 180. Relative force: bins of
-/// 0.2 from 0 to 8. Gap: 30 bins from 0 to the rupture distance of bridges or, if this is 0, to 1.
+/// Returns the bins for a coordinate of a field, in the unit of the coordinate. The height has
+/// about one bin per grain diameter, from 0 to 1. The angle has bins of 5 degrees from 0 to 180
+/// degrees. The relative force has bins of 0.2 from 0 to 8. The gap has 30 bins from 0 to the
+/// rupture distance of bridges or, if the rupture distance is 0, from 0 to 1.
 /// @param grains number of grains in the sample
 /// @param rupture_distance gap at which bridges break [grain diameters]
 Bins1d bins_of(Coordinate coordinate, int grains, double rupture_distance);
 
-/// Time averages of a field (quantity as a function of one coordinate) in a run: a mean with its
-/// standard error for each bin of the coordinate. The mean is NaN if a bin has no data.
+/// Time averages of a field (quantity as a function of one coordinate) in a run. For each bin of
+/// the coordinate, there is a mean with its standard error. The mean is NaN if a bin has no data.
 struct BinnedMeans {
     std::vector<double> at;  ///< middle of each bin of the coordinate, in the coordinate's unit
     std::vector<Mean> means;
 };
 
 /// Sums over several states of a sample for one field (quantity as a function of one coordinate).
-/// The value of the field in a bin is `sum` divided by `weight`.
+/// The value of the field in a bin is the element of `sum` divided by the element of `weight`.
 struct BinnedSums {
     std::vector<double> sum, weight;
 
@@ -135,20 +136,22 @@ class MotionProfile {
   public:
     explicit MotionProfile(std::size_t bins = 0) : bins_(bins) {}
 
-    /// Adds the velocities, without the imposed flow, of the grains in one state.
+    /// Adds the velocities of the grains in one state, without the imposed flow, to the sums.
     /// @param height height of the cell [grain diameters]
     void add(const Grains& grains, double height);
-    /// Localization of the shear [1]: 0 for uniform shear, 1 for an infinitely thin shear band.
+    /// Returns the localization of the shear [1], which is 0 for uniform shear and 1 for an
+    /// infinitely thin shear band.
     ///     Delta = 12/(H^3 rate^2) int [v1 - rate x2]^2 dx2
-    /// H is the height of the cell [grain diameters], rate the shear rate in reduced units, v1 the
-    /// mean velocity along the flow at the height x2.
+    /// H is the height of the cell [grain diameters], rate the shear rate in reduced units, and v1
+    /// the mean velocity along the flow at the height x2.
     /// Source: Badetti et al. (2018), eq:defdelta.
     double localization(double height, double shear_rate) const;
-    /// Mean velocity of the grains along the flow, including the imposed flow, in each bin of
-    /// height, divided by (shear rate times height of the cell) [1].
+    /// Returns the mean velocity of the grains along the flow, including the imposed flow, in each
+    /// bin of height, divided by (shear rate times height of the cell) [1].
     BinnedSums velocity(double height, double shear_rate) const;
-    /// Variance of one component of the grains' velocities in each bin of height, averaged over the
-    /// three components and divided by the squared product of grain diameter and shear rate [1].
+    /// Returns the variance of one component of the grains' velocities in each bin of height [1].
+    /// The variance is averaged over the three components and divided by the squared product of
+    /// grain diameter and shear rate.
     BinnedSums temperature(double shear_rate) const;
 
     template <typename Archive>
@@ -173,10 +176,10 @@ class MotionProfile {
 /// Each sphere is cut at the boundaries of the bins.
 void add_solid_fraction(const Grains& grains, const Cell& cell, BinnedSums& sums);
 
-/// Adds the distributions of directions, forces and gaps, in one state, to `sums`: all fields other
-/// than profiles along the height. The distributions are over contacts and over bridges between
-/// grains that do not touch.
-/// @param near pairs of the narrow neighbour list
+/// Adds the distributions of directions, forces and gaps, in one state, to `sums`. The
+/// distributions are all fields other than profiles along the height. The distributions are over
+/// contacts and over bridges between grains that do not touch.
+/// @param near pairs of the narrow neighbour list, which contains all contacts
 /// @param distant other pairs that a bridge may join
 void add_distributions(const Grains& grains, const Cell& cell, const Pairs& near,
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges,

@@ -28,21 +28,22 @@ class GrainEffects {
     GrainEffects() = default;
     explicit GrainEffects(const std::vector<GrainEffect>& on);
 
-    /// True if any effect of the run changes or adds forces between grains, or lets bridges form
+    /// Whether any effect of the run changes or adds forces between grains, or lets bridges form
     /// between grains that do not touch.
     bool changes_forces() const { return changes_forces_; }
-    /// True if any effect of the run changes the forces between grains or the grain sizes.
+    /// Whether any effect of the run changes the forces between grains or the grain sizes.
     bool changes_pairs() const { return changes_forces_ || !samples_.empty(); }
-    /// Number of values that all effects together keep from step to step for each pair of grains.
+    /// Returns the number of values that all effects together keep from step to step for each pair
+    /// of grains.
     std::size_t contact_history() const { return contact_history_; }
     bool bridges_without_contact() const { return bridges_without_contact_; }
     BridgeLaw changed(BridgeLaw law) const;
     double damping_rate(const BridgeLaw& law) const;
-    /// Rate [1 per unit of shear strain] at which the volumes of the bridges on a grain become
-    /// equal by flow of liquid; 0: bridges exchange no liquid.
+    /// Returns the rate [1 per unit of shear strain] at which the volumes of the bridges on a grain
+    /// become equal by flow of liquid. The rate is 0 if bridges exchange no liquid.
     double exchange_rate() const;
-    /// Random diameters of `count` grains, divided by their mean [1]; empty if no effect changes
-    /// sizes.
+    /// Returns random diameters of `count` grains, divided by the mean diameter [1]; empty if no
+    /// effect changes the grain sizes.
     /// @param seed seed of the random numbers
     std::vector<double> diameters(std::size_t count, std::uint64_t seed) const;
 
@@ -56,17 +57,18 @@ class GrainEffects {
         stage(&ChangePairs::add, batch, material, bridges);
     }
     bool changes_bridges() const { return changes_bridges_; }
-    /// Index, among the values of the contact history (values that effects keep for each pair), of
-    /// the volume of a pair's bridge divided by the mean volume V0 of newly formed bridges. Empty
-    /// if each bridge has the volume V0.
+    /// Returns the index of the bridge volume in the contact history (values that effects keep for
+    /// each pair). The bridge volume is divided by the mean volume V0 of newly formed bridges. The
+    /// result is empty if each bridge has the volume V0.
     std::optional<std::size_t> volume_in_history() const { return volume_in_history_; }
-    /// Attraction of two grains at rest by a liquid bridge, including the changes by all effects of
-    /// the run, in units of a^2 s22 (a: grain diameter, s22: imposed normal stress).
-    /// @param gap gap between the surfaces; negative: overlap [grain diameters]
-    /// @param diameter 2 d1 d2/(d1 + d2) of the grain diameters d1 and d2, in units of the mean
+    /// Returns the attraction of two grains at rest by a liquid bridge, including the changes by
+    /// all effects of the run, in units of a^2 s22, with grain diameter a and imposed normal stress
+    /// s22.
+    /// @param gap gap between the surfaces [grain diameters]; negative for an overlap
+    /// @param diameter 2 d1 d2/(d1 + d2), with the grain diameters d1 and d2 divided by the mean
     ///         grain diameter [1]
-    /// @param history values that the effects keep for the pair (`contact_history`); empty: the
-    ///         attraction by a bridge of the mean volume
+    /// @param history values that the effects keep for the pair (`contact_history`); if empty, the
+    ///         bridge has the mean volume of newly formed bridges
     double attraction(double gap, double diameter, const Material& material,
                       const BridgeLaw& bridges, std::vector<double> history = {}) const;
 

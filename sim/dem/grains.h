@@ -12,19 +12,19 @@
 
 namespace pendular::dem {
 
-/// Grains of a sample in reduced units (mean grain diameter, mass of a grain of this diameter and
+/// Grains of a sample in reduced units (mean grain diameter, mass of a grain of mean diameter and
 /// imposed normal stress are 1). The data of a grain that the force loop reads (`motion`) are
-/// adjacent in memory, and so are the data that it writes (`net_force`), so that few cache lines
-/// are needed per pair.
+/// adjacent in memory. The data that the force loop writes (`net_force`) are also adjacent. Few
+/// cache lines are therefore needed per pair of grains.
 struct Grains {
     struct Motion {
-        /// Centre of the grain [mean grain diameters]. It was inside the cell when the neighbour
-        /// list was built, but may have left the cell since.
+        /// Centre of the grain [mean grain diameters]. The centre was inside the cell when the
+        /// neighbour list was built, but may have left the cell since then.
         Vector position;
-        /// Velocity of the grain without the imposed flow, half a time step before `position`, in
-        /// reduced units.
+        /// Velocity of the grain without the imposed flow, in reduced units. The velocity is that
+        /// of half a time step before `position`.
         Vector velocity;
-        /// Angular velocity of the grain, half a time step before `position`, in reduced units.
+        /// Angular velocity of the grain in reduced units, half a time step before `position`.
         Vector angular_velocity;
 
         template <typename Archive>
@@ -43,9 +43,11 @@ struct Grains {
     /// Displacement of each grain, without the imposed flow, since the narrow neighbour list was
     /// made [mean grain diameters].
     std::vector<Vector> displacement;
-    /// Original index of each grain. It is kept here because grains are renumbered when they mix.
+    /// Original index of each grain. The index is kept because grains are renumbered when shear has
+    /// mixed them.
     std::vector<std::int32_t> number;
-    /// Diameter of each grain divided by the mean diameter [1]; empty: all are 1.
+    /// Diameter of each grain divided by the mean diameter [1]. If the list is empty, all diameters
+    /// are 1.
     std::vector<double> diameters;
 
     explicit Grains(std::size_t count = 0)
@@ -61,16 +63,18 @@ struct Grains {
     }
 
     double diameter(std::size_t i) const { return diameters.empty() ? 1.0 : diameters[i]; }
-    /// Mass of a grain, divided by the mass of a grain of mean diameter [1].
+    /// Returns the mass of a grain, divided by the mass of a grain of mean diameter [1].
     double mass(std::size_t i) const {
         const double d = diameter(i);
         return d * d * d;
     }
-    /// Distance between the centres of two grains at which they touch [mean grain diameters].
+    /// Returns the distance between the centres of two grains at which the grains touch [mean grain
+    /// diameters].
     double contact_distance(std::size_t i, std::size_t j) const {
         return diameters.empty() ? 1.0 : 0.5 * (diameters[i] + diameters[j]);
     }
-    /// Sizes of the pair of grains i and j that enter the laws of contact and bridge (`PairSizes`).
+    /// Returns the sizes of the pair of grains i and j that enter the laws of contact and bridge
+    /// (`PairSizes`).
     PairSizes sizes(std::size_t i, std::size_t j) const {
         return diameters.empty() ? PairSizes{} : PairSizes::of(diameters[i], diameters[j]);
     }
@@ -80,7 +84,7 @@ struct Grains {
     double smallest_diameter() const {
         return diameters.empty() ? 1.0 : *std::ranges::min_element(diameters);
     }
-    /// Volume of all grains together [cubed mean grain diameters].
+    /// Returns the volume of all grains together [cubed mean grain diameters].
     double volume() const {
         constexpr double of_unit = std::numbers::pi / 6;
         double cubes = diameters.empty() ? static_cast<double>(size()) : 0.0;
@@ -101,8 +105,8 @@ struct Grains {
 };
 
 /// Moment of inertia of a sphere of unit mass and unit diameter about its centre, (2/5)(1/2)^2, in
-/// units of (grain mass) (grain diameter)^2. The moment of inertia of other grains grows with the
-/// fifth power of the diameter.
+/// units of (grain mass) (grain diameter)^2. The moment of inertia of a grain grows with the fifth
+/// power of the diameter of the grain.
 constexpr double moment_of_inertia = 0.1;
 
 }  // namespace pendular::dem

@@ -9,10 +9,9 @@
 
 namespace pendular::dem {
 
-/// Sums over a range of grains after one time step, from which kinetic stress, kinetic energy and
-/// the validity of the neighbour lists follow. Reduced units: grain diameter, grain mass and
-/// imposed normal stress are 1. m and d are mass and diameter of a grain; v is its velocity without
-/// the imposed flow.
+/// Sums over a range of grains after one time step, in reduced units (grain diameter, grain mass
+/// and imposed normal stress are 1). Kinetic stress, kinetic energy and the validity of the
+/// neighbour lists follow from the sums.
 struct MotionSums {
     /// Sums of m v1^2, m v2^2 and m v3^2 over the grains, with mass m and velocity v without the
     /// imposed flow.
@@ -25,8 +24,9 @@ struct MotionSums {
     /// neighbour list was made [squared grain diameters].
     double largest_squared = 0;
     MotionSums& operator+=(const MotionSums& other);
-    /// Kinetic energy of the grains in the sums, from their velocities without the imposed flow and
-    /// their rotation, in units of a^3 s22 (a: grain diameter, s22: imposed normal stress).
+    /// Returns the kinetic energy of the grains in the sums, in units of a^3 s22, with grain
+    /// diameter a and imposed normal stress s22. The energy follows from the velocities without the
+    /// imposed flow and from the angular velocities.
     double energy() const;
 
     template <typename Archive>
@@ -35,14 +35,14 @@ struct MotionSums {
     }
 };
 
-/// Advances velocities and positions of a range of grains by one leapfrog step, sets their net
-/// forces and torques to zero, and returns sums over the grains of the range.
+/// Advances velocities and positions of a range of grains by one leapfrog step, sets the net forces
+/// and torques on these grains to zero, and returns sums over these grains.
 ///     dv/dt = f/m - L v,   dx/dt = v + L x
-/// x is the position, v the velocity without the imposed flow, f the net force on a grain, m its
-/// mass, t the time, and L the imposed velocity gradient.
-/// @param range index of the first grain, and of the grain after the last
+/// The vector x is the position of a grain, v the velocity without the imposed flow, f the net
+/// force on the grain, m the mass of the grain, t the time, and L the imposed velocity gradient.
+/// @param range first the index of the first grain, second the index after the last grain
 /// @param net_forces net force and torque on each grain
-/// @param time_step length of the step in reduced units
+/// @param time_step length of the time step in reduced units
 MotionSums advance(Grains& grains, std::pair<std::size_t, std::size_t> range,
                    std::vector<Grains::ForceAndTorque>& net_forces, const Flow& flow,
                    double time_step);

@@ -6,8 +6,8 @@
 
 namespace pendular::dem {
 
-/// Quantities whose averages a run measures, from the table data/quantities/observables.def.
-/// Observables of liquid bridges are zero in dry runs.
+/// Observables: quantities whose averages a run measures, from the table
+/// data/quantities/observables.def. Observables of liquid bridges are zero in dry runs.
 enum class Observable {
 #define OBSERVABLE(name, ...) name,
 #include "data/quantities/observables.def"
@@ -20,7 +20,7 @@ constexpr std::array observable_names = std::to_array<std::string_view>({
 });
 constexpr std::size_t observable_count = observable_names.size();
 
-/// Whether an observable is a property of liquid bridges, such as their number per grain.
+/// Whether an observable is a property of liquid bridges, such as the number of bridges per grain.
 bool needs_bridges(Observable which);
 
 /// Returns the observable with a given name.

@@ -44,9 +44,9 @@ struct PairMotion {
     /// Velocity of the second grain's centre minus that of the first, without the imposed flow, in
     /// reduced units.
     Xyz velocity;
-    /// Sum of the angular velocities of the two grains. For unequal grains, each angular velocity
-    /// is weighted with the distance from the grain's centre to the contact point, divided by half
-    /// the distance between the centres.
+    /// Sum of the angular velocities of the two grains, in reduced units. For unequal grains, the
+    /// angular velocity of each grain is weighted with the distance from the grain's centre to the
+    /// contact point, divided by half the distance between the centres.
     Xyz angular_velocity;
 };
 
@@ -57,11 +57,11 @@ struct ContactKinematics {
     Xyz normal;       ///< unit vector from the centre of the first to that of the second grain [1]
     /// Rate at which the distance between the grains' centres grows, in reduced units.
     double normal_speed;
-    /// Tangential velocity of the second grain's surface relative to the first grain's at the
-    /// contact point, in reduced units.
+    /// Tangential velocity, at the contact point, of the second grain's surface relative to the
+    /// first grain's surface, in reduced units.
     Xyz sliding_velocity;
-    /// Angular velocity of the pair of grains as a whole, including the rotation about its normal,
-    /// in reduced units.
+    /// Angular velocity of the pair of grains as a whole, including the rotation about the line of
+    /// centres, in reduced units.
     Xyz rotation_rate;
 
     [[gnu::always_inline]] static ContactKinematics of(const PairMotion& motion, const Flow& flow) {
@@ -79,9 +79,10 @@ struct ContactKinematics {
     }
 };
 
-/// Elastic normal force and normal stiffness of a Hertz contact between two grains of any sizes, in
-/// reduced units (grain diameter, grain mass and imposed normal stress are 1). Unequal spheres of
-/// the diameters d1 and d2 are as stiff as equal spheres of the diameter 2 d1 d2/(d1 + d2).
+/// Returns the elastic normal force and the normal stiffness of a Hertz contact between two grains
+/// of any sizes, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
+/// Unequal spheres of the diameters d1 and d2 are as stiff as equal spheres of the diameter 2 d1
+/// d2/(d1 + d2).
 /// @param overlap overlap of the grains [grain diameters]
 /// @param modulus E/(1 - nu^2) divided by the imposed normal stress [1], with Young's modulus E and
 ///         Poisson ratio nu
@@ -90,8 +91,8 @@ struct ContactKinematics {
     return Hertz::at(overlap, modulus * std::sqrt(sizes.diameter));
 }
 
-/// Tangential stiffness of a contact (tangential force divided by tangential displacement), in
-/// units of a s22 (a: grain diameter, s22: imposed normal stress).
+/// Returns the tangential stiffness of a contact (tangential force divided by tangential
+/// displacement), in units of a s22, with grain diameter a and imposed normal stress s22.
 /// @param root square root of (overlap divided by grain diameter) [1]
 [[gnu::always_inline]] inline double tangential_stiffness(double root, const PairSizes& sizes,
                                                           const Material& material) {
@@ -99,40 +100,41 @@ struct ContactKinematics {
     return tangential_ratio(material.poisson_ratio) * (modulus / 2 * root);
 }
 
-/// Viscous normal force of a contact, positive while the grains approach each other, in units of
-/// a^2 s22 (a: grain diameter, s22: imposed normal stress).
-/// @param normal_speed rate at which the distance between the centres grows, reduced units
+/// Returns the viscous normal force of a contact in units of a^2 s22, with grain diameter a and
+/// imposed normal stress s22. The force is positive while the grains approach each other.
+/// @param normal_speed rate at which the distance between the centres grows, in reduced units
 /// @param damping fraction of critical damping [1]
 [[gnu::always_inline]] inline double viscous_force(const Hertz& hertz, double normal_speed,
                                                    const PairSizes& sizes, double damping) {
     return hertz.viscous(-normal_speed, damping) * std::sqrt(sizes.mass);
 }
 
-/// Normal forces of a pair of grains, and the quantities on which its tangential force depends, in
-/// reduced units (grain diameter, grain mass and imposed normal stress are 1). All forces are zero
-/// for a pair with neither contact nor bridge.
+/// Normal forces of a pair of grains, and the quantities on which the tangential force of the pair
+/// depends, in reduced units (grain diameter, grain mass and imposed normal stress are 1). All
+/// forces are zero for a pair with neither contact nor bridge.
 struct NormalForces {
-    double overlap;  ///< overlap of the two grains [grain diameters]; 0 without contact
-    double gap;      ///< gap between the surfaces of the two grains [grain diameters]; 0 in contact
+    double overlap;  ///< overlap of the two grains [grain diameters], 0 without contact
+    double gap;      ///< gap between the surfaces of the two grains [grain diameters], 0 in contact
     double root;     ///< square root of (`overlap` divided by the grain diameter) [1]
     double elastic;  ///< elastic normal force of the contact, a repulsion, in reduced units
-    /// Viscous normal force of the contact, in reduced units; positive for repulsion.
+    /// Viscous normal force of the contact, positive for repulsion, in reduced units.
     double viscous;
-    double joined = 0;  ///< 1 if a liquid bridge joins the grains, else 0
+    double joined = 0;  ///< number 1 if a liquid bridge joins the grains, else 0
     /// Attraction of the two grains by the liquid bridge, in reduced units; 0 without bridge.
     double capillary = 0;
     double stiffness;  ///< tangential stiffness of the contact, in reduced units
-    /// Largest tangential force of the contact, at which it slides, in reduced units.
+    /// Largest tangential force of the contact, at which the contact slides, in reduced units.
     double coulomb_limit;
 
-    /// Total normal force, positive for repulsion, in units of a^2 s22 (a: grain diameter, s22:
-    /// imposed normal stress).
+    /// Returns the total normal force of the pair, positive for repulsion, in units of a^2 s22,
+    /// with grain diameter a and imposed normal stress s22.
     double total() const { return elastic + viscous - capillary; }
 };
 
-/// Returns the forces of a contact between two grains, without the force of a bridge: elastic and
-/// viscous normal force, tangential stiffness and Coulomb limit, in reduced units (grain diameter,
-/// grain mass and imposed normal stress are 1). All are zero if the grains do not touch.
+/// Returns the forces of a contact between two grains, without the force of a bridge. The forces
+/// are the elastic normal force, the viscous normal force and the Coulomb limit, together with the
+/// tangential stiffness, in reduced units (grain diameter, grain mass and imposed normal stress are
+/// 1). All are zero if the grains do not touch.
 [[gnu::always_inline]] inline NormalForces contact_forces(const ContactKinematics& kinematics,
                                                           const PairSizes& sizes,
                                                           const Material& material) {
@@ -149,8 +151,9 @@ struct NormalForces {
             .coulomb_limit = material.friction * hertz.elastic};
 }
 
-/// Sets `forces.joined` (whether a liquid bridge joins two grains) and `forces.capillary` (the
-/// attraction by the bridge), in units of a^2 s22 (a: grain diameter, s22: imposed normal stress).
+/// Sets `forces.joined` and `forces.capillary` of a pair of grains. The first is 1 if a liquid
+/// bridge joins the grains, else 0. The second is the attraction by the bridge in units of a^2 s22,
+/// with grain diameter a and imposed normal stress s22.
 /// @param before 1 if a bridge joined the grains before the time step, else 0
 [[gnu::always_inline]] inline void add_bridge(NormalForces& forces, double before,
                                               const PairSizes& sizes, const BridgeLaw& bridges) {
@@ -158,10 +161,10 @@ struct NormalForces {
     forces.capillary = forces.joined * bridges.of(sizes.diameter).attraction(forces.gap);
 }
 
-/// Potential energy of a bridge between two grains, zero at the gap at which the bridge breaks, in
-/// units of a^3 s22 (a: grain diameter, s22: imposed normal stress). While the grains touch, the
-/// energy decreases linearly with the overlap, since the attraction is then the constant pull-off
-/// force.
+/// Returns the potential energy of a bridge between two grains, in units of a^3 s22, with grain
+/// diameter a and imposed normal stress s22. The energy is zero at the gap at which the bridge
+/// breaks. While the grains touch, the energy decreases linearly with the overlap, since the
+/// attraction is then the constant pull-off force.
 [[gnu::always_inline]] inline double bridge_energy(const NormalForces& forces,
                                                    const PairSizes& sizes,
                                                    const BridgeLaw& bridges) {
@@ -169,25 +172,27 @@ struct NormalForces {
     return law.potential(forces.gap) - law.pull_off_force * forces.overlap;
 }
 
-/// Tangential force of a contact after one time step, and the energies of this step, in reduced
-/// units (grain diameter, grain mass and imposed normal stress are 1).
+/// Tangential force of a contact after one time step, and energies of the contact in this time
+/// step, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
 struct TangentialStep {
     Xyz force;      ///< tangential force on the second grain of the pair after the time step
     double stored;  ///< energy in the tangential spring of the contact after the time step
-    /// Energy that the contact loses in the time step by sliding at the Coulomb limit.
+    /// Energy that the contact loses in the time step by sliding at the Coulomb limit, in reduced
+    /// units.
     double sliding;
-    /// Energy that the tangential spring of the contact loses in the time step without sliding
-    /// (`PairEnergy::unloading`).
+    /// Energy that the tangential spring of the contact loses in the time step without sliding, in
+    /// reduced units (`PairEnergy::unloading`).
     double unloading;
 
-    /// Advances the tangential force of a contact by one time step. The force rotates with the pair
-    /// and about its normal, and its component along the new normal is removed. The force is scaled
-    /// down if the contact unloads, grows in the direction opposite to the sliding velocity, and is
-    /// limited by Coulomb's law.
-    /// @param force tangential force on the second grain before the step
-    /// @param old_root,old_stiffness before the step: square root of the overlap, tangential
-    ///         stiffness
-    /// @param dt length of the step
+    /// Returns the tangential force of a contact after one time step, with the energies of the
+    /// contact. The force rotates with the pair of grains and about its normal, and its component
+    /// along the new normal is removed. If the contact unloads, the force is scaled down. The force
+    /// then grows in the direction opposite to the sliding velocity and is limited by Coulomb's
+    /// law.
+    /// @param force tangential force on the second grain before the time step
+    /// @param old_root square root of the overlap before the time step
+    /// @param old_stiffness tangential stiffness before the time step
+    /// @param dt length of the time step
     [[gnu::always_inline]] static TangentialStep of(const Xyz& force,
                                                     const ContactKinematics& kinematics,
                                                     const NormalForces& normal, double old_root,
@@ -209,10 +214,11 @@ struct TangentialStep {
     }
 };
 
-/// Torque that the tangential contact force of two equal grains exerts on each grain, in units of
-/// a^3 s22 (a: grain diameter, s22: imposed normal stress). The torques on the two grains are
-/// equal.
-/// @param tangential tangential force on the second grain; its opposite acts on the first
+/// Returns the torque that the tangential contact force of two equal grains exerts on each grain,
+/// in units of a^3 s22, with grain diameter a and imposed normal stress s22. The torques on the two
+/// grains are equal.
+/// @param tangential tangential force on the second grain; the opposite force acts on the first
+///         grain
 [[gnu::always_inline]] inline Xyz contact_torque(const ContactKinematics& kinematics,
                                                  const Xyz& tangential) {
     return -(kinematics.distance * 0.5) * cross(kinematics.normal, tangential);

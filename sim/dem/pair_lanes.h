@@ -29,13 +29,13 @@ struct alignas(64) XyzLanes {
 /// Relative positions and velocities of the pairs in a batch, and the forces and torques on their
 /// grains, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
 struct Batch {
-    /// For each pair: vector from the first to the second grain, relative velocity, and weighted
-    /// sum of the angular velocities, as in `PairMotion`, in reduced units.
+    /// Vector from the first to the second grain, relative velocity, and weighted sum of the
+    /// angular velocities of each pair, as in `PairMotion`, in reduced units.
     XyzLanes separation, velocity, angular_velocity;
     XyzLanes force;   ///< force on the second grain of each pair, in reduced units
     XyzLanes torque;  ///< torque on the second grain of each pair, in reduced units
-    /// Torque on the first grain of each pair, in reduced units. It is used only if it differs from
-    /// the torque on the second grain, `torque` (`Torques::separate`).
+    /// Torque on the first grain of each pair, in reduced units. This torque is used only if it
+    /// differs from the torque on the second grain, `torque` (`Torques::separate`).
     XyzLanes first_torque;
 
     [[gnu::always_inline]] PairMotion motion(std::size_t k) const {
@@ -59,12 +59,12 @@ struct alignas(64) SizeLanes {
     }
 };
 
-/// Sums of virials and energies over pairs of grains, and the largest overlap (see `PairSums`).
-/// Each lane (position of a pair in its batch) has a sum of its own, so that the order of
-/// summation, and with it the rounding, does not depend on the width of the vector unit.
+/// Sums of virials and energies over pairs of grains, and the largest overlap of the pairs (see
+/// `PairSums`). Each lane (position of a pair in its batch) has a sum of its own. The order of
+/// summation, and therefore the rounding, does not depend on the width of the vector unit.
 struct alignas(64) LaneSums {
     Lane virial_11{}, virial_22{}, virial_33{}, virial_12{}, largest_overlap{};
-    /// Sums of the stored and lost energies of the pairs, as in `PairEnergy`.
+    /// Sums of the stored energies and of the lost energies of the pairs, as in `PairEnergy`.
     Lane elastic{}, capillary{}, friction{}, bridges{}, unloading{};
 
     [[gnu::always_inline]] void add_virial(std::size_t k, const Xyz& force, const Xyz& separation) {
@@ -124,9 +124,9 @@ inline Shifts image_shifts(const Cell& cell) {
     transpose(in, out);
 }
 
-/// Computes the sizes of the pairs in a batch (`PairSizes`) from the diameters of their grains.
+/// Computes the sizes of the pairs in a batch (`PairSizes`) from the diameters of the grains.
 /// @param begin index in `pairs` of the first pair of the batch
-/// @param sizes receives the result
+/// @param sizes receives the sizes
 [[gnu::always_inline]] inline void gather_sizes(const Grains& grains, const Pairs& pairs,
                                                 std::size_t begin, SizeLanes& sizes) {
     const std::int32_t* first = pairs.first.data() + begin;
@@ -142,14 +142,15 @@ inline Shifts image_shifts(const Cell& cell) {
 enum class Gathered {
     separation,  ///< positions only, for pairs that cannot touch
     motion,      ///< positions and velocities of pairs of equal grains
-    /// Positions and velocities; angular velocities are weighted for unequal grains (`PairSizes`).
+    /// Positions and velocities of pairs of unequal grains, with angular velocities weighted by the
+    /// distances to the contact point (`PairSizes`).
     weighted_motion,
 };
 
-/// Reads the relative positions of the pairs in a batch and, depending on `part`, their relative
-/// velocities, and writes them to `b`.
+/// Reads the relative positions and, depending on `part`, the relative velocities of the pairs in a
+/// batch, and writes positions and velocities to `b`.
 /// @param begin index in `pairs` of the first pair of the batch
-/// @param shifts displacement to each periodic image [grain diameters]
+/// @param shifts displacement from the cell to each periodic image [grain diameters]
 template <Gathered part>
 [[gnu::always_inline]] inline void gather(const Grains::Motion* motion, const Pairs& pairs,
                                           std::size_t begin, const Shifts& shifts,
@@ -181,11 +182,11 @@ template <Gathered part>
     }
 }
 
-/// Torques that the pairs of a batch exert on their grains.
+/// Kind of torques that the pairs of a batch exert on their grains.
 enum class Torques {
     none,      ///< no torques, for pairs that cannot touch
     shared,    ///< equal torques on both grains of a pair, in `Batch::torque`
-    separate,  ///< different torques on the grains: `first_torque` and `torque`
+    separate,  ///< different torques on the two grains of a pair, in `first_torque` and `torque`
 };
 
 /// Adds the forces and torques of the pairs in a batch to the net force and torque on each grain.

@@ -11,57 +11,63 @@
 
 namespace pendular::dem {
 
-/// Energies of all pairs of grains in a sample: stored energies, and energies lost during one time
-/// step, in units of a^3 s22 (a: grain diameter, s22: imposed normal stress).
+/// Energies of all pairs of grains in a sample, in units of a^3 s22, with grain diameter a and
+/// imposed normal stress s22. Some members are stored energies, the others energies lost during one
+/// time step.
 struct PairEnergy {
-    /// Elastic energy stored in contacts: (2/15) E~ h^(5/2) in normal direction plus s^2/(2 K_T) in
-    /// tangential direction, with E~ = E/(1 - nu^2) (E: Young's modulus, nu: Poisson ratio),
-    /// overlap h, tangential force s and tangential stiffness K_T.
+    /// Elastic energy stored in contacts. A contact stores (2/15) E~ h^(5/2) in normal direction
+    /// and s^2/(2 K_T) in tangential direction, with overlap h, tangential force s and tangential
+    /// stiffness K_T. E~ is E/(1 - nu^2), with Young's modulus E and Poisson ratio nu.
     double elastic = 0;
-    /// Potential energy stored in all liquid bridges, zero at the gap at which they break.
+    /// Potential energy stored in all liquid bridges. The energy of a bridge is zero at the gap at
+    /// which the bridge breaks.
     double capillary = 0;
     /// Energy lost in the time step by contacts that slide at the Coulomb limit.
     double friction = 0;
-    /// Energy lost in the time step by the viscous normal forces of contacts; computed by
-    /// `viscous_loss`.
+    /// Energy lost in the time step by the viscous normal forces of contacts, computed by the
+    /// function `viscous_loss`.
     double viscosity = 0;
-    /// Energy lost in the time step when liquid bridges form: their potential energy falls abruptly
-    /// below zero.
+    /// Energy lost in the time step when liquid bridges form, because their potential energy falls
+    /// abruptly below zero.
     double bridges = 0;
-    /// Energy lost in the time step by the tangential springs of contacts without sliding. It is
-    /// lost because the stiffness of a loaded spring changes with the overlap, and because the
-    /// component of the tangential force along the new normal is removed.
+    /// Energy lost in the time step by the tangential springs of contacts without sliding. The
+    /// energy is lost because the stiffness of a loaded spring changes with the overlap, and
+    /// because the component of the tangential force along the new normal is removed.
     double unloading = 0;
 
     PairEnergy& operator+=(const PairEnergy& other);
 };
 
 /// Sums over the pairs of grains in one evaluation of the forces, in reduced units (grain diameter,
-/// grain mass and imposed normal stress are 1). F is the force on the second grain of a pair, r the
-/// vector from the first to the second centre; direction 1 is the flow, 2 the gradient.
+/// grain mass and imposed normal stress are 1). In a virial, F is the force on the second grain of
+/// a pair, and r the vector from the first to the second centre. Direction 1 is the flow, 2 the
+/// velocity gradient, 3 the vorticity.
 struct PairSums {
-    /// Sum of F1 r1 over the pairs of grains (F: force on the second grain, r: vector to it, 1:
-    /// flow); positive in compression.
+    /// Sum of F1 r1 over the pairs of grains, positive in compression. F1 is the component along
+    /// the flow of the force on the second grain, r1 that of the vector from the first to the
+    /// second grain.
     double virial_11 = 0;
     double virial_22 = 0;
     double virial_33 = 0;
-    /// Sum of F1 r2 over the pairs of grains (F: force on the second grain, r: vector to it, 1:
-    /// flow, 2: gradient); negative in simple shear.
+    /// Sum of F1 r2 over the pairs of grains, negative in simple shear. F1 is the component along
+    /// the flow of the force on the second grain. r2 is the component along the velocity gradient
+    /// of the vector from the first to the second grain.
     double virial_12 = 0;
     double largest_overlap = 0;
-    PairEnergy energy;  ///< stored and lost energies of the pairs; zero without energy accounting
+    PairEnergy energy;  ///< stored and lost energies of the pairs, zero without energy accounting
 
     PairSums& operator+=(const PairSums& other);
 };
 
 /// Whether the stored and lost energies (`PairEnergy`) are also summed when forces are computed.
-/// Summing nearly doubles the computing time of a step.
+/// The summation of energies nearly doubles the computing time of a time step.
 enum class EnergyAccounting { off, on };
 
 class GrainEffects;
 
 /// Cell, imposed flow, material, bridge law, time step and effects with which the forces between
-/// grains are computed, in reduced units.
+/// grains are computed, in reduced units (grain diameter, grain mass and imposed normal stress are
+/// 1).
 struct PairLaws {
     Cell cell;
     Flow flow;
@@ -69,12 +75,12 @@ struct PairLaws {
     BridgeLaw bridges;
     double time_step = 0;
     EnergyAccounting accounting = EnergyAccounting::off;
-    /// Physical effects on the forces between grains; null: none.
+    /// Physical effects on the forces between grains; null if there are none.
     const GrainEffects* effects = nullptr;
 };
 
-/// Range of pairs in a neighbour list: index of the first pair, and index after the last pair. The
-/// range consists of whole batches (`PairList::batch` pairs).
+/// Range of pairs in a neighbour list: first the index of the first pair, second the index after
+/// the last pair. The range consists of whole batches (`PairList::batch` pairs each).
 using Stretch = std::pair<std::size_t, std::size_t>;
 
 }  // namespace pendular::dem

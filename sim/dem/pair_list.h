@@ -10,9 +10,10 @@
 
 namespace pendular::dem {
 
-/// List of pairs of neighbouring grains. `first` is the smaller of the two grain indices; pairs
-/// are sorted by the first and then by the second index. The separation of a pair is the vector
-/// from the centre of the first grain to the centre of a periodic image of the second grain.
+/// List of pairs of neighbouring grains. The array `first` contains the smaller of the two grain
+/// indices of each pair. Pairs are sorted by the first and then by the second index. The separation
+/// of a pair is the vector from the centre of the first grain to the centre of a periodic image of
+/// the second grain.
 struct Neighbours {
     std::vector<std::int32_t> first, second;
     /// Code of the periodic image (`image_code`) of the second grain of each pair.
@@ -29,17 +30,18 @@ struct Neighbours {
     }
 };
 
-/// Pairs of grains with their contact history: one array for each quantity, one element for each
-/// pair.
+/// Pairs of grains with their contact history (values that are kept from step to step). Each
+/// quantity is an array with one element for each pair.
 struct Pairs : Neighbours {
-    /// Components of the tangential force on the second grain of each pair, in units of a^2 s22 (a:
-    /// grain diameter, s22: imposed normal stress).
+    /// Components of the tangential force on the second grain of each pair, in units of a^2 s22,
+    /// with grain diameter a and imposed normal stress s22.
     std::vector<double> sx, sy, sz;
-    /// Square root of (overlap divided by grain diameter) of each pair in the last time step [1]; 0
-    /// without contact.
+    /// Square root of (overlap divided by grain diameter) of each pair in the last time step [1].
+    /// The root is 0 without contact.
     std::vector<double> root;
-    std::vector<double> bridge;  ///< 1 for each pair of grains that a liquid bridge joins, else 0
-    /// Values that physical effects keep from step to step for each pair:
+    /// Number 1 for each pair of grains that a liquid bridge joins, else 0.
+    std::vector<double> bridge;
+    /// Values that physical effects keep from step to step for each pair, as
     /// contact_history[value][pair].
     std::vector<std::vector<double>> contact_history;
 
@@ -48,20 +50,20 @@ struct Pairs : Neighbours {
     void clear();
     void reserve(std::size_t count);
     void add(std::int32_t i, std::int32_t j, std::uint8_t code);
-    /// Adds placeholder pairs, which never touch, until the number of pairs is a multiple of
+    /// Adds placeholder pairs, whose grains never touch, until the number of pairs is a multiple of
     /// `batch`.
     void fill_up(std::size_t batch);
-    /// Copies the contact history of a pair (tangential force, overlap, bridge, values of effects)
-    /// from another list.
+    /// Copies the contact history of a pair from the list `other` to this list. The contact history
+    /// consists of the tangential force, the overlap, the bridge and the values that effects keep.
     /// @param to index of the pair in this list
     /// @param from index of the pair in the list `other`
     void remember(std::size_t to, const Pairs& other, std::size_t from);
-    /// Copies the values that effects keep for a pair, such as the volume of its bridge, from
-    /// another list.
+    /// Copies the values that effects keep for a pair, such as the volume of its bridge, from the
+    /// list `other` to this list.
     /// @param to index of the pair in this list
     /// @param from index of the pair in the list `other`
     void remember_effects(std::size_t to, const Pairs& other, std::size_t from);
-    /// Values that physical effects keep for the pair with index `k`.
+    /// Returns the values that physical effects keep for the pair with index `k`.
     std::vector<double> history_of(std::size_t k) const;
 
     template <typename Archive>
@@ -75,25 +77,26 @@ struct Pairs : Neighbours {
 struct ListWants {
     std::size_t contact_history = 0;  ///< number of values that effects keep for each pair
     /// Whether the distant list must contain all pairs that a liquid bridge could join, rather than
-    /// only the pairs that are joined. This is needed if bridges can form between grains that do
-    /// not touch.
+    /// only the pairs that a bridge joins. The member must be true if bridges can form between
+    /// grains that do not touch.
     bool all_in_reach = false;
 };
 
-/// Neighbour lists of a sample. The wide list contains all pairs that may come close or be joined
-/// by a bridge. The narrow list contains the pairs of the wide list that touch or may touch soon,
-/// so that the force loop examines few pairs that do not touch. The distant list contains the
-/// remaining pairs of the wide list that a bridge joins.
+/// Neighbour lists of a sample. The wide list contains all pairs whose grains may come close or be
+/// joined by a bridge. The narrow list contains the pairs of the wide list whose grains touch or
+/// may touch soon, so that the force loop examines few pairs that do not touch. The distant list
+/// contains the remaining pairs of the wide list that a bridge joins.
 ///
-/// A list stays valid while no pair outside it can have come too close. Two grains whose centres
-/// were further apart than 1 + skin when the list was made stay further apart than a distance d
-/// while
-///     (1 + skin - 2 u (1 + g)) (1 - g) > d,
-/// where 1 is the largest grain diameter, u the largest displacement of a grain without the imposed
-/// flow, and g the affine strain (shear plus changes of the cell's edges) since the list was made.
-/// This criterion includes the moving offset of the periodic images.
+/// A list stays valid while no pair outside the list can have come too close. Two grains whose
+/// centres were further apart than D + skin when the list was made stay further apart than a
+/// distance d while
+///     (D + skin - 2 u (1 + g)) (1 - g) > d,   g = e + e^2
+/// D is the largest grain diameter, and u the largest displacement of a grain without the imposed
+/// flow since the list was made. The strain e is the affine strain (shear plus changes of the
+/// cell's edges) since the list was made. This criterion includes the moving offset of the periodic
+/// images.
 ///
-/// Whenever shear has mixed the grains, they are renumbered in rows along the flow
+/// Whenever shear has mixed the grains, the grains are renumbered in rows along the flow
 /// (`order_in_rows`), so that the force loop reads memory in order.
 class PairList {
   public:
@@ -104,43 +107,47 @@ class PairList {
     static constexpr double narrow_skin = 0.02;
 
     /// Makes empty neighbour lists.
-    /// @param rupture_distance gap at which liquid bridges break [grain diameters]; 0: no bridges
+    /// @param rupture_distance gap at which liquid bridges break [grain diameters], 0 without
+    ///         bridges
     /// @param parts number of threads that renew the lists; the lists do not depend on this number
     /// @param wants data that the physical effects of the run need
     explicit PairList(double rupture_distance = 0, int parts = 1, const ListWants& wants = {});
 
     /// Renews the neighbour lists that are no longer valid after a time step. When the wide list is
     /// renewed, the grains are moved into the cell by whole lattice vectors and may be renumbered.
-    /// @param affine_strain strain of the cell in the step: shear plus changes of its edges [1]
+    /// @param affine_strain strain of the cell in the step [1]: shear plus changes of the cell's
+    ///         edges
     void update(Grains& grains, Cell& cell, double affine_strain);
     /// Renews the neighbour lists that are no longer valid after a time step, if the largest
-    /// displacement is already known.
-    /// @param affine_strain strain of the cell in the step: shear plus changes of its edges [1]
+    /// displacement of a grain is already known.
+    /// @param affine_strain strain of the cell in the step [1]: shear plus changes of the cell's
+    ///         edges
     /// @param largest_squared largest squared displacement of a grain, without the imposed flow,
     ///         since the narrow list was made [squared grain diameters]
     void update(Grains& grains, Cell& cell, double affine_strain, double largest_squared);
 
     /// Renews the wide, narrow and distant list now and keeps the contact history of their pairs.
-    /// Grains are moved into the cell by whole lattice vectors. They are renumbered if shear has
+    /// Grains are moved into the cell by whole lattice vectors. Grains are renumbered if shear has
     /// mixed them.
     void rebuild(Grains& grains, Cell& cell);
 
     Pairs& narrow() { return narrow_; }
     const Pairs& narrow() const { return narrow_; }
-    /// Number of real pairs in the narrow neighbour list. The real pairs precede the placeholder
-    /// pairs, which fill up the last batch.
+    /// Returns the number of real pairs in the narrow neighbour list. The real pairs precede the
+    /// placeholder pairs, which fill up the last batch.
     std::size_t live() const { return live_; }
-    /// Distant list: pairs of grains that did not touch when the list was made and that a bridge
-    /// joined, or could join. While the list is valid, no pair in it comes into contact.
+    /// Returns the distant list: pairs of grains that did not touch when the list was made and that
+    /// a bridge joined or could join. While the list is valid, no pair in the list comes into
+    /// contact.
     Pairs& distant() { return distant_; }
     const Pairs& distant() const { return distant_; }
     std::size_t live_distant() const { return live_distant_; }
     std::size_t wide_rebuilds() const { return wide_rebuilds_; }
-    /// Number of times that the narrow and the distant neighbour list were renewed.
+    /// Returns the number of times that the narrow and the distant neighbour list were renewed.
     std::size_t renewals() const { return renewals_; }
 
-    /// Saves or loads the neighbour lists. The lists can be loaded only into an object that was
-    /// made with the same rupture distance of bridges.
+    /// Saves or loads the neighbour lists. The lists can be loaded only into an object whose
+    /// rupture distance of bridges equals that of the saved object.
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(wide_, narrow_, distant_, live_, live_distant_, moved_, wide_strain_,
@@ -153,8 +160,8 @@ class PairList {
     void find_close_ones(const Grains& grains, const Cell& cell);
 
     double wide_skin_;
-    /// Gap between surfaces [grain diameters] below which the wide neighbour list must contain all
-    /// pairs.
+    /// Gap between surfaces below which the wide neighbour list must contain all pairs [grain
+    /// diameters].
     double reach_ = narrow_skin;
     int parts_;
     ListWants wants_;
@@ -163,8 +170,8 @@ class PairList {
     Neighbours wide_;
     Pairs narrow_, distant_;
     std::size_t live_ = 0, live_distant_ = 0;
-    /// Displacement of each grain [grain diameters], without the imposed flow, from the time when
-    /// the wide list was made to the time when the narrow list was made.
+    /// Displacement of each grain, without the imposed flow, from the time when the wide list was
+    /// made to the time when the narrow list was made [grain diameters].
     std::vector<Vector> moved_;
     double wide_strain_ = 0, narrow_strain_ = 0, strain_since_renumbered_ = 1e9;
     std::size_t wide_rebuilds_ = 0, renewals_ = 0;
@@ -175,13 +182,13 @@ class PairList {
 
 /// Returns all pairs of grains, periodic images included, whose surfaces are closer than `gap`
 /// [grain diameters]. All centres must be inside the cell. The search uses bins that are sheared
-/// with the lattice (`Bins`); in a sample that is too small for bins, all pairs are tested.
+/// with the lattice (`Bins`). In a sample that is too small for bins, all pairs are tested.
 /// @param parts number of threads; the result does not depend on this number
 Neighbours find_pairs(const Grains& grains, const Cell& cell, double gap, int parts = 1);
 
 /// Returns all pairs of grains, periodic images included, whose surfaces are closer than `gap`
-/// [grain diameters], by testing every pair. This function is slow; it is used for small samples
-/// and in tests.
+/// [grain diameters], by testing every pair. This function is slow and is for small samples and
+/// tests.
 Neighbours find_pairs_by_brute_force(const Grains& grains, const Cell& cell, double gap);
 
 }  // namespace pendular::dem

@@ -2,24 +2,25 @@
 
 namespace pendular::dem {
 
-/// Sizes [1] that the laws of contact and bridge need for a pair of grains with the diameters d1,
-/// d2 and masses m1, m2. Diameters are divided by the mean grain diameter, masses by the mass of a
-/// grain of mean diameter.
+/// Sizes that the laws of contact and bridge need for a pair of grains [1]. Diameters are divided
+/// by the mean grain diameter, masses by the mass of a grain of mean diameter.
 struct PairSizes {
-    /// Distance between the centres at which the two grains touch, (d1 + d2)/2, with their
-    /// diameters d1 and d2 divided by the mean diameter [1].
+    /// Distance between the centres at which the two grains touch [1]: (d1 + d2)/2, with the grain
+    /// diameters d1 and d2 divided by the mean diameter.
     double contact_distance = 1;
-    /// Mean diameter of the two grains in the laws of contact and bridge, 2 d1 d2/(d1 + d2), with
-    /// their diameters d1 and d2 divided by the mean diameter [1].
+    /// Mean diameter of the two grains in the laws of contact and bridge [1]: 2 d1 d2/(d1 + d2),
+    /// with the grain diameters d1 and d2 divided by the mean diameter.
     double diameter = 1;
-    /// Mean mass of the two grains in the viscous force, 2 m1 m2/(m1 + m2), with their masses m1
-    /// and m2 divided by the mass of a grain of mean diameter [1].
+    /// Mean mass of the two grains in the viscous force [1]: 2 m1 m2/(m1 + m2), with the grain
+    /// masses m1 and m2 divided by the mass of a grain of mean diameter.
     double mass = 1;
     /// Distance from the centre of the second grain to the contact point, divided by half the
     /// distance between the centres [1].
     double second_arm = 1;
 
-    /// Sizes of a pair from the diameters of its grains divided by the mean grain diameter [1].
+    /// Returns the sizes of a pair of grains.
+    /// @param first diameter of the first grain divided by the mean grain diameter [1]
+    /// @param second diameter of the second grain divided by the mean grain diameter [1]
     [[gnu::always_inline]] static PairSizes of(double first, double second) {
         const double first_mass = first * first * first, second_mass = second * second * second;
         const double contact_distance = 0.5 * (first + second);
@@ -27,8 +28,8 @@ struct PairSizes {
                 2 * first_mass * second_mass / (first_mass + second_mass),
                 second / contact_distance};
     }
-    /// Distance from the centre of the first grain to the contact point, divided by half the
-    /// distance between the centres [1].
+    /// Returns the distance from the centre of the first grain to the contact point, divided by
+    /// half the distance between the centres [1].
     double first_arm() const { return 2 - second_arm; }
 };
 

@@ -9,19 +9,19 @@
 // and effects change the forces between the stages.
 namespace pendular::dem {
 
-/// Kinematics and forces of a batch of pairs between the two stages of the force loop. At this
-/// point, effects on grains read and change the forces. Reduced units: grain diameter, grain mass
-/// and imposed normal stress are 1.
+/// Kinematics and forces of a batch of pairs between the two stages of the force loop, where
+/// effects on grains read and change the forces. Reduced units are used (grain diameter, grain mass
+/// and imposed normal stress are 1).
 struct alignas(64) Stages {
     XyzLanes normal, sliding_velocity;
     XyzLanes rotation_rate;  ///< angular velocity of each pair as a whole, in reduced units
     /// Angular velocity of the second grain of each pair minus that of the first grain, in reduced
     /// units.
     XyzLanes rolling;
-    /// Torque that effects exert on the second grain of each pair, in reduced units; the first
-    /// grain gets the opposite torque.
+    /// Torque that effects exert on the second grain of each pair, in reduced units. The opposite
+    /// torque acts on the first grain.
     XyzLanes own_torque;
-    Lane gap;  ///< gap between the surfaces of each pair [grain diameters]; negative: overlap
+    Lane gap;  ///< gap between the surfaces of each pair [grain diameters], negative for an overlap
     Lane distance, normal_speed, root, elastic, viscous, joined, capillary, stiffness,
         coulomb_limit;
 
@@ -53,10 +53,10 @@ struct alignas(64) Stages {
     }
 };
 
-/// Computes the angular velocity of the second grain minus that of the first, for each pair of a
-/// batch.
+/// Computes the angular velocity of the second grain minus that of the first grain for each pair of
+/// a batch.
 /// @param begin index in `pairs` of the first pair of the batch
-/// @param rolling receives the result
+/// @param rolling receives the differences of the angular velocities
 [[gnu::always_inline]] inline void gather_rolling(const Grains::Motion* motion, const Pairs& pairs,
                                                   std::size_t begin, XyzLanes& rolling) {
     const std::int32_t* first = pairs.first.data() + begin;
@@ -71,8 +71,8 @@ struct alignas(64) Stages {
     }
 }
 
-/// Returns a batch of pairs as a `PairBatch`, the form in which effects on grains receive it. The
-/// data are not copied.
+/// Returns a batch of pairs as a `PairBatch`, the form in which effects on grains receive a batch.
+/// The data are not copied.
 /// @param contact_history pointers to one array for each value that effects keep per pair
 inline PairBatch batch_for_effects(Batch& b, Stages& s, const SizeLanes& sizes, double time_step,
                                    double* const* contact_history) {

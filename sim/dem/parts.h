@@ -8,7 +8,8 @@
 namespace pendular::dem {
 
 /// Calls work(part) for part = 0 to parts - 1, each on a thread of its own. The work of a part may
-/// depend only on its number, so that results do not depend on the scheduling of the threads.
+/// depend only on the number of the part, so that results do not depend on the scheduling of the
+/// threads.
 template <typename Work>
 void in_parts(int parts, const Work& work) {
     if (parts == 1) {
@@ -22,8 +23,9 @@ void in_parts(int parts, const Work& work) {
 }
 
 /// Divides `count` items into `parts` ranges of nearly equal size, and returns range number `part`,
-/// from 0, as two indices: the first item, and the item after the last. Each range begins at a
-/// multiple of `grain` items (this parameter has nothing to do with the grains of a sample).
+/// counted from 0. The range consists first of the index of its first item, second of the index
+/// after its last item. Each range begins at a multiple of `grain` items (this parameter has
+/// nothing to do with the grains of a sample).
 inline std::pair<std::size_t, std::size_t> range_of(int part, int parts, std::size_t count,
                                                     std::size_t grain = 1) {
     const std::size_t grains = (count + grain - 1) / grain;

@@ -20,37 +20,38 @@ namespace pendular::dem {
 class Checkpoint;
 class GrainEffects;
 
-/// Averages of one simulation run over its steady part, with standard errors. The standard errors
-/// allow for the autocorrelation of the averages over successive blocks of strain.
+/// Averages of the observables of one simulation run over its steady part, with standard errors.
+/// The standard errors allow for the autocorrelation of the averages over successive blocks of
+/// strain.
 struct RunResult {
     RunParameters parameters;
     int threads = 1;  ///< number of threads that the run used
     /// Time average of each observable of the run, with its standard error, in the order of
     /// `Observable`.
     std::array<Mean, observable_count> means;
-    /// Time average of each field (quantity as a function of one coordinate) of the run, in the
-    /// order of `Field`. Fields of bridges are empty in dry runs.
+    /// Time average of each field of the run, in the order of `Field`. A field is a quantity as a
+    /// function of one coordinate. Fields of bridges are empty in dry runs.
     std::array<BinnedMeans, field_count> fields;
     /// Covariance of the run's mean stress ratio and mean solid fraction [1].
     double covariance = 0;
     double strain_averaged = 0;  ///< shear strain over which the run was averaged [1]
     /// Shear strain of the run's transient, which the averages exclude [1].
     double strain_transient = 0;
-    /// Mean time step of the run in units of sqrt(m/(a s22)), with mass m and diameter a of a grain
-    /// and the imposed normal stress s22.
+    /// Mean time step of the run in units of sqrt(m/(a s22)), with grain mass m, grain diameter a
+    /// and imposed normal stress s22.
     double time_step = 0;
     std::uint64_t steps = 0;
     double wall_seconds = 0;
     bool crystallised = false;
     bool steady = false;
-    /// True if the run reached all standard errors that `RunParameters::precision` requests.
+    /// Whether the run reached all standard errors that `RunParameters::precision` requests.
     bool precise = true;
     /// Averages of the run over successive blocks of shear strain 0.02, transient included.
     Trace trace;
-    /// Positions and velocities of the grains at the end of the run, from which another run can
+    /// Positions and velocities of the grains at the end of the run, from which a new run can
     /// start.
     StoredSample final_state;
-    /// Reason why the run failed, set by `run_one` and `run_all`; empty: success.
+    /// Reason why the run failed, set by `run_one` and `run_all`; empty for a run that succeeded.
     std::string failure;
 
     const Mean& operator[](Observable which) const {
@@ -64,17 +65,17 @@ struct RunResult {
     }
 };
 
-/// Version of the solver. It is increased when a change of the solver changes the results of runs
-/// with equal parameters by more than rounding.
+/// Version of the solver. The version is increased when a change of the solver changes the results
+/// of runs with equal parameters by more than rounding.
 constexpr int physics_version = 1;
 
-/// Callback for the progress of a run, called about once per shear strain of 0.02.
+/// Callback for the progress of a run. The callback is called about once per shear strain of 0.02.
 /// @param done shear strain so far [1]
 /// @param expected expected total shear strain [1]
 using Progress = std::function<void(double done, double expected)>;
 
-/// Callback that receives the states of a run. It is called when the flow begins, when a checkpoint
-/// resumes the run, and after every shear strain of about 0.02 (a block).
+/// Callback that receives the states of a run. The callback is called when the flow begins, when a
+/// checkpoint resumes the run, and after every shear strain of about 0.02 (a block).
 /// @param strain shear strain since the flow began [1]
 using Observer = std::function<void(const ShearCell& sample, double strain)>;
 
@@ -85,42 +86,48 @@ struct RunOptions {
     Progress progress;
     int threads = 1;
     std::vector<Observer> observers;
-    /// State from which the run starts; needed if `RunParameters::start` is not 0.
+    /// State from which the run starts. The pointer must be set if `RunParameters::start` is not 0.
     const StoredSample* start = nullptr;
-    /// Checkpoint file. If it exists, the run resumes from it. The run writes the file when a
-    /// checkpoint is due (`Checkpoint::due`) and when the run is stopped. Null: no checkpoints.
+    /// Checkpoint file. If the file exists, the run resumes from the checkpoint. The run writes the
+    /// file when a checkpoint is due (`Checkpoint::due`) and when the run is stopped. If the
+    /// pointer is null, no checkpoints are written.
     Checkpoint* checkpoint = nullptr;
-    /// Parameters of the run as lines "name = value". They are stored in the checkpoint, so that a
-    /// run with other parameters cannot resume from it.
+    /// Parameters of the run as lines "name = value". The lines are stored in the checkpoint, so
+    /// that a run whose parameters differ from the stored parameters cannot resume from the
+    /// checkpoint.
     std::string description = {};
 };
 constexpr int most_threads = 1024;
 
-/// Solid fraction [1] above which a sample of equal grains counts as crystallised. The solid
-/// fraction is first corrected to that of rigid grains (`rigidity_shift`).
+/// Solid fraction [1] above which a sample counts as crystallised. The solid fraction is first
+/// corrected to that of rigid grains (`rigidity_shift`).
 constexpr double crystal_solid_fraction = 0.645;
 
-/// Localization of the shear [1] (0: uniform, 1: infinitely thin shear band) above which a flow
-/// does not count as uniform. All flows of Badetti et al. (2018) have smaller values.
+/// Localization of the shear [1] above which a flow does not count as uniform. The localization is
+/// 0 for uniform shear and 1 for an infinitely thin shear band. All flows of Badetti et al. (2018)
+/// have smaller values.
 constexpr double localised_above = 0.05;
 
-/// Simulates a sample in steady shear and returns its averages over the strain `parameters.strain`,
-/// or over a shorter strain once the standard errors `parameters.precision` are reached. The end of
-/// the preceding transient is determined from the simulation.
+/// Simulates a sample in steady shear and returns the averages of the observables over the strain
+/// `parameters.strain`. The strain may be shorter if the standard errors `parameters.precision` are
+/// reached earlier. The end of the preceding transient is determined from the simulation.
 /// @param effects the effects on grains that `parameters.effects` names
 /// @throws std::invalid_argument for parameters that `check_run_parameters` does not accept, an
-///         impossible number of threads, and an initial state with another number of grains
-/// @throws SimulationError if the state is not finite, or the sample does not reach or keep its
-///         normal stress
+///         impossible number of threads, and an initial state whose number of grains differs from
+///         `parameters.grains`
+/// @throws SimulationError if the stress is not finite, an overlap exceeds half a grain diameter,
+///         or the sample does not reach or keep its normal stress
 /// @throws Interrupted if a stop is requested
-/// @throws InputError if the checkpoint belongs to another run or version, or is corrupt
+/// @throws InputError if the checkpoint belongs to a run with other parameters or to another
+///         version of the program, or is corrupt
 RunResult run(const RunParameters& parameters, const GrainEffects& effects,
               const RunOptions& options = {});
 
-/// Difference between the solid fraction of a run and that of rigid grains [1]:
+/// Returns the difference between the solid fraction of a run and the solid fraction of rigid
+/// grains [1]:
 ///     1.23 x 3 solid_fraction mean_overlap
-/// The factor 1.23 +- 0.15 was measured in dry samples with friction 0.12 at stiffness numbers
-/// between 300 and 4000.
+/// The factor 1.23 +- 0.15 was measured in dry samples with a friction coefficient of 0.12 at
+/// stiffness numbers between 300 and 4000.
 /// @param mean_overlap mean overlap of contacts divided by the grain diameter [1]
 double rigidity_shift(double solid_fraction, double mean_overlap);
 constexpr double rigidity_factor = 1.23;

@@ -13,12 +13,12 @@ namespace pendular::dem {
 
 class GrainEffects;
 
-/// Largest inertial number [1] that can be simulated: in faster flows the sample is too dilute for
+/// Largest inertial number that can be simulated [1]. In faster flows, the sample is too dilute for
 /// the servo that adjusts the height of the cell to keep the normal stress.
 constexpr double largest_inertial_number = 0.5;
 
-/// Requested precision of a run: standard error of the average of one observable, in the
-/// observable's unit. The run may stop once the standard error is that small.
+/// Requested precision of a run: largest standard error of the average of one observable, in the
+/// observable's unit. The run may stop once its standard error is that small.
 struct Precision {
     Observable which = Observable::stress_ratio;
     double standard_error = 0;
@@ -28,7 +28,7 @@ struct Precision {
 /// @throws std::invalid_argument if the text has another form or the observable is unknown
 Precision precision_named(std::string_view text);
 
-/// Smallest shear strain [1] over which a run must average before its standard errors are reliable.
+/// Smallest shear strain over which a run must average before its standard errors are reliable [1].
 constexpr double shortest_precise_strain = 2;
 
 /// Parameters that determine one run of steady shear, in reduced units (grain diameter, grain mass
@@ -40,19 +40,21 @@ struct RunParameters {
     double poisson_ratio = 0.3;      ///< Poisson ratio of the grains [1]
     /// Damping of the normal motion in contacts as a fraction of critical damping [1].
     double damping = 0.98;
-    std::optional<Wetting> wetting;  ///< parameters of the liquid bridges; empty: dry grains
+    std::optional<Wetting> wetting;  ///< parameters of the liquid bridges, empty for dry grains
     int grains = 2000;
     double strain = 10;  ///< shear strain over which the run is averaged, without transient [1]
     std::uint64_t seed = 1;
-    /// Fingerprint (hash, function `fingerprint`) of the run whose final state is the initial state
-    /// of this run; 0: the run starts from grains at random positions without contact.
+    /// Fingerprint (hash by the function `fingerprint`) of the run whose final state is the initial
+    /// state of this run. If the fingerprint is 0, the run starts from grains at random positions
+    /// without contact.
     std::uint64_t start = 0;
-    /// Standard errors of observables. Averaging may end before the shear strain `strain` once all
-    /// these standard errors are reached. Empty: averaging never ends before `strain`.
+    /// Requested standard errors of observables. Averaging may end before the shear strain `strain`
+    /// once all requested standard errors are reached. If the list is empty, averaging never ends
+    /// before `strain`.
     std::vector<Precision> precision = {};
     /// Effects on grains that act in the run, with parameter values in reduced units (grain
-    /// diameter, grain mass and imposed normal stress are 1). The solver does not read this list:
-    /// it receives the effects as `GrainEffects`.
+    /// diameter, grain mass and imposed normal stress are 1). The solver does not read this list,
+    /// but receives the effects as `GrainEffects`.
     std::vector<EffectValues> effects = {};
 };
 

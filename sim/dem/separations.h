@@ -11,8 +11,8 @@
 namespace pendular::dem {
 
 /// Calls visit(k, r) for each pair k of a neighbour list, except the placeholder pairs that fill up
-/// its last batch. r is the vector from the centre of the first grain to the centre of the periodic
-/// image of the second grain [grain diameters].
+/// the last batch. The vector r points from the centre of the first grain to the centre of the
+/// periodic image of the second grain [grain diameters].
 template <typename Visit>
 void for_each_pair(const Grains& grains, const Cell& cell, const Pairs& pairs, const Visit& visit) {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -26,9 +26,9 @@ void for_each_pair(const Grains& grains, const Cell& cell, const Pairs& pairs, c
     }
 }
 
-/// Elastic normal force and normal stiffness of the contact of pair k, from its overlap in the last
-/// time step, in reduced units (grain diameter, grain mass and imposed normal stress are 1). Both
-/// are zero without contact.
+/// Returns the elastic normal force and the normal stiffness of the contact of pair k, from the
+/// overlap of the pair in the last time step, in reduced units (grain diameter, grain mass and
+/// imposed normal stress are 1). Force and stiffness are zero without contact.
 /// @param modulus E/(1 - nu^2) divided by the imposed normal stress [1], with Young's modulus E and
 ///         Poisson ratio nu
 inline Hertz contact_of(const Grains& grains, const Pairs& pairs, std::size_t k, double modulus) {
@@ -37,7 +37,8 @@ inline Hertz contact_of(const Grains& grains, const Pairs& pairs, std::size_t k,
     return hertz_contact(pairs.root[k] * pairs.root[k], sizes, modulus);
 }
 
-/// Gap between the surfaces of the two grains of pair k [grain diameters]; negative: overlap.
+/// Returns the gap between the surfaces of the two grains of pair k [grain diameters]. An overlap
+/// is a negative gap.
 /// @param r vector from the first to the second centre [grain diameters]
 inline double gap_of(const Grains& grains, const Pairs& pairs, std::size_t k, const Vector& r) {
     return std::sqrt(dot(r, r)) -

@@ -13,17 +13,17 @@
 
 namespace pendular::dem {
 
-/// Shear strain of one block of a run [1]. The averages over one block are one sample in the time
+/// Shear strain of one block of a run [1]. The averages over one block are one element of the time
 /// series of the run.
 constexpr double block_strain = 0.02;
 
 /// Averages of a simulation over one block, a shear strain of `block_strain`. Stresses are divided
-/// by the imposed normal stress [1]; compression is positive.
+/// by the imposed normal stress [1]. Compression is positive.
 struct Block {
     double strain = 0;
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0, solid_fraction = 0, localization = 0;
-    /// Mean volume of a liquid bridge divided by the mean volume V0 of newly formed bridges [1]; 1
-    /// without bridges.
+    /// Mean volume of a liquid bridge divided by the mean volume V0 of newly formed bridges [1];
+    /// the value is 1 without bridges.
     double bridge_volume = 0;
     /// Power per volume that each mechanism dissipates in the block, divided by the shear rate and
     /// the imposed normal stress [1]. The members for stored energies are 0.
@@ -39,27 +39,28 @@ struct Block {
     }
 };
 
-/// Block of a run (a shear strain of `block_strain`) that is not complete yet. Its averages are
-/// summed step by step, so that the run can be stopped and resumed between any two steps.
+/// Block of a run that is not complete yet. A block is a shear strain of `block_strain`. The
+/// averages of the block are summed step by step, so that the run can be stopped and resumed
+/// between any two steps.
 class OpenBlock {
   public:
     OpenBlock() = default;
     explicit OpenBlock(const ShearCell& sample);
 
     bool full(const ShearCell& sample) const { return sample.strain() >= begin_ + block_strain; }
-    /// Shear strain of the sample when the block began [1].
+    /// Returns the shear strain of the sample when the block began [1].
     double begin() const { return begin_; }
-    /// Advances the sample by one time step and adds its stress and solid fraction to the sums of
-    /// the block. Dissipation, velocities and the observables of contacts and bridges are added
-    /// after some of the steps only.
+    /// Advances the sample by one time step and adds the stress and the solid fraction of the
+    /// sample to the sums of the block. Dissipation, velocities and the observables of contacts and
+    /// bridges are added after some of the steps only.
     void step(ShearCell& sample);
     /// Whether a run should check now for stop requests and due checkpoints: every 16 steps, right
     /// after the step in which the velocities of all grains were added.
     static bool pauses(const ShearCell& sample);
-    /// Ends the block and returns its averages: stresses and solid fraction over all its steps,
-    /// other quantities over some steps. Profiles of solid fraction and distributions over pairs of
-    /// grains come from the last state only, since evaluating more states would slow down a fast
-    /// run by several per cent.
+    /// Ends the block and returns its averages. Stresses and solid fraction are averaged over all
+    /// steps of the block, other quantities over some steps. Profiles of solid fraction and
+    /// distributions over pairs of grains come from the last state only, since the evaluation of
+    /// more states would slow down a fast run by several per cent.
     /// @param sample state at the end of the block
     Block close(const ShearCell& sample);
 
@@ -80,13 +81,15 @@ class OpenBlock {
     int structures_ = 0;
 };
 
-/// Time series of a run: its complete blocks, from which averages and the transient are computed.
+/// Time series of a run. The series consists of the complete blocks of the run, from which averages
+/// and the end of the transient are computed.
 class Series {
   public:
     void add(Block block) { blocks_.push_back(std::move(block)); }
     std::size_t size() const { return blocks_.size(); }
 
-    /// Total shear strain [1] of the blocks from number `from` to `to` - 1, counted from 0.
+    /// Returns the total shear strain [1] of the blocks from number `from` to number `to` - 1,
+    /// counted from 0.
     double strain(std::size_t from, std::size_t to) const {
         double sum = 0;
         for (std::size_t k = from; k < to; ++k) {
@@ -103,10 +106,10 @@ class Series {
         }
         return result;
     }
-    /// Returns a time series of the ratio of two quantities: one value per block, from block `from`
-    /// on (counted from 0). The mean of the values is the mean of `numerator(block)` divided by the
-    /// mean of `denominator(block)`. The scatter of the values is, to first order, the scatter of
-    /// this ratio.
+    /// Returns a time series of the ratio of two quantities, with one value per block, from block
+    /// `from` on (counted from 0). The mean of the values is the mean of `numerator(block)` divided
+    /// by the mean of `denominator(block)`. To first order, the scatter of the values is the
+    /// scatter of this ratio.
     template <typename Numerator, typename Denominator>
     std::vector<double> ratio(std::size_t from, Numerator numerator,
                               Denominator denominator) const {
@@ -131,14 +134,15 @@ class Series {
     std::vector<double> structure(std::size_t from, double Structure::*which) const {
         return values(from, [&](const Block& b) { return b.structure.*which; });
     }
-    /// Averages, with standard errors, of the field `which` (a quantity as a function of one
-    /// coordinate) in each bin. Averaged are the blocks from number `from` on, counted from 0: the
-    /// mean of the blocks' sums is divided by the mean of their weights. NaN if a bin has no data.
+    /// Returns the average of the field `which` in each bin, with its standard error. A field is a
+    /// quantity as a function of one coordinate. Averaged are the blocks from number `from` on,
+    /// counted from 0. An average is the mean of the blocks' sums divided by the mean of the
+    /// blocks' weights, or NaN if a bin has no data.
     BinnedMeans field(std::size_t from, Field which, const Bins1d& bins) const;
-    /// Number of blocks at the start of a run that averages must leave out, since the flow is not
-    /// yet steady; empty if the flow is not steady so far. The function examines stress ratio,
-    /// solid fraction and, if `wet` is true, the number per grain of bridges between grains that do
-    /// not touch, which becomes steady last.
+    /// Returns the number of blocks at the start of a run that averages must leave out, since the
+    /// flow is not yet steady; empty if the flow is not steady so far. The function examines stress
+    /// ratio, solid fraction and, if `wet` is true, the number per grain of bridges between grains
+    /// that do not touch. In wet samples, this number becomes steady last.
     std::optional<std::size_t> transient(bool wet) const;
     Trace trace() const;
 

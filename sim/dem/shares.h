@@ -9,20 +9,20 @@
 
 namespace pendular::dem {
 
-/// Part of the work of one thread in a time step, as ranges of indices: a range of near pairs
-/// (grains that may touch), a range of distant pairs (grains that a bridge may join), and the range
-/// of the grains that occur in no later pair. Both ranges of pairs consist of whole batches
-/// (`PairList::batch` pairs). Pairs are sorted by their first grain, which has the lower number.
-/// The grains of a section can therefore be moved as soon as its pairs are done, while the data of
-/// the grains are still in the cache.
+/// Part of the work of one thread in a time step, as ranges of indices. The range `grains` contains
+/// grains that occur in no pair of a later section. The range `near` contains pairs whose grains
+/// may touch. The range `distant` contains pairs whose grains a bridge may join. Both ranges of
+/// pairs consist of whole batches (`PairList::batch` pairs). Pairs are sorted by their first grain,
+/// which has the lower number. The grains of a section can therefore be moved as soon as the pairs
+/// of the section are done, while the data of the grains are still in the cache.
 struct Section {
     using Range = std::pair<std::size_t, std::size_t>;
     Range grains, near, distant;
 };
 
 /// Work of one thread in each time step while the neighbour lists are valid. The thread sums the
-/// forces of its pairs in its own array and moves its grains. Since grains are numbered in rows,
-/// few grains of one thread interact with grains of other threads.
+/// forces of its pairs in an array of its own and moves its grains. Since grains are numbered in
+/// rows, few grains of one thread interact with grains of other threads.
 struct Share {
     std::vector<Section> sections;
     /// Indices of the grains of other threads on which pairs of this thread exert forces, in
@@ -35,7 +35,7 @@ struct Share {
 };
 
 /// Divides the pairs and grains of a sample among `parts` threads, and returns one share per
-/// thread. All shares have the same number of pairs of the narrow neighbour list, except that each
+/// thread. All shares have equal numbers of pairs of the narrow neighbour list, except that each
 /// share consists of whole batches.
 /// @param grains number of grains in the sample
 std::vector<Share> shares_of(const PairList& pairs, std::size_t grains, int parts);

@@ -15,9 +15,10 @@
 
 namespace pendular::dem {
 
-/// Mean stress in a sample, divided by the imposed normal stress [1]: forces between grains plus
-/// the kinetic contribution of their velocity fluctuations. Compression is positive; direction 1 is
-/// the flow, 2 the velocity gradient, 3 the vorticity.
+/// Mean stress in a sample, divided by the imposed normal stress [1]. The stress is the sum of the
+/// contribution of the forces between grains and of the kinetic contribution of velocity
+/// fluctuations. Compression is positive. Direction 1 is the flow, 2 the velocity gradient, 3 the
+/// vorticity.
 struct Stress {
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0;
 
@@ -33,28 +34,29 @@ struct Sample {
     Cell cell;
 };
 
-/// Returns a sample of `count` grains at rest, at random positions without contact, at solid
-/// fraction 0.3. The cell is tall; it becomes approximately a cube once the sample is compressed
+/// Returns a sample of `count` grains at rest, at random positions without contact, at a solid
+/// fraction of 0.3. The cell is tall and becomes approximately a cube once the sample is compressed
 /// and flows.
 /// @param seed seed of the random positions
-/// @param diameters diameters of the grains divided by their mean [1]; empty: all are 1
+/// @param diameters diameters of the grains divided by their mean [1]; if empty, all diameters are
+///         1
 /// @throws std::invalid_argument for fewer than 64 grains
 Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diameters = {});
 
 /// Simulation of grains in simple shear at a constant rate, in a periodic cell with Lees-Edwards
 /// boundary conditions. A servo changes the height of the cell so that the normal stress stays at
-/// its imposed value. Reduced units: grain diameter, grain mass and imposed normal stress are 1, so
-/// that the shear rate equals the inertial number.
+/// its imposed value. In reduced units, the grain diameter, the grain mass and the imposed normal
+/// stress are 1, so that the shear rate equals the inertial number.
 ///
-/// Height servo, of first order: (dH/dt)/H = (s22 - 1)/(B t0), with cell height H, normal stress
-/// s22, t0 = sqrt(m/(a s22)), the time in which a grain of mass m moves its own diameter a, and B =
-/// 0.05 times the stiffness number, well below the modulus of the packing. The servo is implicit in
-/// the viscous part of s22, which follows dH/dt within one time step. The normal stress returns to
-/// its imposed value within a fraction of t0 at every stiffness, without tuning. Since ln H is
-/// bounded, the time average of s22 is exactly 1.
+/// The height servo is of first order: (dH/dt)/H = (s22 - 1)/(B t0), with cell height H and normal
+/// stress s22. The time t0 = sqrt(m/(a s22)) is that in which a grain of mass m moves its own
+/// diameter a. B is 0.05 times the stiffness number, well below the modulus of the packing. The
+/// servo is implicit in the viscous contribution to s22, which follows dH/dt within one time step.
+/// The normal stress returns to its imposed value within a fraction of t0 at every stiffness,
+/// without tuning. Since ln H is bounded, the time average of s22 is exactly 1.
 ///
-/// Time step: a fixed fraction of sqrt(m/K_N), with grain mass m and normal stiffness K_N of the
-/// stiffest contact. The time step is updated as this stiffness changes, and is smaller if the
+/// The time step is a fixed fraction of sqrt(m/K_N), with grain mass m and normal stiffness K_N of
+/// the stiffest contact. The time step is updated as this stiffness changes, and is smaller if the
 /// damping is more than critical.
 class ShearCell {
   public:
@@ -67,74 +69,81 @@ class ShearCell {
     ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
     /// Begins with a given sample in a given uniform flow. The servo that keeps the normal stress
-    /// is off until `hold_normal_stress(true)`, and no liquid bridges form until
+    /// is off until `hold_normal_stress(true)`. No liquid bridges form until
     /// `let_bridges_form(true)`.
     ShearCell(Sample sample, const Material& material, const Flow& flow,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
 
-    /// Edge of the cube that `count` grains fill approximately once they flow [grain diameters].
+    /// Returns the edge of the cube that `count` grains fill approximately once the grains flow
+    /// [grain diameters].
     static double edge(int count);
 
     static constexpr int fewest_grains = 64;
     static constexpr double time_step_fraction = 0.2;
 
-    /// Advances the sample by one leapfrog step of length dt: forces from the positions at t and
-    /// the velocities at t - dt/2, then velocities, then positions, then the cell.
+    /// Advances the sample by one leapfrog step of length dt. The forces are computed from the
+    /// positions at time t and the velocities at t - dt/2. Then velocities, positions and the cell
+    /// are advanced, in this order.
     /// @param accounting whether stored and lost energies are summed too
-    /// @throws SimulationError if the stress is not finite or an overlap exceeds half a diameter
+    /// @throws SimulationError if the stress is not finite or an overlap exceeds half a grain
+    ///         diameter
     void step(EnergyAccounting accounting = EnergyAccounting::off);
 
-    /// Compresses the initial sample: lowers the height of the cell at a constant rate until the
-    /// normal stress first reaches its imposed value. From then on a servo keeps this normal
+    /// Compresses the initial sample. The height of the cell is lowered at a constant rate until
+    /// the normal stress first reaches its imposed value. From then on, a servo keeps this normal
     /// stress, and liquid bridges form.
     /// @return false if the solid fraction reaches 0.8 before the normal stress is reached
     /// @throws Interrupted if a stop is requested
-    /// @throws SimulationError if the stress is not finite or an overlap exceeds half a diameter
+    /// @throws SimulationError if the stress is not finite or an overlap exceeds half a grain
+    ///         diameter
     bool compress(const std::stop_token& stop = {});
 
     const Grains& grains() const { return grains_; }
     const Cell& cell() const { return cell_; }
     const PairList& pairs() const { return pairs_; }
     const Material& material() const { return material_; }
-    /// Law of the liquid bridges, including the changes by effects on grains.
+    /// Returns the law of the liquid bridges, including the changes by effects on grains.
     const BridgeLaw& bridges() const { return bridges_; }
     const GrainEffects& effects() const { return effects_; }
-    /// Mean stress of the sample in the last time step, divided by the imposed normal stress [1],
-    /// at the positions before the step.
+    /// Returns the mean stress of the sample in the last time step, at the positions before the
+    /// time step, divided by the imposed normal stress [1].
     const Stress& stress() const { return stress_; }
     const Flow& flow() const { return flow_; }
     double shear_rate() const { return flow_.shear_rate; }
-    /// Energies stored in pairs of grains, and lost in the last step, in units of a^3 s22 (a: grain
-    /// diameter, s22: imposed normal stress); zero if that step was made without energy accounting.
+    /// Returns the energies stored in pairs of grains, and the energies lost in the last time step,
+    /// in units of a^3 s22, with grain diameter a and imposed normal stress s22. All energies are
+    /// zero if the last time step was made without energy accounting.
     const PairEnergy& energy() const { return energy_; }
-    /// Kinetic energy of all grains, from their velocities without the imposed flow and their
-    /// rotation, half a time step after the last forces, in units of a^3 s22 (a: grain diameter,
-    /// s22: imposed normal stress).
+    /// Returns the kinetic energy of all grains in units of a^3 s22, with grain diameter a and
+    /// imposed normal stress s22. The energy follows from the velocities without the imposed flow
+    /// and from the angular velocities, half a time step after the last forces.
     double kinetic_energy() const { return motion_.energy(); }
     double strain() const { return strain_; }
     double time_step() const { return time_step_; }
     std::uint64_t steps() const { return steps_; }
     double solid_fraction() const;
 
-    /// Sets the imposed velocity gradient. While the servo that keeps the normal stress is on, it
-    /// continues to adjust the rate of change of the height (`Flow::height_rate`).
+    /// Sets the imposed velocity gradient. While the servo that keeps the normal stress is on, the
+    /// servo continues to adjust the rate of change of the height (`Flow::height_rate`).
     void set_flow(const Flow& flow) { flow_ = flow; }
     /// Switches on or off the servo that keeps the normal stress at its imposed value by changing
     /// the height of the cell.
     void hold_normal_stress(bool held) { servo_ = held; }
-    /// Switches the liquid bridges on or off. Bridges form when grains touch.
+    /// Switches the liquid bridges on or off. If switched on, bridges form when grains touch.
     void let_bridges_form(bool form) { bridging_ = form; }
-    /// Sets the time step to a fraction of sqrt(m/K_N), with grain mass m and normal stiffness K_N
-    /// of the stiffest contact, in place of `time_step_fraction`; for tests of convergence.
+    /// Sets the time step to a fraction of sqrt(m/K_N) in place of `time_step_fraction`, with grain
+    /// mass m and normal stiffness K_N of the stiffest contact. The function is for tests of
+    /// convergence.
     void set_time_step_fraction(double fraction) { fraction_ = fraction; }
 
     /// Saves or loads the state of the simulation. The state can be loaded only into a ShearCell
-    /// with the same number of grains, the same laws and the same number of threads (parts).
+    /// whose number of grains, laws and number of threads (parts) equal those of the saved
+    /// ShearCell.
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(grains_, cell_, pairs_, flow_, stress_, motion_, servo_, bridging_, fraction_,
                 time_step_, strain_, largest_overlap_, recent_overlap_, steps_);
-        shares_made_at_ = 0;  // the shares were made for other lists
+        shares_made_at_ = 0;  // the shares belong to the previous neighbour lists
     }
 
   private:
@@ -142,13 +151,13 @@ class ShearCell {
     void exchange_liquid();
     void check_state() const;
     PairSums sum_forces(const PairLaws& laws);
-    /// Adds the forces of the pairs of one share to `net_forces`. If `moved` is given, each grain
-    /// of the share is also moved after its last pair, and the sums of its motion are added to
-    /// `moved`.
+    /// Adds the forces of the pairs of one share (work of one thread) to `net_forces`. If `moved`
+    /// is given, each grain of the share is also moved after its last pair, and the sums over the
+    /// motion of the grains are added to `moved`.
     PairSums sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces,
                         const PairLaws& laws, MotionSums* moved = nullptr);
     /// Adds the forces that other threads summed for the grains of thread `part` to the net forces
-    /// on these grains, and sets the added sums of the other threads to zero.
+    /// on these grains. Sets the sums of the other threads for these grains to zero.
     void collect_net_forces(int part);
     std::vector<Grains::ForceAndTorque>& net_forces_of(int part);
     std::vector<Grains::ForceAndTorque> all_net_forces();
@@ -168,8 +177,8 @@ class ShearCell {
     int parts_ = 1;
     std::vector<Share> shares_;
     std::size_t shares_made_at_ = 0;  ///< value of PairList::renewals when `shares_` were made
-    /// For each thread after the first: net force and torque on each grain, as far as this thread
-    /// summed them.
+    /// Net force and torque on each grain, as far as one thread summed them, for each thread after
+    /// the first.
     std::vector<std::vector<Grains::ForceAndTorque>> other_net_forces_;
     Stress stress_;
     PairEnergy energy_;
@@ -181,7 +190,7 @@ class ShearCell {
     double strain_ = 0;
     /// Largest overlap of contacts in the last time step [grain diameters].
     double largest_overlap_ = 0;
-    /// Largest overlap of contacts since `time_step_` was updated [grain diameters].
+    /// Largest overlap of contacts since `time_step_` was last updated [grain diameters].
     double recent_overlap_ = 0;
     std::uint64_t steps_ = 0;
 };

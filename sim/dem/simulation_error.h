@@ -5,8 +5,8 @@
 
 namespace pendular::dem {
 
-/// Error of a simulation that cannot continue: its state is not finite, or the sample does not
-/// reach or keep its normal stress.
+/// Error of a simulation that cannot continue, because its stress is not finite, an overlap is too
+/// large, or the sample does not reach or keep its normal stress.
 class SimulationError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -12,20 +12,20 @@ namespace pendular::dem {
 /// Pair of grains in contact or joined by a bridge, which other programs draw as a line between the
 /// centres. Forces are in units of a^2 s22, with grain diameter a and imposed normal stress s22.
 struct DrawnPair {
-    /// Centres of the two grains of the pair [grain diameters]; `to` may be a periodic image
-    /// outside the cell.
+    /// Centres of the first and the second grain of the pair [grain diameters]; `to` may be in a
+    /// periodic image outside the cell.
     Vector from, to;
-    /// Elastic normal force of the contact divided by a^2 s22 [1] (a: grain diameter, s22: imposed
-    /// normal stress); 0 if the grains do not touch.
+    /// Elastic normal force of the contact divided by a^2 s22 [1], with grain diameter a and
+    /// imposed normal stress s22. The force is 0 if the grains do not touch.
     double normal_force = 0;
-    /// Attraction of the pair by its liquid bridge divided by a^2 s22 [1] (a: grain diameter, s22:
-    /// imposed normal stress).
+    /// Attraction of the pair by its liquid bridge divided by a^2 s22 [1], with grain diameter a
+    /// and imposed normal stress s22. The attraction is 0 without bridge.
     double bridge_force = 0;
     bool touching = false;
 };
 
 /// State of a sample for export to other programs, in reduced units (grain diameter, grain mass and
-/// imposed normal stress are 1). All grains are inside the cell; velocities include the imposed
+/// imposed normal stress are 1). All grains are inside the cell. Velocities include the imposed
 /// flow.
 struct Snapshot {
     struct Grain {
@@ -37,30 +37,31 @@ struct Snapshot {
     std::uint64_t step = 0;
     double time = 0;    ///< time of the snapshot since the flow began, in reduced units
     double strain = 0;  ///< shear strain of the snapshot since the flow began [1]
-    /// Periodic cell that contains the grains; its offset is between -length/2 and length/2.
+    /// Periodic cell that contains the grains. The offset of the cell is between -length/2 and
+    /// length/2.
     Cell cell;
     std::vector<Grain> grains;
     std::vector<DrawnPair> pairs;
 };
 Snapshot snapshot_of(const ShearCell& sample, double strain);
 
-/// Returns a snapshot as one frame of a LAMMPS text dump, which OVITO reads: a triclinic cell with
-/// a corner at the origin and the bounds of the box around it, then columns id, type, radius,
-/// position, velocity, angular velocity and number of contacts.
+/// Returns a snapshot as one frame of a LAMMPS text dump, which OVITO reads. The cell is triclinic,
+/// with a corner at the origin and the bounds of the surrounding box. The columns are id, type,
+/// radius, position, velocity, angular velocity and number of contacts.
 std::string dump_frame(const Snapshot& snapshot);
 
-/// Returns the grains of a snapshot as the text of a ParaView PolyData file (XML): points with id,
-/// radius, velocity, angular velocity and number of contacts (coordination).
+/// Returns the grains of a snapshot as the text of a ParaView PolyData file (XML). Each grain is a
+/// point with id, radius, velocity, angular velocity and number of contacts (coordination).
 std::string grains_vtp(const Snapshot& snapshot);
-/// Returns contacts and bridges of a snapshot as the text of a ParaView PolyData file (XML): lines
-/// between centres of grains with normal_force and bridge_force [a^2 s22] (a: grain diameter, s22:
-/// imposed normal stress) and touching (1 or 0). A line that crosses a face of the cell ends at the
-/// periodic image outside.
+/// Returns the contacts and bridges of a snapshot as the text of a ParaView PolyData file (XML).
+/// Each pair is a line between the centres of two grains, with normal_force, bridge_force and
+/// touching (1 or 0). The forces are in units of a^2 s22, with grain diameter a and imposed normal
+/// stress s22. A line that crosses a face of the cell ends at the periodic image outside the cell.
 std::string pairs_vtp(const Snapshot& snapshot);
 
-/// Writes snapshots of a run into a folder, at shear strains 0, `every`, 2 `every` and so on. The
-/// file `beads.dump` has all frames. For ParaView, `snapshots.pvd` lists `vtk/beads_NNNNN.vtp` and
-/// `vtk/pairs_NNNNN.vtp` with the strain as time. Each file is complete or absent: the dump is
+/// Writer of snapshots of a run into a folder, at shear strains 0, `every`, 2 `every` and so on.
+/// The file `beads.dump` has all frames. For ParaView, `snapshots.pvd` lists `vtk/beads_NNNNN.vtp`
+/// and `vtk/pairs_NNNNN.vtp` with the strain as time. Each file is complete or absent. The dump is
 /// written as `.beads.dump.part` and renamed when the object is destroyed, whether the run is
 /// complete or was stopped. If a checkpoint resumes the run, frames made after that checkpoint are
 /// made again.
@@ -71,8 +72,8 @@ class Snapshots {
     Snapshots(const Snapshots&) = delete;
     Snapshots& operator=(const Snapshots&) = delete;
 
-    /// Writes a snapshot of the sample if one is due. With this operator the object can be an
-    /// `Observer` of a run.
+    /// Writes a snapshot of the sample if a snapshot is due. With this operator, the object can be
+    /// an `Observer` of a run.
     /// @param strain shear strain since the flow began [1]
     /// @throws std::runtime_error if a file cannot be written
     void operator()(const ShearCell& sample, double strain);

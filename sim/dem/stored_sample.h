@@ -8,14 +8,16 @@
 
 namespace pendular::dem {
 
-/// Final state of a run in single precision, from which another run can start. A run is continued
-/// bit for bit only from a checkpoint. The contact history (tangential forces and other values of
-/// each pair) is not stored: it forms again over a sliding distance of about one overlap, a small
-/// part of any transient. Samples of unequal grains are not stored; `grains` is then empty.
+/// Final state of a run in single precision, from which a new run can start. A run is continued bit
+/// for bit only from a checkpoint. The contact history (tangential forces and other values of each
+/// pair) is not stored. The contact history forms again over a sliding distance of about one
+/// overlap, which is a small part of any transient. Samples of unequal grains are not stored;
+/// `grains` is then empty.
 struct StoredSample {
     Cell cell;
     /// Position, velocity without the imposed flow, and angular velocity of each grain, three
-    /// numbers each, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
+    /// components each, in reduced units (grain diameter, grain mass and imposed normal stress are
+    /// 1).
     std::vector<std::array<float, 9>> grains;
 
     StoredSample() = default;

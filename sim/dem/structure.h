@@ -11,18 +11,18 @@
 
 namespace pendular::dem {
 
-/// Observables of the networks of contacts and bridges in one state, or their means over several
-/// states. Each STRUCTURE_OBSERVABLE of data/quantities/observables.def is a member. Reduced units:
-/// grain diameter and imposed normal stress are 1; forces of bridges are divided by the pull-off
-/// force; capillary stresses are divided by the imposed normal stress and negative for attraction.
-/// "Distant" pairs are joined by a bridge but do not touch. In dry states the members about bridges
-/// are zero.
+/// Observables of the networks of contacts and bridges in one state, or means of the observables
+/// over several states. Each STRUCTURE_OBSERVABLE of data/quantities/observables.def is a member.
+/// In reduced units, the grain diameter and the imposed normal stress are 1. Forces of bridges are
+/// divided by the pull-off force. Capillary stresses are divided by the imposed normal stress and
+/// negative for attraction. "Distant" pairs are joined by a bridge but do not touch. In dry states,
+/// the members about bridges are zero.
 struct Structure {
 #define STRUCTURE_OBSERVABLE(name, ...) double name = 0;
 #include "data/quantities/observables.def"
 
-    /// Adds the observables of another state, member by member. To obtain means, the sum of several
-    /// states is divided by their number with `/=`.
+    /// Adds the observables of the state `other`, member by member. To obtain means, the sum over
+    /// several states is divided by the number of states with `/=`.
     Structure& operator+=(const Structure& other);
     Structure& operator/=(double count);
 
@@ -33,30 +33,33 @@ struct Structure {
         }
     }
 
-    /// Pointers to all members, in the order of the table data/quantities/observables.def.
+    /// Returns pointers to all members, in the order of the table data/quantities/observables.def.
     static std::span<double Structure::*const> members();
 };
 
-/// Computes the observables of the networks of contacts and bridges in one state. Pairs of `near`
+/// Returns the observables of the networks of contacts and bridges in one state. Pairs of `near`
 /// that overlapped in the last time step are contacts. The force of bridges includes the changes by
 /// `effects`.
 ///
 /// The bond order of contacts with directions n is
 ///     Q6 = [4 pi/13 sum_m |<Y_6m(n)>|^2]^(1/2) = [<<P6(n . n')>>]^(1/2)
-/// It is 0 for random directions (up to 1/sqrt(number of contacts)), 0.575 in an fcc lattice and
-/// 0.485 in an hcp lattice. The 12 component of the anisotropy of a quantity q(n) that depends on
-/// direction is the integral of q(n) n1 n2 over the sphere, divided by 4 pi and the mean <q>
-/// (Badetti et al. (2018), eq:deffl12). The component is computed from a least-squares fit of
-/// spherical harmonics of order 0 and 2 to the q of all pairs.
-/// @param near pairs of the narrow neighbour list
+/// The bond order is 0 for random directions (up to 1/sqrt(number of contacts)), 0.575 in an fcc
+/// lattice and 0.485 in an hcp lattice.
+///
+/// The 12 component of the anisotropy of a quantity q(n) that depends on direction is the integral
+/// of q(n) n1 n2 over the sphere, divided by 4 pi and the mean <q> (Badetti et al. (2018),
+/// eq:deffl12). The component is computed from a least-squares fit of spherical harmonics of order
+/// 0 and 2 to the q of all pairs.
+/// @param near pairs of the narrow neighbour list, which contains all contacts
 /// @param distant other pairs that a bridge may join
 /// Source: Steinhardt, Nelson, Ronchetti, Phys. Rev. B 28 (1983) 784.
 Structure structure_of(const Grains& grains, const Cell& cell, const Pairs& near,
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges,
                        const GrainEffects& effects = {});
 
-/// Mean volume of the liquid bridges of a sample divided by the mean volume V0 of newly formed
-/// bridges [1]; 1 if all bridges have the volume V0, or if the sample has no bridges.
+/// Returns the mean volume of the liquid bridges of a sample divided by the mean volume V0 of newly
+/// formed bridges [1]. The result is 1 if all bridges have the volume V0, or if the sample has no
+/// bridges.
 double mean_bridge_volume(const PairList& pairs, const GrainEffects& effects);
 
 }  // namespace pendular::dem

@@ -4,7 +4,7 @@
 
 namespace pendular::dem {
 
-/// Averages of a run over one block, a shear strain of about 0.02, in single precision. Stresses
+/// Averages of a run over one block (a shear strain of about 0.02), in single precision. Stresses
 /// are divided by the imposed normal stress [1].
 struct TraceBlock {
     float strain = 0;  ///< shear strain of this block of the run [1]
@@ -20,7 +20,8 @@ struct TraceBlock {
     }
 };
 
-/// Time series of a run: averages over successive blocks, each a shear strain of about 0.02.
+/// Time series of a run: averages over successive blocks. Each block is a shear strain of about
+/// 0.02.
 using Trace = std::vector<TraceBlock>;
 
 }  // namespace pendular::dem

@@ -4,8 +4,8 @@
 
 namespace pendular::dem {
 
-/// Vector of three components in a vector register of four lanes; the fourth lane is unused.
-/// Operators work lane by lane, so that every instruction set gives the same bits.
+/// Vector of three components in a vector register of four lanes. The fourth lane is unused.
+/// Operators work lane by lane, so that every instruction set gives identical bits.
 struct alignas(32) Vector {
     using Lanes = double __attribute__((vector_size(32)));
     Lanes lanes{};
@@ -15,8 +15,8 @@ struct alignas(32) Vector {
     constexpr explicit Vector(Lanes all) : lanes(all) {}
 
     double operator[](std::size_t k) const { return lanes[k]; }
-    /// Writable reference to component k, from 0. Its use moves the vector from its register to
-    /// memory; an assignment to `lanes` does not.
+    /// Returns a writable reference to component k, from 0. This operator moves the vector from its
+    /// register to memory; an assignment to `lanes` does not.
     double& operator[](std::size_t k) { return reinterpret_cast<double*>(&lanes)[k]; }
 
     Vector& operator+=(const Vector& other) {
@@ -31,7 +31,7 @@ struct alignas(32) Vector {
     friend Vector operator-(const Vector& a, const Vector& b) { return Vector(a.lanes - b.lanes); }
     friend Vector operator-(const Vector& a) { return Vector(-a.lanes); }
     friend Vector operator*(double factor, const Vector& a) { return Vector(factor * a.lanes); }
-    /// Product of the two vectors component by component.
+    /// Returns the product of two vectors, component by component.
     friend Vector operator*(const Vector& a, const Vector& b) { return Vector(a.lanes * b.lanes); }
     friend bool operator==(const Vector& a, const Vector& b) {
         return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
