@@ -10,70 +10,77 @@
 
 namespace pendular {
 
-/// Fitted parameter of one model in a ladder (the sequence of a study's models): name, unit, value
-/// and standard error.
+/// Fitted parameter of one model in a ladder (the sequence of a study's models), with its standard
+/// error.
 struct LadderParameter {
     std::string name, unit;
-    double value = 0, standard_error = 0;  ///< fitted value and its standard error [unit]
+    /// Fitted value of the parameter, and standard error of the value [unit].
+    double value = 0, standard_error = 0;
 };
 
-/// One step of a ladder (the sequence of a study's models): the model after one effect was added or
-/// dropped, with its fitted parameters and its misfit.
+/// Step of a ladder (the sequence of a study's models): one fitted model with its effects,
+/// parameters and misfit. In a step that adds or drops an effect, the model differs from the model
+/// before by that effect alone.
 struct LadderStep {
-    /// Number of the step in the ladder, from 0.
+    /// Number of the step in the ladder (the sequence of a study's models), counted from 0.
     int step = 0;
-    /// Kind of the step in the ladder: "start", "add" or "drop" of an effect.
+    /// Kind of the step as a word. "add" or "drop": the model has one effect more or fewer than the
+    /// model before. "start": the model begins a new sequence.
     std::string change = "start";
-    /// Name of the effect that was added or dropped in this step; empty for "start".
+    /// Name of the effect by which the model of this step differs from the model before. Empty if
+    /// `change` is "start".
     std::string effect = {};
-    /// Names of all effects of the model after this step.
+    /// Names of all effects that the model of this step contains.
     std::vector<std::string> effects;
-    /// Alternatives to the added effect: sets of effects each of which explained the readings
-    /// equally well, instead of the added effect, when that effect was added.
+    /// Alternatives to the effect that this step added, as sets of names of effects. Each set
+    /// explained the readings as well as the added effect at the time of the addition.
     std::vector<std::vector<std::string>> rivals = {};
-    /// Fitted parameters of the model of this step, friction first.
+    /// Fitted parameters of the model of this step. The first parameter is the friction
+    /// coefficient.
     std::vector<LadderParameter> parameters;
-    /// chi2 of the model of this step for all readings (fitted or only predicted) and direct
-    /// measurements.
+    /// chi2 [1] of all readings, fitted or only predicted, and all direct measurements in the model
+    /// of this step.
     double chi2 = 0;
-    /// Degrees of freedom of `chi2`: measured values minus fitted values.
+    /// Degrees of freedom of `chi2`: number of measured values minus number of fitted values.
     int dof = 0;
-    /// RMS errors of the predicted (shear stress, solid fraction) over all readings [%]: 100
-    /// sqrt(mean((predicted/measured - 1)^2)).
+    /// Relative RMS errors of the predictions for all readings [%]: first that of the shear stress,
+    /// second that of the solid fraction. Each is 100 sqrt(mean((predicted/measured - 1)^2)).
     std::array<double, 2> rms_percent{};
-    /// RMS errors of (shear stress, solid fraction) in cross-validation [%], where each fitted
-    /// condition is predicted by a fit to the other conditions; empty if not computed.
+    /// Relative RMS errors of the predictions in cross-validation [%]: first that of the shear
+    /// stress, second that of the solid fraction. Cross-validation predicts the readings of each
+    /// fitted condition by a fit to the other conditions. Empty if no cross-validation was made.
     std::optional<std::array<double, 2>> left_out_percent;
 
     double chi2_per_dof() const { return chi2 / dof; }
-    /// Returns the fitted parameter with this name; null if the model has no parameter of this
-    /// name.
+    /// Returns the fitted parameter whose name is `name`. Null if the model has no parameter of
+    /// that name.
     const LadderParameter* find(const std::string& name) const;
 };
 
-/// Sequence of a study's models (ladder) in the order of time, each with one effect more or fewer
-/// than the model before. The first step has `change` "start". A later step with "start" begins a
-/// new sequence, since its model differs from the model before by more than one added or dropped
-/// effect.
+/// Ladder: sequence of a study's fitted models in the order of time. A step whose `change` is "add"
+/// or "drop" has one effect more or fewer than the step before. The first step has `change`
+/// "start". A later step with "start" begins a new sequence, since effects, degrees of freedom or
+/// chi2 of the study's model had changed in another way since the step before.
 using Ladder = std::vector<LadderStep>;
 
-/// Returns the ladder step that describes the model of a finished calibration, with `change`
-/// "start".
-/// @param comparison comparison of the calibration's model with the readings
-/// @param left_out cross-validation errors of the calibration, if they were computed
+/// Returns the step of a ladder (the sequence of a study's models) that describes the model of a
+/// finished calibration. The step has `change` "start".
+/// @param comparison comparison of the readings with the predictions of the calibration's model
+/// @param left_out cross-validation errors of the calibration's model, if they were computed
 LadderStep ladder_step_of(const Calibration& calibration, const Comparison& comparison,
                           const std::optional<LeftOut>& left_out);
 
-/// Appends a step to a ladder (the sequence of a study's models): `after`, the model after an
-/// effect was added or dropped. If the last step of the ladder does not describe `before`, the
-/// model before this change, `before` is appended first, with `change` "start". The last step
-/// describes `before` if effects and degrees of freedom are equal and chi2 differs by at most 5 %
-/// of chi2 + dof, as new runs may cause. The appended steps are numbered.
+/// Appends the model `after` to a ladder (the sequence of a study's models). `after` is the model
+/// after an effect was added or dropped, and `before` is the model before this change. If the last
+/// step of the ladder does not describe `before`, the function first appends `before` with `change`
+/// "start". The last step describes `before` if both have the same effects and degrees of freedom,
+/// and if chi2 differs by at most 5 % of chi2 + dof, as new simulation runs may cause. The appended
+/// steps are numbered.
 void add_step(Ladder& ladder, LadderStep before, LadderStep after);
 
-/// Whether chance can explain the reduction of chi2 from one ladder step (model of a study) to
-/// another, by a likelihood ratio test at 5 % significance. The number of additional parameters
-/// counts as at least one, since an effect that is a switch (on or off) has none.
+/// Whether chance can explain the reduction of chi2 from the model `from` to the model `to` of a
+/// study, by a likelihood ratio test at 5 % significance. The number of additional parameters
+/// counts as at least one, since an effect that is a switch (on or off) adds no parameter.
 bool fell_by_chance(const LadderStep& from, const LadderStep& to);
 
 }  // namespace pendular

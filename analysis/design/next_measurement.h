@@ -10,104 +10,115 @@
 
 namespace pendular {
 
-/// Returns the measurements that a rig (the user's instrument) can make: a grid of conditions for
-/// readings of steady shear, followed by the rig's direct measurements. The grid combines normal
-/// stresses and shear rates (or inertial numbers), evenly spaced in the logarithm, with every
-/// liquid content, every filling (volume of beads in the cell) and every waiting time.
+/// Returns the measurements that a rig (the user's instrument) can make: first readings of steady
+/// shear at a grid of conditions, then the direct measurements of the rig. The grid combines each
+/// normal stress and each shear rate (or inertial number) with every liquid content, every filling
+/// (volume of beads in the cell) and every waiting time. Normal stresses and shear rates are evenly
+/// spaced in the logarithm.
 /// @param time time of the study's last reading [s], at which the waiting times begin
 /// @throws InputError if a direct measurement names an effect that is unknown, has no parameter or
-///         does not apply to the study, or if it has a wrong unit
+///         does not apply to the study, or if the direct measurement has a wrong unit
 std::vector<Point> points_of(const Rig& rig, const ResolvedStudy& study, double time);
 
 /// Returns the rig (possible measurements of an instrument) of a study whose study.toml has no
-/// table [rig]. It has the ranges of normal stress and inertial number, and the liquid contents, of
-/// `readings`. The range of inertial numbers begins at 1e-3 if a reading has inertial number 0.
+/// table [rig]. The ranges of normal stress and inertial number, and the liquid contents, are those
+/// of `readings`. The range of inertial numbers begins at 1e-3 if a reading has the inertial number
+/// 0.
 Rig rig_of(const std::vector<Reading>& readings);
 
-/// Typical relative standard errors of the shear stress and the solid fraction of one reading [1],
-/// in this order: root mean square over `readings` of standard error divided by measured value.
+/// Returns typical relative standard errors of one reading [1]: first that of the shear stress,
+/// second that of the solid fraction. Each is the root mean square, over `readings`, of the
+/// standard error divided by the measured value.
 Eigen::Vector2d relative_errors(const std::vector<Reading>& readings);
 
-/// Expected result of readings at one point (possible next measurement) that are made to find out
-/// which of several rival models is right.
+/// Readings at one point (possible next measurement) that are made to find out which of several
+/// rival models is right, with the expected result.
 struct Plan {
-    std::size_t point = 0;  ///< index into the list of points that were compared
-    /// For each rival model, its prediction for a measurement at the point, with errors, in the
-    /// order of the list of rivals.
+    std::size_t point = 0;  ///< index of the point in the list of points that were compared
+    /// Prediction of each rival model for a measurement at the point, with its errors, in the order
+    /// of the list of rival models.
     std::vector<Forecast> forecasts;
-    /// Covariance of the errors of one measurement at the point: of shear stress [Pa] and solid
-    /// fraction [1], or variance of the one value of a direct measurement.
+    /// Covariance of the errors of one measurement at the point. A reading has a 2 x 2 matrix,
+    /// first for the shear stress [Pa] and second for the solid fraction [1]. A direct measurement
+    /// has the variance of its one value.
     Eigen::MatrixXd noise;
-    /// Number of readings to make at the point. It is the smallest number that separates (tells
-    /// apart) as many pairs of rival models as the largest number allowed; 0: not even the largest
-    /// number separates a pair.
+    /// Number of readings to make at the point: the smallest number that tells as many pairs of
+    /// rival models apart as the largest number allowed. 0 if not even the largest number allowed
+    /// tells a pair apart.
     int repeats = 0;
-    /// Pairs of rival models, as indices into the list of rivals, that `repeats` readings tell
-    /// apart: with a probability of 0.8, a test at 5 % significance distinguishes both models.
+    /// Pairs of rival models that `repeats` readings tell apart, as indices into the list of rival
+    /// models. A test at 5 % significance tells both models of a pair apart with a probability of
+    /// at least 0.8.
     std::vector<std::pair<std::size_t, std::size_t>> separated;
-    /// Criterion T of Buzzi-Ferraris and Forzatti (see `separating_plans`) for telling rival models
-    /// apart, summed over all pairs of rivals, at the largest number of readings allowed [1].
+    /// Criterion T of Buzzi-Ferraris and Forzatti for telling rival models apart [1], summed over
+    /// all pairs of rival models, at the largest number of readings allowed (see
+    /// `separating_plans`).
     double separation = 0;
-    /// Noncentrality of the chi2 test that tells two rival models apart, D' S_1^-1 D (see
-    /// `separating_plans`), summed over all pairs of rivals, at the largest number of readings
-    /// allowed [1].
+    /// Noncentrality D' S_1^-1 D of the chi2 test that tells two rival models apart [1], summed
+    /// over all pairs of rival models, at the largest number of readings allowed (see
+    /// `separating_plans`).
     double noncentrality = 0;
-    /// Cost of `repeats` readings at the point (of one reading if `repeats` is 0), with filling and
-    /// waiting [cost of a dry reading].
+    /// Cost of `repeats` readings at the point, including refilling of the cell and waiting time
+    /// [cost of a dry reading]. If `repeats` is 0, the cost of one reading.
     double cost = 0;
 };
 
 /// Returns a plan for each of `points` (possible measurements), sorted by how well readings at the
-/// point tell rival models apart: plans that separate more pairs of rivals first, then cheaper
-/// plans, then plans of larger criterion T. For n readings at a point and rivals i and j,
+/// point tell rival models apart. Plans that tell more pairs of models apart come first, then
+/// cheaper plans, then plans of larger criterion T. For n readings at a point and the rival models
+/// i and j,
 ///     T = D' S^-1 D + tr(2 V S^-1)/n,   D = f_i - f_j,
 ///     S = 2 V/n + J_i C_i J_i' + J_j C_j J_j' + 2 C_f,
-/// with the predicted values f, their derivatives J with respect to the parameters, the covariance
-/// C of the parameters, the covariance V of one reading and the covariance C_f of the simulation's
-/// errors, which both rivals share. A pair is separated if D' S_1^-1 D reaches
-/// `telling_noncentrality`, or `telling_directly` for a direct measurement. S_1 contains V/n and
-/// C_f once instead of twice, since both rivals are compared with one measurement.
-/// @param relative_noise relative standard errors of the shear stress and the solid fraction of one
-///        reading, in this order [1]
+/// with the predicted values f, the derivatives J of the predicted values with respect to the
+/// parameters, the covariance C of the parameters, the covariance V of one reading and the
+/// covariance C_f of the simulation's errors, averaged over both models. A pair is told apart if D'
+/// S_1^-1 D is at least `telling_noncentrality`, or `telling_directly` for a direct measurement.
+/// S_1 contains V/n and C_f once instead of twice, since both models are compared with one
+/// measurement.
+/// @param relative_noise relative standard errors of one reading [1]: first that of the shear
+///        stress, second that of the solid fraction
 /// @param most_repeats largest number of readings at one point
 /// Source: Buzzi-Ferraris and Forzatti, Chem. Eng. Sci. 38 (1983) 225.
 std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
                                    const std::vector<Point>& points,
                                    const Eigen::Vector2d& relative_noise, int most_repeats);
 
-/// Returns the readings to make next in order to tell rival models apart. These are the readings of
-/// the first of `plans` or, if it separates more pairs of rivals, a series of readings at several
-/// points (`separating_series`).
-/// @param plans plans for `points` as `separating_plans` sorts them, at least one
-/// @param relative_noise relative standard errors of the shear stress and the solid fraction of one
-///        reading, in this order [1]
+/// Returns the readings to make next in order to tell rival models apart. The readings are those of
+/// the first of `plans`. If a series of readings at several points (`separating_series`) tells more
+/// pairs of models apart, the readings are those of that series.
+/// @param plans plans for `points` as `separating_plans` sorts the plans, at least one
+/// @param relative_noise relative standard errors of one reading [1]: first that of the shear
+///        stress, second that of the solid fraction
 /// @param rig instrument, which limits the number of readings at one point and in total
 Series next_series(const std::vector<Plan>& plans, const std::vector<Rival>& rivals,
                    const std::vector<Point>& points, const Eigen::Vector2d& relative_noise,
                    const Rig& rig);
 
-/// Expected standard errors of a model's fitted parameters after further readings at one point.
+/// Expected standard errors of a model's fitted parameters after further readings at one point
+/// (possible next measurement).
 struct Sharpening {
-    std::size_t point = 0;  ///< index into the list of points that were compared
-    /// Values that the model predicts for a measurement at the point, with their errors.
+    std::size_t point = 0;  ///< index of the point in the list of points that were compared
+    /// Values that the model predicts for a measurement at the point, with the errors of the
+    /// values.
     Forecast forecast;
     /// Standard errors of the model's parameters that are expected after the readings at the point,
     /// in the order and units of the parameters.
     Eigen::VectorXd standard_errors;
-    /// Gain in precision: sum over the parameters of ln(standard error before/after the readings),
-    /// divided by the cost of the readings [1/cost of a dry reading].
+    /// Gain in precision for the cost [1/cost of a dry reading]: sum over the parameters of
+    /// ln(standard error before the readings/standard error after the readings), divided by the
+    /// cost of the readings.
     double gain = 0;
 };
 
-/// Returns how precisely the parameters of `model` are expected to be known after `repeats` further
-/// readings, for each of `points` (possible measurements), sorted by `Sharpening::gain`, the
-/// largest first. The covariance C of the parameters becomes
+/// Returns, for each of `points` (possible measurements), the standard errors that the parameters
+/// of `model` are expected to have after `repeats` further readings. The results are sorted by
+/// `Sharpening::gain`, the largest first. The covariance C of the parameters becomes
 ///     C' = (C^-1 + J' (V/n + C_f)^-1 J)^-1
 /// with the number n of readings, the covariance V of one reading, the covariance C_f of the
 /// simulation's errors and the derivatives J of the predicted values with respect to the
 /// parameters.
-/// @param relative_noise relative standard errors of the shear stress and the solid fraction of one
-///        reading, in this order [1]
+/// @param relative_noise relative standard errors of one reading [1]: first that of the shear
+///        stress, second that of the solid fraction
 std::vector<Sharpening> sharpening_plans(const Rival& model, const std::vector<Point>& points,
                                          const Eigen::Vector2d& relative_noise, int repeats);
 

@@ -10,57 +10,61 @@
 
 namespace pendular {
 
-/// Name of the rival model that adds no effect to the study's model.
+/// Name of the rival model that is the study's model without an additional effect.
 inline constexpr const char* present_model = "the model as it is";
 
-/// Rival model: one of several models of a study among which measurements are to decide, with its
-/// fitted parameters.
+/// Rival model: one of several fitted models of a study that measurements are to tell apart.
 struct Rival {
-    /// Name of the rival model: the effects that it adds to the study's model or, if it adds none,
-    /// "the model as it is".
+    /// Name of the rival model: names of the effects that the model adds to the study's model, or
+    /// `present_model` if the model adds no effect.
     std::string name;
-    /// The rival model itself, as a predictor of readings.
+    /// Rival model, as a predictor of readings at any values of its parameters.
     std::shared_ptr<const Predictor> model;
-    /// Fitted parameters of the rival model, in the order of `model->parameters()`.
+    /// Fitted values of the rival model's parameters, in the order and units of
+    /// `model->parameters()`.
     Eigen::VectorXd parameters;
-    /// Covariance of the errors of the rival model's fitted `parameters`.
+    /// Covariance of the errors of the fitted `parameters`, in products of the units of the
+    /// parameters.
     Eigen::MatrixXd covariance;
 };
 
-/// Possible next measurement with its cost: a reading of steady shear at a condition, or a direct
-/// measurement of one parameter without shearing grains. The unit of costs is the cost of one dry
-/// reading.
+/// Possible next measurement with its cost. A point is either a reading of steady shear at one
+/// condition or a direct measurement of one parameter without shearing grains. The unit of costs is
+/// the cost of one dry reading.
 struct Point {
-    Condition condition = {};  ///< condition of the reading; unused if `direct` is given
-    /// Direct measurement of a parameter, without shearing grains; empty: the point is a reading of
-    /// steady shear.
+    /// Condition of the reading. Unused if `direct` has a value.
+    Condition condition = {};
+    /// Direct measurement of a parameter without shearing grains. Empty if the point is a reading
+    /// of steady shear.
     std::optional<DirectMeasurement> direct = {};
-    /// Cost of refilling the cell before the first reading at the point, if the point has another
-    /// filling than the study [cost of a dry reading].
+    /// Cost of refilling the cell before the first reading at the point [cost of a dry reading]. 0
+    /// if the volume of beads at the point is that of the study.
     double first_cost = 0;
-    /// Waiting time between the study's last reading and the measurement at the point [s].
+    /// Waiting time from the study's last reading to the measurement at the point [s].
     double wait = 0;
-    /// Cost of the waiting time before the measurement [cost of a dry reading].
+    /// Cost of the waiting time `wait` before the measurement [cost of a dry reading].
     double wait_cost = 0;
     double cost = 1;  ///< cost of each reading at the point [cost of a dry reading]
 };
 
-/// Prediction of a rival model at one point with its errors: (shear stress [Pa], solid fraction
-/// [1]) or, for a direct measurement, the value of the measured parameter [its unit].
+/// Prediction of a rival model (one of several models to be told apart) for the measurement at one
+/// point, with its errors.
 struct Forecast {
-    /// Values that the rival model predicts at the point: shear stress [Pa] and solid fraction [1],
-    /// or the one value of a direct measurement [its unit].
+    /// Values that the rival model predicts at the point. A reading has two values, first the shear
+    /// stress [Pa] and second the solid fraction [1]. A direct measurement has the value of the
+    /// measured parameter [its unit].
     Eigen::VectorXd value;
-    /// Covariance of the errors of `value` that come from errors of the rival's fitted parameters.
+    /// Covariance of the errors of `value` that come from errors of the rival model's fitted
+    /// parameters.
     Eigen::MatrixXd from_parameters;
     /// Covariance of the errors of `value` that come from errors of the simulation.
     Eigen::MatrixXd from_simulation;
 };
 
-/// Smallest noncentrality of chi2 [1] at which a test at 5 % significance tells two rival models
-/// apart with a probability of 0.8: for the two observables of a reading (`telling_noncentrality`,
-/// also used for several points together), and for the single number of a direct measurement
-/// (`telling_directly`).
+/// Smallest noncentrality of the chi2 distribution [1] at which a test at 5 % significance tells
+/// two rival models apart with a probability of 0.8. `telling_noncentrality` holds for the two
+/// observables of a reading, and is also used for several points together. `telling_directly` holds
+/// for the one value of a direct measurement.
 inline constexpr double telling_noncentrality = 9.63, telling_directly = 7.85;
 
 }  // namespace pendular

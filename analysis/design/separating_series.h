@@ -7,39 +7,44 @@
 
 namespace pendular {
 
-/// Series of readings at one or several points that together tell rival models apart.
+/// Series of readings at one or several points (possible measurements) that together tell rival
+/// models of a study apart.
 struct Series {
-    /// Part of the series: readings at one point.
+    /// Readings of a series that are made at one point (possible measurement).
     struct Step {
-        /// Point of the readings, as index into the list of points given to the search.
+        /// Index of the point in the list of points that was given to the search.
         std::size_t point = 0;
         /// Number of readings to make at the point.
         int readings = 0;
     };
-    /// Readings at each point, in increasing order of the waiting times of the points; empty if
-    /// even the largest number of readings allowed tells no pair of rival models apart.
+    /// Readings at each point of the series, in the order of increasing waiting time. Empty if even
+    /// the largest number of readings allowed tells no pair of rival models apart.
     std::vector<Step> steps;
-    /// Pairs of rival models, as indices into the list of rivals, that the series tells apart: with
-    /// a probability of 0.8, a test at 5 % significance distinguishes both models.
+    /// Pairs of rival models that the series tells apart, as indices into the list of rival models.
+    /// A test at 5 % significance tells both models of a pair apart with a probability of at least
+    /// 0.8.
     std::vector<std::pair<std::size_t, std::size_t>> separated;
-    /// Cost of all readings of the series, with fillings and waiting [cost of a dry reading].
+    /// Cost of all readings of the series, including refilling of the cell and waiting time [cost
+    /// of a dry reading].
     double cost = 0;
 
-    /// Total number of readings of the series, at all points.
+    /// Returns the total number of readings of the series, at all points.
     int readings() const;
 };
 
-/// Returns a cheap series of readings that separates (tells apart) as many pairs of rival models as
-/// a greedy search finds. Rivals i and j are separated if D' S^-1 D for all points of the series
-/// together reaches `telling_noncentrality`, with the difference D of their predictions and
+/// Returns a cheap series of readings that tells as many pairs of rival models apart as a greedy
+/// search finds. The models i and j are told apart if D' S^-1 D, for all points of the series
+/// together, is at least `telling_noncentrality`. D is the difference between the predictions of
+/// both models, and
 ///     S = V/n + J_i C_i J_i' + J_j C_j J_j' + C_f,
-/// V/n: covariance of n readings; J: derivatives of the predictions with respect to the parameters;
-/// C: covariance of the parameters; C_f: covariance of the simulation's errors. S contains the
-/// errors that points share, so that a second point with the same error adds little. The search
-/// adds one reading at a time, at the point where the reading increases D' S^-1 D of the pairs not
-/// yet separated most for its cost. Finally it removes readings that turned out to be unnecessary.
-/// @param relative_noise relative standard errors of the shear stress and the solid fraction of one
-///        reading, in this order [1]
+/// with the covariance V/n of n readings, the derivatives J of the predictions with respect to the
+/// parameters, the covariance C of the parameters, and the covariance C_f of the simulation's
+/// errors, averaged over both models. S contains the errors that points share, so that a second
+/// point with the same error adds little. The search adds one reading at a time. Each reading is
+/// added at the point where it most increases, for its cost, D' S^-1 D of the pairs not yet told
+/// apart. Finally the search removes readings that turned out to be unnecessary.
+/// @param relative_noise relative standard errors of one reading [1]: first that of the shear
+///        stress, second that of the solid fraction
 /// @param most_repeats largest number of readings at one point
 /// @param most_readings largest number of readings in total
 Series separating_series(const std::vector<Rival>& rivals, const std::vector<Point>& points,

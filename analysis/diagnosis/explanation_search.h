@@ -8,46 +8,48 @@
 
 namespace pendular {
 
-/// Fitted model of a study with its score tests (tests without a refit) for every candidate (effect
-/// not in the model) and every suspect measurement (part of the measurement that may be wrong). The
-/// lists are in the order of the candidates or of the suspect measurements.
+/// Fitted model of a study, with the score tests (tests without a refit) of every candidate effect
+/// (not in the model) and every suspect measurement (part of the measurement that may be wrong).
+/// Each list is in the order of the candidate effects or of the suspect measurements.
 struct Scanned {
     /// The study's model without further effects, fitted to the readings and tested.
     const Explanation& base;
-    /// Whitened residuals (in units of their errors) of the model `base`.
+    /// Whitened residuals (in units of their errors) of the readings from the model `base`.
     const WeightedResiduals& residuals;
-    /// For each candidate effect (not in the model), the predictions of `base` with this effect
-    /// added.
+    /// Predictions of `base` with one effect added, for each candidate effect (not in the model).
     const std::vector<Addition>& additions;
-    /// For each candidate effect (not in the model), how it changes the readings per unit of its
-    /// amplitude.
+    /// Change of the readings by an effect per unit of the effect's amplitude, for each candidate
+    /// effect (not in the model).
     const std::vector<Signature>& signatures;
-    const std::vector<Finding>& findings;         ///< result of each candidate's score test
+    const std::vector<Finding>& findings;  ///< result of the score test of each candidate effect
     const std::vector<ScoreTest>& suspect_tests;  ///< score test of each suspect measurement
 };
 
-/// Refitted models that were tried to explain the residuals of a study's model.
+/// Models that a diagnosis refitted in order to explain the residuals of a study's model.
 struct Found {
-    /// All models that were refitted to explain the residuals, whether they fit or not.
+    /// All models that were refitted to explain the residuals, whether the models fit the readings
+    /// or not.
     std::vector<Explanation> tried;
-    /// Models with further effects that fit the readings: one effect each or, if no single effect
-    /// or suspect measurement suffices, pairs of effects.
+    /// Refitted models with further effects that fit the readings. Each model has one further
+    /// effect. If no single effect or suspect measurement suffices, each model has a pair of
+    /// further effects.
     std::vector<Explanation> fitting;
-    /// Models without further effects that fit the readings once an error of one suspect
-    /// measurement is fitted too.
+    /// Refitted models without further effects that fit the readings once an error of one suspect
+    /// measurement (part of the measurement that may be wrong) is fitted too.
     std::vector<Explanation> fitting_suspects;
 };
 
-/// Whether the score test of a candidate effect (not in the model) is significant enough to refit
-/// the model with the effect: the p value of this test alone is below 0.05.
+/// Whether the score test (test without a refit) of an effect is significant enough for a refit of
+/// the model with the effect: the p value of the score test alone is below 0.05.
 bool looks_missing(const Finding& finding);
 
-/// Refits a study's model with each candidate (effect not in the model) that looks missing, and
-/// with each significant suspect measurement (part of the measurement that may be wrong). If none
-/// of these models fits, refits it with pairs of candidates. Returns all refitted models and those
+/// Refits a study's model with each candidate effect (not in the model) whose score test (test
+/// without a refit) is significant, and with an error of each significant suspect measurement (part
+/// of the measurement that may be wrong). If no refitted model fits the readings, the function also
+/// refits the model with pairs of candidate effects. Returns all refitted models and the models
 /// that fit. Refits run in parallel on up to `options.threads` threads. A model is not refitted if
-/// its predicted reduction of chi2 is clearly below that of a model already rejected.
-/// @param scanned the fitted model without further effects, with its score tests
+/// the predicted reduction of chi2 is clearly below that of a model already rejected.
+/// @param scanned fitted model without further effects, with its score tests
 Found search_explanations(const ModelSpace& space, const Evidence& evidence,
                           const DiagnosisOptions& options, const Explanations& explanations,
                           const Scanned& scanned);

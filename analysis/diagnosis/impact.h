@@ -9,23 +9,23 @@
 namespace pendular {
 
 /// Shift of the calibrated parameters [their units] when the model takes into account an effect, or
-/// an error of measurement, of one size.
+/// an error of measurement, of a given size.
 struct Shift {
     /// Size of the effect or error: value of the effect's parameter [its unit], or amplitude of the
     /// error of measurement [1].
     double size = 0;
-    /// Shift of the calibrated parameters in the linear approximation:
+    /// Shift of the calibrated parameters [their units] in the linear approximation:
     ///     -(J'J)^-1 J' g A,
     /// with the derivatives J of the predictions with respect to the parameters and the change g of
-    /// the readings per unit of the amplitude, both whitened (in units of the readings' errors),
+    /// the readings per unit of the amplitude, both in units of the readings' errors (whitened),
     /// and the amplitude A at `size`.
     Eigen::VectorXd linear;
-    /// Shift of the calibrated parameters after a refit with the effect fixed at `size`; empty: the
-    /// model was not refitted.
+    /// Shift of the calibrated parameters [their units] after a refit with the effect or error
+    /// fixed at `size`. Empty if the model was not refitted.
     Eigen::VectorXd refitted;
 
-    /// Returns the shift of the calibrated parameters after a refit or, if the model was not
-    /// refitted, in the linear approximation.
+    /// Returns the shift of the calibrated parameters [their units] after a refit or, if the model
+    /// was not refitted, in the linear approximation.
     const Eigen::VectorXd& best() const { return refitted.size() > 0 ? refitted : linear; }
 };
 
@@ -37,42 +37,45 @@ struct Impact {
     std::string name;
     /// Name of the effect's parameter, or of the measured quantity that is in error.
     std::string quantity;
-    /// Unit of all sizes of the effect or error; "1" for relative sizes and sizes without a
+    /// Unit of all sizes of the effect or error. "1" for relative sizes and sizes without a
     /// dimension.
     std::string unit;
-    /// Group of effects or errors in the table of impacts, as in "instrument" or "files".
+    /// Group to which the effect or error belongs in the table of impacts, as in "instrument" or
+    /// "files".
     std::string group;
-    /// True for an error of measurement, false for a physical effect.
+    /// Whether the impact is that of an error of measurement, not of a physical effect.
     bool measurement = false;
-    /// Index of the effect into ModelSpace::candidates(), or of the error of measurement into
+    /// Index of the effect in ModelSpace::candidates(), or of the suspect measurement in
     /// Evidence::suspects.
     std::size_t index = 0;
-    /// For an error of measurement, its kind, as the index of a column of
-    /// SuspectMeasurement::columns.
+    /// Index of the column of SuspectMeasurement::columns that describes the error of measurement.
+    /// Unused for an effect.
     Eigen::Index column = 0;
-    /// Size at which the effect or error does not change the readings [unit].
+    /// Size at which the effect or error does not change the readings [`unit`].
     double neutral = 0;
-    /// Standard error of the estimated size of the effect or error [unit]; 0 if it is not known.
+    /// Standard error of the estimated size of the effect or error [`unit`]. 0 if the standard
+    /// error is not known.
     double error = 0;
 
     /// Shift of the calibrated parameters at the smallest size of interest of the effect or error.
     Shift at_interest;
     /// Shift of the calibrated parameters at the estimated size of the effect or error.
     Shift at_estimate;
-    /// Shifts of the calibrated parameters at the estimated size of the effect or error plus and
-    /// minus one standard error, within the bounds of the effect's parameter.
+    /// Shifts of the calibrated parameters at the estimated size of the effect or error plus one
+    /// standard error (`above`) and minus one standard error (`below`), within the bounds of the
+    /// effect's parameter.
     Shift above, below;
 
-    /// Significance of the effect or error [1]: distance of its estimated size from `neutral` (no
-    /// effect or error), divided by its standard error; not a number if the standard error is not
-    /// known.
+    /// Returns the significance of the effect or error [1]: distance of the estimated size from
+    /// `neutral` (no effect or error), divided by the standard error of the size. Not a number if
+    /// the standard error is not known.
     double pull() const;
-    /// Changes of the calibrated parameters [their units] when the size of the effect or error is
-    /// one standard error above (`up`) or below (`down`) its estimate.
+    /// Returns the changes of the calibrated parameters [their units] when the size of the effect
+    /// or error is one standard error above (`up`) or below (`down`) the estimate of the size.
     Eigen::VectorXd up() const { return difference(above); }
     Eigen::VectorXd down() const { return difference(below); }
-    /// For each calibrated parameter [its unit], the larger of the absolute values of `up` and
-    /// `down`: the shift by one standard error of the size of the effect or error.
+    /// Returns, for each calibrated parameter [its unit], the larger of the absolute values of `up`
+    /// and `down`: the change by one standard error of the size of the effect or error.
     Eigen::VectorXd by_error() const { return up().cwiseAbs().cwiseMax(down().cwiseAbs()); }
 
   private:
@@ -83,42 +86,44 @@ struct Impact {
     }
 };
 
-/// Impacts of all effects or errors of one group together. For each calibrated parameter, the
-/// shifts that the effects or errors cause, in the linear approximation, are added as the root of
-/// the sum of squares.
+/// Impact of all effects or errors of one group together on the calibrated parameters. For each
+/// parameter, the shifts that the effects or errors cause, in the linear approximation, are added
+/// as the root of the sum of squares.
 struct GroupImpact {
     std::string group;
     /// Shift of each calibrated parameter [its unit] by the group: at the smallest sizes of
-    /// interest (`at_interest`), at the estimated sizes (`at_estimate`), and when the sizes change
-    /// by one standard error (`by_error`).
+    /// interest of the effects or errors (`at_interest`), at the estimated sizes (`at_estimate`),
+    /// and when each size changes by one standard error (`by_error`).
     Eigen::VectorXd at_interest, at_estimate, by_error;
 };
 
 /// Impacts of all effects that a model may lack, and of all errors of measurement, on the
 /// calibrated parameters.
 struct ImpactTable {
-    std::vector<Parameter> parameters;  ///< calibrated parameters, friction first
+    /// Calibrated parameters; the first is the friction coefficient.
+    std::vector<Parameter> parameters;
     /// Fitted values of the calibrated parameters (`fitted`) and their standard errors (`errors`),
     /// in the order and units of `parameters`.
     Eigen::VectorXd fitted, errors;
-    /// Impacts of all effects and errors of measurement. The impacts of effects or suspect
-    /// measurements (parts of the measurement that may be wrong) that the verdict names come first,
-    /// then the others; both parts are sorted by the shift of the first parameter at the smallest
-    /// size of interest, the largest first.
+    /// Impacts of all effects and errors of measurement. The impacts of the effects or suspect
+    /// measurements (parts of the measurement that may be wrong) that the verdict of the diagnosis
+    /// names come first, then all other impacts. Both parts are sorted by the shift of the first
+    /// parameter at the smallest size of interest, the largest first.
     std::vector<Impact> impacts;
     /// Impacts of each group of effects or errors together.
     std::vector<GroupImpact> groups;
 };
 
-/// Computes the impacts of effects and errors of measurement on the fit of a diagnosis in the
-/// linear approximation. For the leading effects or errors, they are also computed by refits, at
-/// the estimated sizes and at the smallest sizes of interest. The leading ones are up to
-/// `most_refitted` effects or errors that the verdict names, which are also refitted at one
-/// standard error above and below their estimates, and the `most_refitted` others with the largest
-/// impacts. Sizes are estimated by refits of the diagnosis or, if it has no refit with the effect
-/// or error, by score tests. Effects with several free parameters are left out, and so are effects
-/// with which the model cannot give the conditions that the instrument shows.
-/// @param threads largest number of threads; no result depends on it
+/// Computes the impacts of effects and errors of measurement on the fit of a diagnosis, in the
+/// linear approximation. For the leading effects or errors, the function also computes the impacts
+/// by refits, at the estimated sizes and at the smallest sizes of interest. The leading effects or
+/// errors are the first in the returned table: up to `most_refitted` that the verdict names, and
+/// `most_refitted` further ones with the largest impacts. Effects or errors that the verdict names
+/// are also refitted at one standard error above and below the estimated size. Sizes of effects are
+/// estimated by the refits of the diagnosis or, without a refit, by score tests. Sizes of errors of
+/// measurement are estimated by score tests. Effects with several free parameters are left out, and
+/// so are effects with which the model cannot give the conditions that the instrument shows.
+/// @param threads largest number of threads; no result depends on the number
 ImpactTable impacts(const ModelSpace& space, const Evidence& evidence, const Diagnosis& diagnosis,
                     std::size_t most_refitted = 3, std::size_t threads = 1);
 

@@ -9,19 +9,19 @@
 
 namespace pendular {
 
-/// Model space (a bare model and its candidates, possible additions) whose predictions f are linear
-/// in all parameters theta and amplitudes A_k of candidates k:
-///     f = f_0 + J (theta - theta_0) + sum over the chosen candidates k of c_k A_k.
-/// The models are tangent to those of a diagnosis at one of its refitted models, which has the
-/// parameters theta_0. f_0 is the prediction of the bare model at theta_0, J its derivatives, and
-/// c_k the change of the predictions by candidate k at amplitude 1. The candidates are those of the
-/// original space with its bounds; their values are amplitudes, 0 without the effect and 1 at the
-/// smallest size of interest. A prediction takes microseconds. At the estimates of the refitted
-/// model, and of the refits with one effect, the predictions equal those of the refitted models.
+/// Set of models (a bare model and the models with candidate effects added) whose predictions f are
+/// linear in all parameters theta and in the amplitudes A_k of the candidate effects k:
+///     f = f_0 + J (theta - theta_0) + sum over the added effects k of c_k A_k.
+/// The models are tangent to the models of a diagnosis at one of its refitted models, which has the
+/// parameters theta_0. f_0 is the prediction of the bare model at theta_0, J contains the
+/// derivatives of f_0 with respect to theta, and c_k is the change of the predictions by effect k
+/// at amplitude 1. The candidate effects and their bounds are those of the original models. The
+/// values of their parameters are amplitudes: 0 without the effect, 1 at the smallest size of
+/// interest. A prediction takes microseconds. The predictions equal those of the original models at
+/// the estimates of the refitted model and of the refits with one effect.
 class LinearisedSpace : public ModelSpace {
   public:
-    /// Linearises the models of `space` about the refitted model `about`, one of the refitted
-    /// models of `diagnosis`.
+    /// Linearises the models of `space` about `about`, one of the models that `diagnosis` refitted.
     LinearisedSpace(const ModelSpace& space, const Diagnosis& diagnosis, const Explanation& about);
 
     const std::vector<Candidate>& candidates() const override { return candidates_; }
@@ -32,29 +32,31 @@ class LinearisedSpace : public ModelSpace {
   private:
     class Linear;
 
-    /// Adds the candidate (possible addition) with index `k` of `space`, and returns its amplitude
-    /// in `refit`.
-    /// @param refit refitted model with the candidate, at whose estimate the change of the readings
-    ///        is computed; null: at the smallest size of interest
+    /// Adds the candidate effect with index `k` of `space` to the candidates, and returns the
+    /// amplitude of the effect in `refit`.
+    /// @param refit refitted model with the effect, at whose estimate the change of the readings by
+    ///        the effect is computed; null: the change is computed at the smallest size of interest
     double add(const ModelSpace& space, std::size_t k, const Explanation* refit);
-    /// Returns a prediction that contains the covariances of the model with the effect set `chosen`
-    /// if the diagnosis has refitted this model, else those of the bare model.
+    /// Returns the prediction of the model with the effect set `chosen`, which contains the
+    /// covariances of its errors, if the diagnosis has refitted that model, else the prediction of
+    /// the bare model.
     const Prediction& errors_of(const EffectSet& chosen) const;
 
     std::vector<Parameter> parameters_;  ///< parameters of the bare model
     ParameterBounds bounds_;
-    /// Parameters theta_0 and predictions f_0 of the bare model at the point of linearisation.
+    /// Parameters theta_0 of the bare model at the point of linearisation, and predictions f_0 of
+    /// the bare model at theta_0.
     Eigen::VectorXd at_, value_;
     /// Derivatives J of the bare model's predictions with respect to its parameters: a row for each
     /// predicted value, a column for each parameter.
     Eigen::MatrixXd slopes_;
     std::vector<Candidate> candidates_;
-    /// For each candidate (possible addition), the change of the predictions at its smallest size
-    /// of interest (amplitude 1): a column for each parameter of the candidate.
+    /// Change of the predictions by each candidate effect at the smallest size of interest
+    /// (amplitude 1): a column for each parameter of the effect.
     std::vector<Eigen::MatrixXd> changes_;
     std::vector<ChangeErrors> change_errors_;
-    /// Refitted models that contain no error of measurement, the bare model first: effect set and
-    /// prediction, with its covariances, of each model.
+    /// Effect sets of the refitted models that contain no error of measurement, the bare model
+    /// first, each with the prediction of the model and the covariances of its errors.
     std::vector<std::pair<EffectSet, Prediction>> refitted_;
 };
 

@@ -10,7 +10,8 @@
 
 namespace pendular {
 
-/// Number of simulated repetitions of an experiment for which the diagnosis gives the same verdict.
+/// Counts of the simulated repetitions of an experiment for which a diagnosis gives the same
+/// verdict as for the readings.
 struct Repeated {
     /// Number of simulated repetitions for which the diagnosis gives the same verdict as for the
     /// readings.
@@ -19,35 +20,38 @@ struct Repeated {
     std::size_t of = 0;
 };
 
-/// Options of `repeat`, which repeats an experiment by simulation.
+/// Options of `repeat`, which simulates repetitions of an experiment and diagnoses each repetition.
 struct RepetitionOptions {
     /// Number of repetitions of the experiment to simulate.
     std::size_t count = 20;
     /// Number of random draws of errors from which the p values of each repetition follow. With
-    /// 2000 draws, a p value of 0.025 has a standard error of 0.0035; with fewer, the share of
-    /// equal verdicts depends on the seed.
+    /// 2000 draws, a p value of 0.025 has a standard error of 0.0035. With fewer draws, the share
+    /// of equal verdicts depends on the seed.
     Eigen::Index draws = 2000;
     /// Seed of the random errors of the simulated readings and of the random draws.
     std::uint64_t seed = 1;
-    /// Largest number of threads for the diagnoses of repetitions; no result depends on it.
+    /// Largest number of threads for the diagnoses of repetitions. No result depends on the number
+    /// of threads.
     std::size_t threads = 1;
-    /// Function that is called with the progress: `done` of `of` steps of the work that `what`
-    /// names are finished; may be empty, and may throw to end the work.
+    /// Function that is called with the progress of the diagnoses. The arguments say that `done` of
+    /// `of` steps of the work named `what` are finished. May be empty, and may throw to end the
+    /// work.
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
 };
 
-/// Whether the diagnosis of a repeated experiment, `repetition`, gives the same verdict as the
-/// first diagnosis, `verdict`. The verdicts `nothing_missing` and `inconclusive` count as the same:
-/// they differ in which effects would stay unseen, which depends on the plan of the experiment and
-/// not on its readings. Other verdicts must name the same effects and suspect measurements.
+/// Whether `repetition`, the diagnosis of a repeated experiment, gives the same verdict as the
+/// first diagnosis, `verdict`. The verdicts `nothing_missing` and `inconclusive` count as the same.
+/// They differ in the effects that would stay unseen, which depend on the plan of the experiment
+/// and not on its readings. Other verdicts must name the same effects and suspect measurements, and
+/// both diagnoses must agree on whether a model fits (`Diagnosis::complete`).
 bool comes_again(const Diagnosis& verdict, const Diagnosis& repetition);
 
-/// Repeats an experiment by simulation (parametric bootstrap) and counts how often the diagnosis
-/// gives the same verdict. The readings of a repetition are the predictions of an accepted
-/// explanation (model that fits the readings) at its estimates, plus new random errors; several
-/// accepted explanations take turns. Each repetition is diagnosed with linearised models
-/// (`LinearisedSpace`). The share of equal verdicts assumes that the estimates are the truth. Empty
-/// if the diagnosis accepted no explanation.
+/// Repeats an experiment by simulation (parametric bootstrap), and counts for how many repetitions
+/// the diagnosis gives the same verdict. The readings of a repetition are the predictions of a
+/// model that fits the readings, at the model's estimates, plus new random errors. Several models
+/// that fit take turns. Each repetition is diagnosed with linearised models (`LinearisedSpace`).
+/// The share of equal verdicts assumes that the estimates are the truth. Empty if no model fits the
+/// readings, or if `options.count` is 0.
 /// Source: Efron and Tibshirani (1993), An Introduction to the Bootstrap, section 6.5.
 std::optional<Repeated> repeat(const ModelSpace& space, const Evidence& evidence,
                                const Diagnosis& diagnosis, const RepetitionOptions& options = {});

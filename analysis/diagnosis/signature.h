@@ -8,52 +8,55 @@
 
 namespace pendular {
 
-/// Change of a model's predictions by one candidate (effect not in the model), divided by the
-/// candidate's amplitude. The amplitude is 0 without the effect. It is 1 if the effect's parameter
-/// differs from the neutral value (no effect) by the smallest amount of interest or, for a switch,
-/// if the effect is on. The amplitude is proportional to the parameter's distance from neutral, or
-/// to a function of the parameter that the effect declares, such as the square of an angle.
+/// Change of a model's predictions by one candidate effect (not in the model), divided by the
+/// amplitude of the effect. The amplitude is 0 without the effect. The amplitude is 1 if the
+/// effect's parameter differs from the neutral value (no effect) by the smallest amount of interest
+/// or, for a switch, if the effect is on. The amplitude is proportional to the distance of the
+/// parameter from the neutral value, or to a function of the parameter that the effect declares,
+/// such as the square of an angle.
 struct Signature {
-    /// Change of the predicted readings divided by the amplitude, in the units of the readings: a
-    /// row for each measured value, a column for each parameter of the candidate.
+    /// Change of the predicted readings divided by the amplitude of the effect, in the units of the
+    /// readings: a row for each measured value, a column for each parameter of the effect.
     Eigen::MatrixXd change;
-    /// Covariances of `change` from errors of the emulator, in the squared units of the readings;
-    /// empty unless they were requested.
+    /// Covariances of the errors of `change` that come from the emulator (which interpolates
+    /// simulations), in products of the units of the readings. Empty unless the covariances were
+    /// requested.
     ModelSpace::ChangeErrors errors;
     /// Whether the amplitude cannot be negative: the neutral value is a bound of the parameter, or
-    /// values above and below it change the readings in the same way.
+    /// values above and below the neutral value change the readings in the same way.
     bool one_sided = false;
-    /// Amplitude of the effect at which the change of the readings was computed [1].
+    /// Amplitude of the effect [1] at which `change` was computed.
     double taken_at = 1;
 };
 
-/// Predictions of a model to which one effect is added, as a function of the amplitude of this
+/// Predictions of a model to which one effect is added, as a function of the amplitude of the added
 /// effect.
 class Addition {
   public:
-    /// Adds the candidate `added` to the model with the candidates `chosen` (indices into
-    /// ModelSpace::candidates()).
-    /// @param parameters parameters of the model with the candidates `chosen`
-    /// @param values predictions of this model at `parameters`
+    /// Adds the effect `added` to the model with the effects `chosen`, both as indices into
+    /// ModelSpace::candidates().
+    /// @param parameters parameters of the model with the effects `chosen`
+    /// @param values predictions of the model with the effects `chosen` at `parameters`
     Addition(const ModelSpace& space, EffectSet chosen, std::size_t added,
              Eigen::VectorXd parameters, Eigen::VectorXd values);
 
     /// Returns the change of the predicted readings, per unit of amplitude, when the parameter of
-    /// the added effect moves from its neutral value (no effect) by the smallest amount of
+    /// the added effect moves from the neutral value (no effect) by the smallest amount of
     /// interest.
-    /// @param with_errors whether to compute the covariances of the change
+    /// @param with_errors whether to compute the covariances of the errors of the change
     Signature signature(bool with_errors) const;
-    /// Computes the change of the readings in `signature` again at another amplitude of the added
-    /// effect [1], limited to the bounds of its parameter. `signature` is unchanged if this
-    /// amplitude is zero, or if the model with it cannot give the conditions that the instrument
-    /// shows.
+    /// Computes the change of the readings in `signature` again at the amplitude `amplitude` of the
+    /// added effect [1], limited to the bounds of the effect's parameter. `signature` is unchanged
+    /// if the amplitude is zero, or if the model with the effect of that amplitude cannot give the
+    /// conditions that the instrument shows.
     void retake(Signature& signature, double amplitude) const;
 
     /// Returns the value of the added effect's parameter [its unit] at an amplitude [1], limited to
-    /// its bounds.
+    /// the bounds of the parameter.
     /// @param one_sided whether the amplitude cannot be negative (`Signature::one_sided`)
     double value_at(double amplitude, bool one_sided) const;
-    /// Returns the amplitude of the added effect [1] at a value of its parameter [its unit].
+    /// Returns the amplitude of the added effect [1] at a value of the effect's parameter [its
+    /// unit].
     /// @param one_sided whether the amplitude cannot be negative (`Signature::one_sided`)
     double amplitude_at(double value, bool one_sided) const;
 
@@ -61,15 +64,16 @@ class Addition {
 
   private:
     /// Returns the change of the predictions [units of the readings] from the model without the
-    /// added effect to that with its parameters at `values`; not a number if this model cannot give
-    /// the conditions that the instrument shows.
+    /// added effect to the model with the parameters of the effect at `values`. Not a number if the
+    /// model with the effect cannot give the conditions that the instrument shows.
     Eigen::VectorXd change_at(const Eigen::VectorXd& values) const;
-    /// Neutral values (no effect) of those parameters of the added effect that are not switches.
+    /// Returns the neutral values (no effect) of the parameters of the added effect that are not
+    /// switches.
     Eigen::VectorXd neutral() const;
-    /// Whether the added effect's parameter can also move in the other direction from its neutral
-    /// value and then changes the predictions by about the negative of `change`.
+    /// Whether the added effect's parameter can also move from the neutral value in the opposite
+    /// direction, and then changes the predictions by about the negative of `change`.
     bool mirrored(const Eigen::VectorXd& change) const;
-    /// Returns the direction, 1 or -1, in which parameter `p` can move from its neutral value by
+    /// Returns the direction, 1 or -1, in which parameter `p` can move from the neutral value by
     /// the smallest amount of interest without leaving its bounds.
     double direction(const EffectParameter& p) const;
 

@@ -8,21 +8,22 @@
 
 namespace pendular {
 
-/// Returns the readings of a study, followed by its direct measurements, as the input of a
-/// diagnosis. Errors of readings are estimated from replicates, separately for shear stress and
-/// solid fraction; errors of direct measurements are stated in the study. The suspect measurements
-/// are the readings of each condition and of each file, with a wrong factor on all their shear
-/// stresses and another on all their solid fractions, and the direct measurements of each
-/// parameter.
+/// Returns the readings of a study, followed by the study's direct measurements, as the input of a
+/// diagnosis (search for effects that the model lacks). Errors of readings are estimated from
+/// replicates (readings at the same condition), separately for shear stress and solid fraction.
+/// Errors of direct measurements are stated in the study. The suspect measurements (parts of the
+/// measurement that may be wrong) are the readings of each condition, the readings of each file,
+/// and the direct measurements of each parameter. An error of suspect readings is one factor on all
+/// their shear stresses and another factor on all their solid fractions.
 /// @param scatter scatter of the replicates
 Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                      const std::vector<DirectMeasurement>& direct = {});
 
 /// Returns the quantities along which residuals are checked: normal stress, inertial number, liquid
-/// content, height, time or run order, as far as they vary by more than 10 % between readings. Each
-/// quantity has a value for every entry (two observables of each reading, then the direct
-/// measurements). Differences of less than 10 % are scatter of set points or, for the height,
-/// follow from the solid fraction.
+/// content, height, and time or run order. A quantity is returned only if it varies by more than 10
+/// % between the readings. Smaller differences are scatter of set points or, for the height, follow
+/// from the solid fraction. Each quantity has a value for every entry. The entries are the two
+/// observables of each reading in turn, then the direct measurements.
 /// @param direct number of direct measurements, for which the value is "not a number"
 std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::size_t direct = 0);
 
@@ -33,7 +34,7 @@ std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::
 EntryKinds entries_of(const std::vector<Reading>& readings,
                       const std::vector<Parameter>& parameters, std::size_t direct = 0);
 
-/// Returns a text that describes a condition, as in "300 Pa, I 0.003, liquid content 0.03" (I:
+/// Returns a text that describes a condition, as in "300 Pa, I = 0.003, liquid content 0.03" (I:
 /// inertial number).
 std::string condition_text(const Condition& condition);
 

@@ -10,7 +10,7 @@
 
 namespace pendular {
 
-/// Group of readings that deviate together from the model: the readings of one condition or of one
+/// Group of readings that deviate together from a model: the readings of one condition or of one
 /// file, or the direct measurements of one parameter.
 struct Offending {
     /// Name of the group of readings, as in "the readings of dry_1.csv".
@@ -29,11 +29,11 @@ struct WhereItFails {
     std::vector<Offending> offending;
 };
 
-/// Finds where a fitted model fails to describe the readings of a study: by checks of its residuals
-/// (`check_fit`), and by tests of the readings of each condition and each file.
-/// @param scatter scatter of the replicates
+/// Finds where a fitted model fails to describe the readings of a study, by checks of the residuals
+/// (`check_fit`) and by tests of the readings of each condition and each file.
+/// @param scatter scatter of the replicates (readings at the same condition)
 /// @param prediction prediction of the readings, followed by the direct measurements, at the fitted
-///        parameters, with derivatives and with the covariance from simulation
+///        parameters, with derivatives and with the covariance of the simulation's errors
 /// @param parameters calibrated parameters of the model
 /// @param seed seed of the random errors from which the p values follow
 WhereItFails where_it_fails(const std::vector<Reading>& readings, const ReplicateScatter& scatter,

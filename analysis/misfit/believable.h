@@ -11,15 +11,16 @@
 
 namespace pendular {
 
-/// Judgement whether the fit of a study's model can be believed, with the reasons against it.
+/// Judgement whether the fit of a study's model can be believed, with the reasons against the fit.
 struct Belief {
-    /// Reasons against the fit as sentences, the most serious first; empty: no reason.
+    /// Reasons against the fit as sentences, the most serious first. Empty if there is no reason
+    /// against the fit.
     std::vector<std::string> reasons;
-    /// Whether the fitted numbers are meaningless: the model does not describe the readings and the
-    /// friction is at the end of its range, or the import of the measurement excluded more readings
-    /// than it kept.
+    /// Whether the fitted numbers are meaningless. They are if the model does not describe the
+    /// readings and the friction coefficient is at the end of its range, or if the import of the
+    /// measurement excluded more readings than it kept.
     bool meaningless = false;
-    /// Index into `reasons` of the reason that chi2 is too large; empty if the model describes the
+    /// Index in `reasons` of the reason that chi2 is too large. Empty if the model describes the
     /// readings.
     std::optional<std::size_t> misfit_reason = {};
 
@@ -28,20 +29,20 @@ struct Belief {
 };
 
 /// p value of chi2 [1] below which a model counts as not describing the readings, however uncertain
-/// their errors are.
+/// the errors of the readings are.
 constexpr double incredible_p = 1e-6;
 
-/// Judges whether a fit can be believed. Reasons against it are its misfit, parameters at the end
-/// of their range, a column in a wrong unit, and doubts (reasons not to believe a measured value)
-/// that the import of the measurement found.
-/// @param parameters definitions of the fitted parameters, friction first
+/// Judges whether a fit can be believed, and returns the reasons against the fit. Reasons are the
+/// misfit, parameters at the end of their range, a column in a wrong unit, and doubts (reasons not
+/// to believe a measured value) that the import of the measurement found.
+/// @param parameters definitions of the fitted parameters; the first is the friction coefficient
 /// @param misfit chi2 of the fit with its degrees of freedom
 /// @param mistake column that was probably read in a wrong unit, if one was found
 Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const Misfit& misfit,
                  const Measurements& measurements, const std::optional<UnitMistake>& mistake);
 
-/// Number of doubts (reasons not to believe a measured value) because of which the import of the
-/// measurement excluded readings or rows of recordings.
+/// Returns the number of doubts (reasons not to believe a measured value) because of which the
+/// import of the measurement excluded readings or rows of recordings.
 std::size_t doubts_that_set_aside(const Measurements& measurements);
 
 /// Returns a sentence that states the source of the readings' standard errors, as in "Standard

@@ -9,12 +9,12 @@
 
 namespace pendular {
 
-/// Quantity that varies between readings, such as the normal stress, along which residuals are
-/// checked for trends.
+/// Covariate: quantity that varies between readings, such as the normal stress, along which
+/// residuals are checked for trends.
 struct Covariate {
     std::string name;
-    /// Value of the quantity at each entry (one observable of one reading, or a direct
-    /// measurement); not a number if the value is unknown.
+    /// Value of the quantity at each entry (one observable of one reading, or one direct
+    /// measurement). Not a number if the value is unknown.
     Eigen::VectorXd values;
 };
 
@@ -22,74 +22,78 @@ struct Covariate {
 /// residuals of a fitted model.
 struct Check {
     enum class Kind {
-        lack_of_fit,  ///< lack of fit of the conditions' means
-        /// Cumulated sum, along a covariate, of the scores (derivatives of -chi2/2) of a calibrated
-        /// parameter.
+        lack_of_fit,  ///< test for lack of fit of the conditions' means
+        /// Test of the cumulated sum, along a covariate (quantity such as the normal stress), of
+        /// the scores (derivatives of -chi2/2) of a calibrated parameter.
         score,
-        trend,      ///< increase or decrease of an observable's residuals with a covariate
-        runs,       ///< few changes of sign between successive residuals of an observable
-        neighbours  ///< correlation between the residuals of neighbouring conditions
+        trend,      ///< test for a trend of an observable's residuals with a covariate
+        runs,       ///< test for few changes of sign between successive residuals of an observable
+        neighbours  ///< test for correlation between the residuals of neighbouring conditions
     };
     /// Kind of the statistical test.
     Kind kind = Kind::lack_of_fit;
-    /// Name of the covariate (quantity such as the normal stress) along which the check was made;
-    /// empty: none. A check of neighbouring conditions uses all covariates and has the name "all,
-    /// length 0.3", with the correlation length of its kernel.
+    /// Name of the covariate (quantity such as the normal stress) along which the test was made.
+    /// Empty if the test has no covariate. A test of neighbouring conditions uses all covariates
+    /// and has the name "all, length 0.3", with the correlation length of its kernel.
     std::string covariate = {};
-    /// Name of the calibrated parameter or of the observable to which the check applies; empty:
-    /// all.
+    /// Name of the calibrated parameter or of the observable to which the test applies. Empty if
+    /// the test applies to all observables.
     std::string of = {};
-    /// Test statistic [1], which `check_fit` defines for each kind of check. Only the statistic of
-    /// a trend has a sign: positive if measured values increase more than predicted ones.
+    /// Test statistic [1], which `check_fit` defines for each kind of test. Only the statistic of a
+    /// trend has a sign, which is positive if measured values increase more than predicted values.
     double statistic = 0;
-    double p = 1;  ///< p value: probability of a statistic as large if the model is right [1]
+    double p = 1;  ///< p value [1]: probability of a statistic as large if the model is right
 };
-/// Name of a kind of check for output, such as "lack of fit".
+/// Returns the name of a kind of statistical test for output, such as "lack of fit".
 std::string_view to_string(Check::Kind kind);
 
-/// Results of all checks of the residuals of one fit, with a p value for all checks together.
+/// Results of all statistical tests of the residuals of one fit, with one p value of all tests
+/// together.
 struct Checks {
-    /// All checks of the fit: one for each kind of check, covariate, and parameter or observable.
+    /// Results of all statistical tests of the fit: one for each kind of test, covariate (quantity
+    /// such as the normal stress), and parameter or observable.
     std::vector<Check> all;
-    /// p value of all checks together [1]: probability that the smallest p value of any check is at
-    /// least as small as observed if the model is right.
+    /// p value [1] of all statistical tests together: probability that the smallest p value of any
+    /// test is at least as small as observed if the model is right.
     double p = 1;
 };
 
-/// Observable and condition of each measured entry, which the checks of a fit need. An entry is one
+/// Observable and condition of each entry, which the tests of a fit need. An entry is one
 /// observable of one reading, or one direct measurement.
 struct EntryKinds {
-    /// Observable of each entry, as index into `observables`; for a direct measurement, an index
+    /// Observable of each entry, as index into `observables`. A direct measurement has an index
     /// beyond the end of `observables`.
     std::vector<std::size_t> observable;
     /// Names of the observables of the readings, such as "shear stress".
     std::vector<std::string> observables;
-    /// Groups of entries, as indices: values of one observable measured at one condition.
+    /// Groups of entries, as indices of the entries. A group contains the values of one observable
+    /// at one condition, or a single direct measurement.
     std::vector<std::vector<Eigen::Index>> conditions;
     /// Names of the calibrated parameters, in the order of the columns of
     /// WeightedResiduals::slopes().
     std::vector<std::string> parameters;
-    /// Whether any reading has replicates (repeated measurements). If so, `check_fit` does not test
-    /// for few changes of sign between successive residuals.
+    /// Whether any reading has replicates (readings at the same condition). If any has, `check_fit`
+    /// does not test for few changes of sign between successive residuals.
     bool replicated = false;
 };
 
-/// Checks where, and along which quantities, a model deviates from the readings beyond what a
-/// change of its calibrated parameters can imitate. All checks use the projected whitened residuals
-/// P r of `WeightedResiduals`. The p values of all checks come from the same random draws of
-/// errors, so that the p value of all checks together is exact: the share of draws in which the
-/// smallest p value of any check is as small as observed.
+/// Tests where, and along which quantities, a model deviates from the readings beyond what a change
+/// of the calibrated parameters can imitate. All tests use the projected whitened residuals P r of
+/// `WeightedResiduals`. The p values of all tests come from one set of random draws of errors, so
+/// that the p value of all tests together is exact. That p value is the share of draws in which the
+/// smallest p value of any test is as small as observed.
 ///
 /// - Lack of fit: squared length of the residuals in the space of the conditions' means.
 /// - Score: the sum S(x) = sum_{x_i <= x} (L^-1 J)_i (L^-1 (y - f))_i over the entries i whose
 ///   covariate x_i is at most x, for one parameter (y: measured values, f: predictions, J:
 ///   derivative of f with respect to the parameter, L: Cholesky factor of the covariance). S
-///   returns to zero at the optimum and fluctuates like a Brownian bridge. The statistic is its
-///   largest distance from zero, divided by its standard deviation (after Hjort and Koning 2002).
+///   returns to zero at the optimum and fluctuates like a Brownian bridge. The statistic is the
+///   largest distance of S from zero, divided by the standard deviation of S (after Hjort and
+///   Koning 2002).
 /// - Trend: component of the residuals of one observable along the measured value times the rank of
 ///   the covariate.
-/// - Runs: negative number of changes of sign between successive readings of one observable, only
-///   without replicates.
+/// - Runs: negative number of changes of sign between successive readings of one observable. The
+///   test is made only without replicates.
 /// - Neighbours: r' K r with a Gaussian kernel K over the ranks of all covariates, at three
 ///   lengths.
 Checks check_fit(const WeightedResiduals& residuals, const EntryKinds& kinds,

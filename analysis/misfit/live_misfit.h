@@ -17,16 +17,16 @@ namespace pendular {
 Eigen::MatrixXd chi2_form(const Measured& measured, const Eigen::MatrixXd& simulation_covariance,
                           const Response& response);
 
-/// Returns the change of a fit when one reading is left out, in linear approximation: a row for
+/// Returns the change of a fit when one reading is left out, in the linear approximation: a row for
 /// each fitted reading, with the reduction of chi2 [1], then the shift of each parameter [its
 /// unit]. For reading k,
-///     reduction = (R e)_k' R_kk^-1 (R e)_k,   shift = -K_k R_kk^-1 (R e)_k,   R = Sigma^-1 (1 - J
-///     K),
+///     reduction = (R e)_k' R_kk^-1 (R e)_k,   shift = -K_k R_kk^-1 (R e)_k,
+///     R = Sigma^-1 (1 - J K),
 /// with the residuals e, the derivatives J of the predictions with respect to the parameters, the
-/// covariance Sigma of measurement and simulation, and the estimator K of the parameters (K J = 1);
-/// index k selects the two entries of the reading. Combinations of parameters that the readings do
-/// not determine do not shift.
-/// @param fitted number of readings that the fit uses; they come first
+/// covariance Sigma of measurement and simulation, and the estimator K of the parameters (K J = 1).
+/// The index k selects the two entries of the reading. Combinations of parameters that the readings
+/// do not determine do not shift.
+/// @param fitted number of readings that the fit uses, which come first
 /// @throws std::logic_error if Sigma is not positive definite
 /// Source: Cook and Weisberg, Residuals and Influence in Regression (1982), section 3.2, with
 /// correlated errors.

@@ -10,19 +10,20 @@
 namespace pendular {
 
 /// Errors that several readings share. Each source of error, such as one filling of the cell, makes
-/// one error in all its readings. The variance of a source is estimated by an analysis of variance
-/// from mean squares between and within sources:
+/// one error in all readings that it affects. The variance of a source is estimated by an analysis
+/// of variance from the mean squares between and within sources:
 ///     variance = max(0, between - within)/steps.
 struct SharedErrors {
     /// Errors that each source makes in the entries if its variance is 1: a row for each entry, a
     /// column for each source. An entry is one observable of one reading.
     Eigen::MatrixXd loadings;
-    /// Variance of each source [1], as contained in the covariance of the readings.
+    /// Variance of each source of error [1], as contained in the covariance of the readings.
     double variance = 0;
-    /// Mean squares of the analysis of variance: between sources of error (`between`), and between
-    /// the steps of constant set points of one source (`within`).
+    /// Mean squares of the analysis of variance [1]: `between` for the differences between sources
+    /// of error, `within` for the differences between the steps of constant set points of one
+    /// source.
     double between = 0, within = 0;
-    /// Degrees of freedom of the mean square `between`; infinite: `variance` is known exactly.
+    /// Degrees of freedom of the mean square `between`. Infinite if `variance` is known exactly.
     double freedom_between = INFINITY;
     /// Degrees of freedom of the mean square `within`.
     double freedom_within = INFINITY;
@@ -30,37 +31,37 @@ struct SharedErrors {
     double steps = 1;
 };
 
-/// How uncertain the sizes of the readings' errors are, since they are estimated from few
-/// replicates (repeated readings). An entry is one observable of one reading, or a direct
-/// measurement. The part of an entry's error that it does not share with other entries belongs to a
-/// kind; one estimate gives the size of all errors of a kind.
+/// Uncertainty of the sizes of the readings' errors, which are estimated from few replicates
+/// (readings at the same condition). An entry is one observable of one reading, or one direct
+/// measurement. The part of an entry's error that the entry does not share with other entries
+/// belongs to a kind of error. One estimate gives the size of all errors of a kind.
 struct ErrorKnowledge {
     /// Kind of the unshared error of each entry, as index into `freedom`.
     std::vector<std::size_t> kind;
-    /// Degrees of freedom of the estimated size of each kind of error; infinite: the size is known
-    /// exactly.
+    /// Degrees of freedom of the estimated size of each kind of error. Infinite if the size is
+    /// known exactly.
     std::vector<double> freedom;
     std::vector<SharedErrors> shared;  ///< errors that several readings share
-    /// Number of readings. Of the measured values, the values 2 k and 2 k + 1 are the shear stress
-    /// and the solid fraction of reading k (k = 0, 1, ...).
+    /// Number of readings. The measured values with the indices 2 k and 2 k + 1 are the shear
+    /// stress and the solid fraction of reading k (k = 0, 1, ...).
     Eigen::Index readings = 0;
     /// Degrees of freedom of the estimated correlation between the errors of the two observables of
-    /// a reading; infinite: the correlation is known.
+    /// a reading. Infinite if the correlation is known.
     double correlation_freedom = INFINITY;
-    /// Uncertainty of how the sizes of the errors depend on normal stress. For each vector v of
-    /// this list, a random draw multiplies the error of entry k by exp(z v_k), with one standard
+    /// Uncertainty of the dependence of the errors' sizes on the normal stress. For each vector v
+    /// of the list, a random draw multiplies the error of entry k by exp(z v_k), with one standard
     /// normal number z for all entries.
     std::vector<Eigen::VectorXd> log_sizes;
 
-    /// Returns the description of n measured values whose errors have exactly known sizes and are
-    /// not shared between values.
+    /// Returns the uncertainty of the errors of n measured values whose errors have exactly known
+    /// sizes and are not shared between values.
     static ErrorKnowledge known(Eigen::Index n);
 };
 
 /// Random draws of the errors that readings and predictions would have if the model were complete
-/// (null hypothesis). They include the uncertainty of the errors' sizes. All tests of a diagnosis
-/// use one set of draws, so that the error rate of the diagnosis holds for all tests together. In
-/// each draw,
+/// (null hypothesis). The draws include the uncertainty of the errors' sizes. All tests of a
+/// diagnosis use one set of draws, so that the error rate of the diagnosis holds for all tests
+/// together. In each draw,
 /// - unshared errors of one kind are z sqrt(nu/chi2_nu), with normal numbers z of the estimated
 ///   covariance, the degrees of freedom nu of the estimate and a random number chi2_nu of the chi2
 ///   distribution;
@@ -74,37 +75,39 @@ struct ErrorKnowledge {
 /// (2005), Design and Analysis of Gauge R&R Studies, appendix B.
 class NullDraws {
   public:
-    /// Draws `count` sets of errors of the measured values and of their predictions.
+    /// Draws `count` sets of random errors of the measured values and of their predictions.
     /// @param measured measured values with the covariance of their errors
+    /// @param knowledge uncertainty of the sizes of the errors
     /// @param seed seed of the random numbers
     NullDraws(const Measured& measured, const ErrorKnowledge& knowledge, std::uint64_t seed,
               Eigen::Index count);
 
-    /// Number of draws: sets of random errors of all measured values.
+    /// Returns the number of draws: sets of random errors of all measured values.
     Eigen::Index count() const { return errors_.cols(); }
-    /// Components of the drawn errors along the columns of `basis` [1]: a row for each column of
-    /// `basis`, a column for each draw. Errors of measurement and prediction are whitened as
-    /// `residuals` are (divided by the Cholesky factor of their covariance), before the components
-    /// are computed.
+    /// Returns the components of the drawn errors along the columns of `basis` [1]: a row for each
+    /// column of `basis`, a column for each draw. Errors of measurement and prediction are first
+    /// whitened as `residuals` are (multiplied by the inverse of the Cholesky factor of the
+    /// covariance).
     Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis) const {
         return along(residuals, basis, count());
     }
-    /// Components of the first `draws` drawn errors along the columns of `basis` [1]: a row for
-    /// each column of `basis`, a column for each draw.
+    /// Returns the components of the first `draws` sets of drawn errors along the columns of
+    /// `basis` [1]: a row for each column of `basis`, a column for each draw.
     Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis,
                           Eigen::Index draws) const;
-    /// Random errors of measurement and prediction [1], whitened as `residuals` are (divided by the
-    /// Cholesky factor of their covariance): a row for each measured value, a column for each draw.
+    /// Returns the random errors of measurement and prediction [1], whitened as `residuals` are
+    /// (multiplied by the inverse of the Cholesky factor of the covariance): a row for each
+    /// measured value, a column for each draw.
     Eigen::MatrixXd whitened(const WeightedResiduals& residuals) const;
 
-    /// p value [1] of a statistic with the value `observed`: (1 + number of entries of `drawn` that
-    /// are at least `observed`)/(1 + number of entries).
+    /// Returns the p value [1] of a statistic with the value `observed`: (1 + number of entries of
+    /// `drawn` that are at least `observed`)/(1 + number of entries).
     /// @param drawn value of the statistic in each random draw of errors
     static double p(double observed, const Eigen::VectorXd& drawn);
 
   private:
-    /// Random errors sampled for the null distribution: a row for each measured value [its unit], a
-    /// column for each draw.
+    /// Random errors of the measured values: a row for each measured value [its unit], a column for
+    /// each draw.
     Eigen::MatrixXd errors_;
     /// Standard normal numbers from which the errors of the predictions follow: a row for each
     /// measured value, a column for each draw.

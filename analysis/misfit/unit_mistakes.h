@@ -11,19 +11,20 @@
 
 namespace pendular {
 
-/// Column of recordings that may have been read in a wrong unit, with the factor on its numbers
-/// that removes the misfit.
+/// Column of recordings that was probably read in a wrong unit, with the factor on its numbers that
+/// removes the misfit.
 struct UnitMistake {
     std::string column;  ///< name of the column, as in "angular velocity"
-    /// Files in which the column was read in a wrong unit, as a text: "of all recordings", "of
+    /// Text on the files in which the column was read in a wrong unit: "of all recordings", "of
     /// wet_1.csv" or "of the files dry_*.csv".
     std::string files;
     /// Factor by which the numbers of the column must be multiplied to remove the misfit [1].
     double factor = 1;
-    std::string unit;  ///< text on the meaning of the factor: "numbers in rpm were read as rad/s"
-    /// chi2 of all readings without and with the factor on the column, each with the friction
-    /// fitted. Errors of the model of 0.5 % of shear stress and 0.1 % of solid fraction are
-    /// assumed.
+    /// Text on the meaning of the factor, as in "numbers in rpm were read as rad/s".
+    std::string unit;
+    /// chi2 of all readings [1]: `chi2_before` without and `chi2_after` with the factor on the
+    /// column. The friction coefficient is fitted in both cases. Errors of the model of 0.5 % of
+    /// the shear stress and 0.1 % of the solid fraction are assumed.
     double chi2_before = 0, chi2_after = 0;
     int dof = 0;  ///< degrees of freedom of `chi2_before` and of `chi2_after`
 
@@ -32,16 +33,17 @@ struct UnitMistake {
     std::string sentence() const;
 };
 
-/// Finds a column of the recordings that was probably read in a wrong unit: multiplying its numbers
-/// by one factor reduces chi2 by at least 70 %, to at most 3.5 per degree of freedom. Empty if no
-/// factor reduces chi2 that much, or if chi2 without a factor is below 2 per degree of freedom.
+/// Finds a column of the recordings that was probably read in a wrong unit. Multiplying the numbers
+/// of the column by one factor must reduce chi2 by at least 70 %, to at most 3.5 per degree of
+/// freedom. Empty if no factor reduces chi2 that much, or if chi2 without a factor is below 2 per
+/// degree of freedom.
 ///
 /// The factors are 10^n, 2 pi, 60, 57.3, 9.81, their inverses and combinations that occur between
-/// units. Each factor is tried on the column of all recordings, of the files of one entry of the
-/// study, and of one file. The friction is fitted again each time; other parameters are fixed.
-/// Among factors that reduce chi2 about equally, the ratio of two named units has precedence over a
-/// power of ten.
-/// @param parameters values of the model's fitted parameters, friction first
+/// units. Each factor is tried on the column of all recordings, on that of the files of one entry
+/// of the study, and on that of one file. The friction coefficient is fitted again each time, and
+/// the other parameters are fixed. Among factors that reduce chi2 about equally, the ratio of two
+/// named units has precedence over a power of ten.
+/// @param parameters values of the model's fitted parameters; the first is the friction coefficient
 std::optional<UnitMistake> find_unit_mistake(const Predictor& model,
                                              const std::vector<Reading>& readings,
                                              const Study& study, const Eigen::VectorXd& parameters);

@@ -10,38 +10,41 @@
 
 namespace pendular {
 
-/// Residuals of a fit in units of their errors (whitened residuals r), with the projection P that
+/// Residuals of a fit in units of their errors (whitened residuals r), with the projection P. P
 /// removes from a change of the readings what a change of the calibrated parameters theta can
 /// imitate:
 ///     r = L^-1 (y - f),   J = L^-1 df/dtheta,   P = I - J (J'J)^-1 J',
-/// with the measured values y, the predictions f and L L' = Sigma_measurement + Sigma_simulation,
-/// the covariances of measurement and simulation. P is applied by means of a QR decomposition;
-/// combinations of parameters that the readings do not determine remove nothing.
+/// with the measured values y, the predictions f and the Cholesky factor L of the covariance L L' =
+/// Sigma_measurement + Sigma_simulation of measurement and simulation. P is applied by means of a
+/// QR decomposition. Combinations of parameters that the readings do not determine remove nothing.
 class WeightedResiduals {
   public:
-    /// @param prediction prediction of the measured values at the fitted parameters, with its
-    ///        derivatives with respect to these parameters and its covariance from errors of the
-    ///        simulation
+    /// Computes the residuals of `measured` from `prediction`.
+    /// @param prediction prediction of the measured values at the fitted parameters, with the
+    ///        derivatives with respect to the parameters and the covariance of the simulation's
+    ///        errors
     /// @throws std::logic_error if the covariance of measurement and prediction together is not
-    ///         positive definite, or that of the prediction has negative eigenvalues
+    ///         positive definite, or if the covariance of the prediction has negative eigenvalues
     WeightedResiduals(const Measured& measured, const Prediction& prediction);
 
-    /// Number of measured values: two for each reading, one for each direct measurement.
+    /// Returns the number of measured values: two for each reading, one for each direct
+    /// measurement.
     Eigen::Index size() const { return residuals_.size(); }
-    /// Whitened residuals [1]: L^-1 (measured - predicted), with the Cholesky factor L of the
-    /// covariance of measurement and simulation.
+    /// Returns the whitened residuals [1]: L^-1 (measured - predicted), with the Cholesky factor L
+    /// of the covariance of measurement and simulation.
     const Eigen::VectorXd& residuals() const { return residuals_; }
-    /// Measured values, not whitened, in the units of the readings: shear stress and solid fraction
-    /// of each reading in turn, then direct measurements.
+    /// Returns the measured values in the units of the readings, not whitened: shear stress and
+    /// solid fraction of each reading in turn, then the direct measurements.
     const Eigen::VectorXd& measured() const { return measured_; }
-    /// chi2 of the fit [1]: squared length of the whitened residuals (in units of their errors).
+    /// Returns the chi2 of the fit [1]: squared length of the residuals in units of their errors
+    /// (whitened).
     double chi2() const { return residuals_.squaredNorm(); }
-    /// Logarithm of the determinant of the covariance of measurement and simulation, in the squared
-    /// units of the readings.
+    /// Returns the logarithm of the determinant of the covariance of measurement and simulation,
+    /// with the covariance in products of the units of the readings.
     double log_determinant() const;
 
-    /// Whitens changes of the readings: returns L^-1 `columns`, with the Cholesky factor L of the
-    /// covariance of measurement and simulation.
+    /// Converts changes of the readings to units of the readings' errors (whitens): returns L^-1
+    /// `columns`, with the Cholesky factor L of the covariance of measurement and simulation.
     /// @param columns changes in the units of the readings: a row for each measured value, a column
     ///        for each change
     Eigen::MatrixXd whiten(const Eigen::MatrixXd& columns) const;
@@ -53,42 +56,43 @@ class WeightedResiduals {
     /// simulation. The product of the returned columns with a change in the units of the readings
     /// equals the product of `columns` with the whitened change.
     Eigen::MatrixXd whiten_basis(const Eigen::MatrixXd& columns) const;
-    /// Lower triangular root R of the whitened covariance of the prediction's errors [1]: R R' =
-    /// L^-1 Sigma_simulation L^-T, with the Cholesky factor L of the covariance of measurement and
-    /// simulation.
+    /// Returns the lower triangular root R of the whitened covariance of the prediction's errors
+    /// [1]: R R' = L^-1 Sigma_simulation L^-T, with the Cholesky factor L of the covariance of
+    /// measurement and simulation.
     const Eigen::MatrixXd& prediction_root() const { return prediction_root_; }
-    /// Expected squared length [1] of whitened errors, beyond what a change of the calibrated
-    /// parameters can imitate: the trace of P L^-1 C L^-T. L: Cholesky factor of the covariance of
-    /// measurement and simulation; P: projection that removes what the calibrated parameters
-    /// imitate.
-    /// @param covariance covariance C of the errors, in the squared units of the readings
+    /// Returns the expected squared length [1] of whitened errors, beyond what a change of the
+    /// calibrated parameters can imitate: the trace of P L^-1 C L^-T. L is the Cholesky factor of
+    /// the covariance of measurement and simulation. P is the projection that removes what the
+    /// calibrated parameters imitate.
+    /// @param covariance covariance C of the errors, in products of the units of the readings
     double trace_of_projected(const Eigen::MatrixXd& covariance) const;
-    /// Variance [1] of the component of whitened errors along a direction d: d' L^-1 C L^-T d, with
-    /// the Cholesky factor L of the covariance of measurement and simulation.
-    /// @param direction vector d in whitened units
-    /// @param covariance covariance C of the errors, in the squared units of the readings
+    /// Returns the variance [1] of the component of whitened errors along a direction d: d' L^-1 C
+    /// L^-T d, with the Cholesky factor L of the covariance of measurement and simulation.
+    /// @param direction vector d in units of the readings' errors (whitened)
+    /// @param covariance covariance C of the errors, in products of the units of the readings
     double variance_along(const Eigen::VectorXd& direction,
                           const Eigen::MatrixXd& covariance) const;
     /// Removes from changes of the readings, in units of their errors (whitened), what a change of
     /// the calibrated parameters can imitate: returns P `columns`, with the projection P = I - J
     /// (J'J)^-1 J' and the whitened derivatives J of the predictions.
     Eigen::MatrixXd project(const Eigen::MatrixXd& columns) const;
-    /// Returns P B, a column for each group of measured values, such as those of one condition. B
-    /// is an orthonormal basis of the mean deviations of the groups, in units of the readings'
-    /// errors (whitened): all values of a group deviate in proportion to their measured size. P is
-    /// the projection that removes what a change of the calibrated parameters can imitate.
+    /// Returns P B, with a column for each group of measured values, such as the values at one
+    /// condition. B is an orthonormal basis of the mean deviations of the groups, in units of the
+    /// readings' errors (whitened). In a mean deviation, all values of a group deviate in
+    /// proportion to their measured size. P is the projection that removes what a change of the
+    /// calibrated parameters can imitate.
     /// @param groups indices of the measured values of each group
     Eigen::MatrixXd means_over(const std::vector<std::vector<Eigen::Index>>& groups) const;
     /// Returns the change of the calibrated parameters [their units] that imitates a change of the
     /// predictions best, by least squares.
     /// @param change change of the predictions, in units of the readings' errors (whitened)
     Eigen::VectorXd parameter_shift_of(const Eigen::VectorXd& change) const;
-    /// Number of linearly independent combinations of the calibrated parameters that the readings
-    /// determine.
+    /// Returns the number of linearly independent combinations of the calibrated parameters that
+    /// the readings determine.
     Eigen::Index determined() const { return basis_.cols(); }
-    /// Whitened derivatives of the predictions f with respect to the calibrated parameters theta,
-    /// L^-1 df/dtheta, with the Cholesky factor L of the covariance of measurement and simulation.
-    /// A row for each measured value, a column for each parameter.
+    /// Returns the whitened derivatives L^-1 df/dtheta of the predictions f with respect to the
+    /// calibrated parameters theta, with the Cholesky factor L of the covariance of measurement and
+    /// simulation: a row for each measured value, a column for each parameter.
     const Eigen::MatrixXd& slopes() const { return slopes_; }
 
   private:
@@ -96,8 +100,9 @@ class WeightedResiduals {
     /// Lower triangular Cholesky factor L of the covariance Sigma_measurement + Sigma_simulation.
     Eigen::MatrixXd lower_;
     Eigen::MatrixXd prediction_root_;
-    /// Inverse of Sigma_measurement + Sigma_simulation, computed when it is first needed; the same
-    /// for all copies.
+    /// Inverse of Sigma_measurement + Sigma_simulation, the covariance of measurement and
+    /// simulation. The inverse is computed when it is first needed, and all copies of the object
+    /// share the result.
     struct Inverse {
         std::once_flag once;
         Eigen::MatrixXd matrix;
@@ -107,7 +112,8 @@ class WeightedResiduals {
     Eigen::MatrixXd slopes_;
     /// Lengths (norms) of the columns of J, the whitened derivatives of the predictions.
     Eigen::VectorXd lengths_;
-    /// Decomposition of J with its columns divided by `lengths_`.
+    /// QR decomposition of J, the whitened derivatives of the predictions, with each column divided
+    /// by its entry of `lengths_`.
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed_;
     /// Orthonormal basis of the columns of J, the whitened derivatives of the predictions.
     Eigen::MatrixXd basis_;

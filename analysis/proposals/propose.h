@@ -9,40 +9,40 @@
 
 namespace pendular {
 
-/// Change of the model's predictions by an unknown cause, fitted to the readings. Its shape states
-/// which quantity changes, and how the change varies between readings.
+/// Change of the model's predictions by an unknown cause, fitted to the readings. The shape of the
+/// change states which quantity changes, and how the change varies between readings.
 struct FittedShape {
     ShapeOfChange shape;
-    /// The change, written as an effect that can be copied to study.toml.
+    /// The change, defined by formulas as an effect that can be copied to study.toml.
     WrittenEffect effect;
-    /// Fitted change of the quantity at readings at which the profile has the size 1 [unit of the
-    /// change].
+    /// Fitted change of the quantity, at readings at which the profile of the shape has the size 1
+    /// [unit of the change].
     double change = 0;
-    double standard_error = 0;  ///< standard error of `change` [its unit]
+    double standard_error = 0;  ///< standard error of `change` [unit of the change]
 };
 
-/// Proposal for a misfit that no known effect explains: one or two changes of unknown cause that
-/// explain the misfit or most of it when they are added to the model.
+/// Proposal for a misfit that no known effect explains: one or two changes of unknown cause which,
+/// added to the model, explain the misfit or most of the misfit.
 struct Proposal {
     /// The one or two changes of unknown cause that are proposed, fitted to the readings.
     std::vector<FittedShape> shapes;
-    /// Other changes, estimated in the linear approximation, that would change the readings in
-    /// nearly the same way as the single proposed change; empty if two changes are proposed.
+    /// Changes other than the single proposed change that would change the readings in nearly the
+    /// same way, estimated in the linear approximation. Empty if two changes are proposed.
     std::vector<FittedShape> alike;
-    /// Model refitted to the readings with the proposed changes, with its chi2 and tests. Its
+    /// Model refitted to the readings with the proposed changes, with its chi2 and its tests. The
     /// member `chosen` is not used.
     Explanation explanation;
-    /// p value [1]: probability that the best of all changes that were tried reduces chi2 as much
-    /// by chance, if the model lacks nothing.
+    /// p value [1]: probability that the best of all changes that were tried reduces chi2 by chance
+    /// as much as the proposed changes, if the model lacks nothing.
     double p = 1;
     /// Share [1] of the excess chi2 - dof (chi2 minus degrees of freedom) of the study's model that
     /// the proposed changes remove.
     double explained = 0;
-    /// Penalty to be added to chi2, since the proposed changes were chosen among many [1].
+    /// Penalty [1] to be added to chi2, since the proposed changes were chosen among many changes.
     double price = 0;
 
-    /// Score by which proposals are compared [1]: chi2 plus the penalty `price`; the lowest is
-    /// best.
+    /// Returns the score by which proposals are compared [1]: chi2 plus the penalty `price`. The
+    /// proposal with the lowest score is best.
     double description() const { return explanation.chi2 + price; }
 
     /// Whether the model with the proposed changes fits the readings: neither lack of fit nor a
@@ -52,14 +52,16 @@ struct Proposal {
 
 /// Searches for changes of unknown cause that would explain a misfit that no known effect explains.
 /// Every quantity that a formula can set is varied along every quantity of the readings, with every
-/// profile (dependence on this quantity). Each combination is scored by a linear estimate,
+/// profile (dependence of the size of the change on the quantity of the readings). Each combination
+/// is scored by a linear estimate,
 ///     chi2 reduction (g'Pr)^2/(g'Pg) - 2 ln(number of profiles of the kind),
 /// with the residuals r and the change g of the readings, both in units of the readings' errors,
 /// and the projection P that removes what the calibrated parameters can imitate. The model is
-/// refitted with the best combinations and tested like other models, with the known effects and the
-/// other combinations as further effects. Pairs are tried if no single change fits. Returns at most
-/// three proposals that fit, the lowest Proposal::description() first. If none fits, returns the
-/// best proposal if it removes at least half of the misfit, else nothing.
+/// refitted with the best combinations. The refitted models are tested as all refitted models of a
+/// diagnosis are, with the known effects and the other combinations as further effects. Pairs of
+/// combinations are tried if no single combination fits. Returns at most three proposals that fit,
+/// the lowest Proposal::description() first. If no proposal fits, returns the best proposal if it
+/// removes at least half of the misfit, else nothing.
 /// @param evidence readings with their errors and with parts of the measurement that may be wrong
 /// @param diagnosis diagnosis of the study's model, which does not fit
 std::vector<Proposal> propose(const ResolvedStudy& study, const StudyModels& models,

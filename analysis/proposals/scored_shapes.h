@@ -12,31 +12,33 @@
 
 namespace pendular {
 
-/// Changes of unknown cause (shapes: which quantity changes, and how the change varies between
-/// readings), scored by linear estimates on the residuals of one fit.
+/// Changes of unknown cause, scored by linear estimates on the residuals of one fit. A change is
+/// described by a shape, which states which quantity changes and how the change varies between
+/// readings.
 class ScoredShapes {
   public:
-    /// Score of one change of unknown cause (shape), or of two together.
+    /// Score of one shape (change of unknown cause), or of two shapes together.
     struct Score {
         /// Indices of the one or two shapes (changes of unknown cause) that are scored.
         std::vector<std::size_t> shapes;
-        /// Predicted reduction of chi2 when the one or two changes are added to the model [1].
+        /// Predicted reduction of chi2 [1] when the one or two changes are added to the model.
         double reduction = 0;
-        /// Penalty to be added to chi2, since the changes were chosen among many [1]. For two
-        /// changes it contains 2 for the additional fitted number.
+        /// Penalty [1] to be added to chi2, since the changes were chosen among many changes. For
+        /// two changes, the penalty contains 2 for the additional fitted number.
         double price = 0;
         /// Estimated change of the quantity of each shape (change of unknown cause), in the unit of
         /// the change.
         std::vector<double> changes;
-        /// Single changes of other quantities that change the readings in nearly the same way, at a
-        /// similar score, as indices; set by `unlike`.
+        /// Indices of shapes (changes of unknown cause) of other quantities that change the
+        /// readings in nearly the same way, at a similar score. `unlike` sets the indices. Empty
+        /// for two changes.
         std::vector<std::size_t> alike;
     };
 
-    /// Scores all changes of unknown cause (shapes) that a study's quantities and readings allow.
+    /// Scores all shapes (changes of unknown cause) that a study's quantities and readings allow.
     /// @param models models of the study
     /// @param base fit of the study's model without further effects
-    /// @param explanations tests of that model, whose random draws give p values
+    /// @param explanations tests of the study's model, whose random draws give p values
     /// @param threads largest number of threads for the random draws
     ScoredShapes(const ResolvedStudy& study, const StudyModels& models,
                  const std::vector<Reading>& readings, const Explanation& base,
@@ -46,18 +48,19 @@ class ScoredShapes {
     /// Returns the scores of all single shapes (changes of unknown cause), in decreasing order of
     /// `reduction` minus `price`.
     std::vector<Score> singles() const;
-    /// Returns the scores of pairs of shapes (changes of unknown cause): each of the `most` best
-    /// shapes with every shape, in decreasing order of `reduction` minus `price`.
+    /// Returns the scores of pairs of shapes (changes of unknown cause), in decreasing order of
+    /// `reduction` minus `price`. Each of the `most` best shapes is paired with every shape. The
+    /// best shapes are chosen by `unlike`.
     std::vector<Score> pairs(std::size_t most) const;
     /// Selects, in the order of `scores`, up to `count` scores no two of which change the readings
-    /// in nearly the same way. A score left out for this reason is noted in `Score::alike` of the
-    /// score that it resembles.
+    /// in nearly the same way. A score that is left out because it resembles a selected score is
+    /// noted in `Score::alike` of the selected score.
     std::vector<Score> unlike(const std::vector<Score>& scores, std::size_t count) const;
     /// Returns the estimated change and its standard error, in the unit of the change, of the shape
     /// (change of unknown cause) with index `index`.
     std::pair<double, double> estimate(std::size_t index) const;
-    /// p value [1]: probability that the best of all shapes (changes of unknown cause) reduces chi2
-    /// by at least `reduction` if the model lacks nothing, in a linear estimate.
+    /// Returns the p value [1]: probability that the best of all shapes (changes of unknown cause)
+    /// reduces chi2 by at least `reduction` if the model lacks nothing, in a linear estimate.
     double p(double reduction) const;
 
   private:
@@ -80,34 +83,34 @@ class ScoredShapes {
     void project_from(std::size_t first);
     void draw(const NullDraws& draws, std::size_t threads);
     Score score_of(std::size_t index) const;
-    /// Returns the score of two shapes (changes of unknown cause) together. Empty if the two change
-    /// the readings in nearly the same way, or if an estimated change exceeds its bounds.
+    /// Returns the score of two shapes (changes of unknown cause) together. Empty if both shapes
+    /// change the readings in nearly the same way, if the calibrated parameters imitate one of the
+    /// changes, or if an estimated change exceeds its bounds.
     std::optional<Score> score_of(std::size_t one, std::size_t other) const;
     /// Returns the direction in which the shapes of a score change the readings at their estimated
     /// changes, in units of the readings' errors (whitened): a unit vector.
     Eigen::VectorXd change_by(const Score& score) const;
-    /// Adds the single shape (change of unknown cause) of `other` to `alike` of `chosen`, if its
-    /// score is similar and `alike` has no shape of the same quantity.
+    /// Adds the single shape (change of unknown cause) of `other` to `alike` of `chosen` if the
+    /// scores are similar and if `chosen` and its `alike` have no shape of the quantity of `other`.
     void add_alike(Score& chosen, const Score& other) const;
 
     WeightedResiduals residuals_;
     std::vector<Changeable> changeables_;
     std::vector<ShapeOfChange> shapes_;
-    /// For each shape, the quantity that it changes, as index into `changeables_`.
+    /// Quantity that each shape (change of unknown cause) changes, as index into `changeables_`.
     std::vector<std::size_t> changed_by_;
-    /// For each shape (change of unknown cause), the direction in which it changes the readings, as
-    /// a column of length 1 or, if the calibrated parameters imitate the change, 0. The direction
-    /// is P g/|P g|, with the whitened change g of the readings and the projection P of
-    /// `WeightedResiduals`.
+    /// Direction in which each shape (change of unknown cause) changes the readings: a column of
+    /// length 1, or 0 if the calibrated parameters imitate the change. The direction is P g/|P g|,
+    /// with the whitened change g of the readings and the projection P of `WeightedResiduals`.
     Eigen::MatrixXd directions_;
-    /// For each shape (change of unknown cause), the length |P g| of the change of the readings
-    /// that it makes [1/unit of the shape's change]. g: change in units of the readings' errors
-    /// (whitened); P: projection of `WeightedResiduals`.
+    /// Length |P g| of the change of the readings by each shape (change of unknown cause) [1/unit
+    /// of the shape's change]. g is the change in units of the readings' errors (whitened), and P
+    /// the projection of `WeightedResiduals`.
     Eigen::VectorXd lengths_;
-    /// For each shape (change of unknown cause), the component of the whitened residuals along the
-    /// direction in which the shape changes the readings [1].
+    /// Component of the whitened residuals along the direction in which each shape (change of
+    /// unknown cause) changes the readings [1].
     Eigen::VectorXd along_;
-    /// Largest reduction of chi2 by any shape (change of unknown cause), for each random draw of
+    /// Largest reduction of chi2 by any shape (change of unknown cause) in each random draw of
     /// errors [1].
     Eigen::VectorXd drawn_;
 };

@@ -10,11 +10,11 @@
 namespace pendular {
 
 /// Quantity on which a change of unknown cause may act, with the bounds of the change. A formula of
-/// an [[effect]] in study.toml can set it.
+/// an [[effect]] in study.toml can set the quantity.
 struct ChangedQuantity {
     std::string target;  ///< name of the quantity in formulas, such as "torque"
-    /// How the change acts. True: the quantity is multiplied by 1 + change; false: the change is
-    /// added to the quantity.
+    /// Whether the quantity is multiplied by 1 + change. If false, the change is added to the
+    /// quantity.
     bool relative = true;
     std::string unit;  ///< SI unit of the change; "1" if `relative` is true
     /// Smallest change of interest of the quantity [unit].
@@ -24,28 +24,28 @@ struct ChangedQuantity {
     /// Upper limit of the change of the quantity [unit].
     double upper = 9;
 
-    /// Returns the kind of effect that changes the quantity: one on the instrument, on the flow, or
-    /// on grains and liquid.
+    /// Returns the kind of effect that changes the quantity: an effect on the instrument, on the
+    /// flow, or on grains and liquid.
     WrittenEffect::Kind kind() const;
 };
 
-/// Change of unknown cause: which quantity changes, and how the change varies with one coordinate
-/// of the readings, such as time.
+/// Shape of a change of unknown cause: which quantity changes, and how the change varies with one
+/// coordinate of the readings, such as the time.
 struct ShapeOfChange {
     ChangedQuantity quantity;
     Profile profile;
 
-    /// Returns the change as a table [[effect]] of study.toml with this name. Its parameter
-    /// "change" is the change at readings at which the profile has the size 1.
+    /// Returns the change as a table [[effect]] of study.toml with the name `name`. The parameter
+    /// "change" of the effect is the change at readings at which the profile has the size 1.
     WrittenEffect written(const std::string& name) const;
     /// Returns a name for the change as an effect, made from the changed quantity, the dependence
     /// and the coordinate, such as "torque-above-time".
     std::string name() const;
 };
 
-/// Returns the quantities that may change in a study with these readings: those of the flow and of
-/// the grains; in a study with a cell, also those that the instrument shows; with wet readings,
-/// also the surface tension of the liquid.
+/// Returns the quantities that may change in a study with the readings `readings`: the quantities
+/// of the flow and of the grains; in a study with a cell, also the quantities that the instrument
+/// shows; with wet readings, also the surface tension of the liquid.
 std::vector<ChangedQuantity> quantities_that_may_change(const ResolvedStudy& study,
                                                         const std::vector<Reading>& readings);
 

@@ -9,44 +9,45 @@
 
 namespace pendular {
 
-/// Comparison of a number or range that Badetti et al. (2018) state with the values that
-/// simulations give.
+/// Row of a table of comparisons: a number or range that Badetti et al. (2018) state, with the
+/// values that simulations give.
 struct ScoreboardRow {
     /// Heading of the section of the table to which the row belongs.
     std::string section;
-    /// Name of the compared quantity and its condition, with the unit.
+    /// Name of the compared quantity and its condition, with the unit of the quantity.
     std::string what;
     /// Published value or range of the quantity, as text.
     std::string published;
     /// Simulated value of the quantity with its standard error, or range of the simulated values,
     /// as text.
     std::string ours;
-    /// Lower and upper end of the published range; for a single published value, the value minus
+    /// Lower and upper end of the published range. For a single published value, the value minus
     /// and plus its error.
     double lower = 0, upper = 0;
     /// Smallest and largest of the simulated values of the quantity.
     double least = 0, greatest = 0;
     /// Distance of the farthest simulated value from the published value or range, in standard
     /// errors [1]. For a published value, the standard errors of publication and simulation are
-    /// combined; for a range, that of the simulation is used, and the distance is 0 inside the
-    /// range.
+    /// combined. For a published range, the standard error of the simulated value is used, and the
+    /// distance is 0 inside the range.
     double distance = 0;
     /// Number of simulated values of the quantity.
     int values = 0;
-    /// Number of simulated values of the quantity that are further from the publication than
-    /// `allowed_distance`.
+    /// Number of simulated values of the quantity whose distance from the published value or range
+    /// exceeds `allowed_distance`.
     int outside = 0;
-    /// Text that names the farthest value outside a range and its state; empty if none is known.
+    /// Text that names the simulated value farthest outside the published range, and the state of
+    /// that value. Empty if all values agree or the state has no name.
     std::string where;
     /// Whether simulation and publication agree: `distance` is at most `allowed_distance`.
     bool agrees = true;
 };
 
-/// Largest distance of a simulated value that agrees from the published value or range, in standard
-/// errors [1]. By chance, one of 370 values is further away.
+/// Largest distance [1], in standard errors, from the published value or range at which a simulated
+/// value counts as agreeing. By chance, one of 370 values is farther away.
 inline constexpr double allowed_distance = 3;
 
-/// A simulated value with the name of its state.
+/// Simulated value with the name of its state.
 struct StateValue {
     Mean mean;
     std::string where;
@@ -61,38 +62,41 @@ class Scoreboard {
 
     explicit Scoreboard(const PaperStudy& study) : study_(study), states_(&study.states()) {}
 
-    /// Begins a section of the table, with the heading `name`, for the next rows.
+    /// Begins a section of the table, with the heading `name`. The rows that follow describe the
+    /// states of the parameter study.
     void section(std::string name) { section(std::move(name), study_.states()); }
-    /// Begins a section of the table, with the heading `name`, whose rows describe `states` instead
-    /// of those of the parameter study.
+    /// Begins a section of the table, with the heading `name`. The rows that follow describe
+    /// `states` instead of the states of the parameter study.
     /// @param states must outlive the scoreboard
     void section(std::string name, const std::vector<PaperState>& states) {
         section_ = std::move(name);
         states_ = &states;
     }
     /// Adds a row that compares a published value, with its standard error, with a simulated value.
-    /// @param what quantity and condition, with its unit
-    /// @param published the published value as text
-    /// @param expected the published value
-    /// @param ours the simulated value
+    /// @param what quantity and condition, with the unit of the quantity
+    /// @param published published value as text
+    /// @param expected published value with its standard error
+    /// @param ours simulated value with its standard error
     void value(const std::string& what, const std::string& published, const Mean& expected,
                const Mean& ours);
-    /// Adds a row that compares a published range with simulated values; none if `ours` is empty.
-    /// @param what quantity and condition, with its unit
-    /// @param published the published range as text
+    /// Adds a row that compares a published range with simulated values. Adds no row if `ours` is
+    /// empty.
+    /// @param what quantity and condition, with the unit of the quantity
+    /// @param published published range as text
     /// @param lower, upper ends of the published range
-    /// @param ours the simulated values
+    /// @param ours simulated values with the names of their states
     void range(const std::string& what, const std::string& published, double lower, double upper,
                const std::vector<StateValue>& ours);
     void range(const std::string& what, const std::string& published, double lower, double upper,
                const Mean& ours) {
         range(what, published, lower, upper, std::vector<StateValue>{{ours, ""}});
     }
-    /// Adds a row for each friction of the parameter study. The row compares a published range with
-    /// the values of `quantity` at the states of the section that have this friction and fulfil the
-    /// condition `which`.
-    /// @param what quantity and condition, with its unit
-    /// @param published the published range as text
+    /// Adds a row for each friction coefficient of the parameter study. The row compares a
+    /// published range with the values of `quantity` at the states of the section that have the
+    /// friction coefficient and fulfil the condition `which`. No row is added for a friction
+    /// coefficient without such states.
+    /// @param what quantity and condition, with the unit of the quantity
+    /// @param published published range as text
     /// @param lower, upper ends of the published range
     void each_friction(const std::string& what, const std::string& published, double lower,
                        double upper, const Quantity& quantity, const Condition& which);
