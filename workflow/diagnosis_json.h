@@ -11,22 +11,24 @@
 
 namespace pendular {
 
-/// Names of the effects that a refitted model (`explanation`) has in addition to the effects of the
-/// study's model.
+/// Returns the names of the effects that a refitted model, `explanation`, has in addition to the
+/// effects of the study's model.
 /// @param space models to which the refitted model belongs, with the names of all candidate effects
+///        (effects that may be added)
 std::vector<std::string> names_of(const Explanation& explanation, const ModelSpace& space);
 
-/// JSON of a diagnosis, as in out/diagnosis.json: the verdict, the effects that it names, the test
-/// of each candidate effect, and the refitted models.
-/// @param space models that were diagnosed, with the candidate effects
+/// Returns the JSON of a diagnosis (search for effects that a study's model lacks), as in
+/// out/diagnosis.json: the verdict, the effects that the verdict names, the test of each candidate
+/// effect, and the refitted models.
+/// @param space models that were diagnosed, with the candidate effects (effects that may be added)
 /// @param evidence readings that were diagnosed, with the measurements suspected of errors
 /// @param checks tests of the residuals of the study's model without further effects
 nlohmann::ordered_json to_json(const Diagnosis& diagnosis, const ModelSpace& space,
                                const Evidence& evidence, const Checks& checks);
 
-/// JSON with the number of simulated repetitions of the experiment (`of`) and the number of
-/// repetitions that give the same verdict as the readings (`same`). Null where no repetitions were
-/// simulated.
+/// Returns the JSON with the number of simulated repetitions of the experiment (`of`) and the
+/// number of repetitions that give the same verdict as the readings (`same`). Null where no
+/// repetitions were simulated.
 nlohmann::ordered_json to_json(const std::optional<Repeated>& repeated);
 
 }  // namespace pendular

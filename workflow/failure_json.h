@@ -6,12 +6,13 @@
 
 namespace pendular {
 
-/// JSON of the checks of a fit, which are tests of its residuals: statistic and p value of each
-/// check, and one p value of all checks together.
+/// Returns the JSON of statistical tests of a fit's residuals: statistic and p value of each test,
+/// and one p value of all tests together.
 nlohmann::ordered_json to_json(const Checks& checks);
 
-/// JSON that states where a fitted model fails on the readings: the tests of its residuals, and the
-/// groups of readings that deviate from the model, each with its p value.
+/// Returns the JSON that states where a fitted model fails to describe the readings: the
+/// statistical tests of the residuals, and the groups of readings that deviate from the model, each
+/// with its p value.
 nlohmann::ordered_json to_json(const WhereItFails& where);
 
 }  // namespace pendular

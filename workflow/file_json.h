@@ -6,9 +6,9 @@
 
 namespace pendular {
 
-/// JSON that describes a file of measurements, as `pendular import FILE --json` writes it: layout,
-/// encoding, intervals with their roles and columns, findings of the checks, rows left out, and
-/// yield loci. Numbers are in SI units, angles in rad.
+/// Returns the JSON that describes a file of measurements, as `pendular import FILE --json` writes
+/// it: layout, encoding, intervals with their roles and columns, faults, rows left out, and yield
+/// loci. Numbers are in SI units, angles in rad.
 nlohmann::ordered_json to_json(const FileView& view);
 
 }  // namespace pendular

@@ -9,22 +9,25 @@
 
 namespace pendular {
 
-// Training runs of a calibration. A fit file (fit.json) names each run by its fingerprint. Most of
-// the runs are in the atlas, the runs that come with the program; the others are in the table
+// Training runs of a calibration: simulations on which its emulator is trained. A fit file
+// (fit.json) names each run by its fingerprint, a hash of inputs and results. Most of the runs are
+// in the atlas (the simulations supplied with Pendular). The other runs are in the table
 // fit_runs.csv beside the fit file.
 
-/// JSON array with one name for each training run of an emulator, in the order of `runs`. The name
-/// of a run is its fingerprint, a hash of its inputs and results. The order must be kept, since the
-/// emulator's rounding errors depend on it.
+/// Returns a JSON array with one name for each of `runs`, the simulations on which an emulator is
+/// trained, in their order. The name of a run is its fingerprint, a hash of the run's inputs and
+/// results. The order must be kept, since the emulator's rounding errors depend on it.
 nlohmann::ordered_json run_names(const std::vector<dem::RunResult>& runs);
 
-/// Writes the training runs of a fit that are not in the atlas (the runs that come with the
-/// program) to FOLDER/fit_runs.csv. Removes this file where the atlas contains all of `runs`.
+/// Writes the training runs of a fit (simulations on which its emulator is trained) that are not in
+/// the atlas (the simulations supplied with Pendular) to FOLDER/fit_runs.csv. Removes
+/// FOLDER/fit_runs.csv where the atlas contains all of `runs`.
 /// @throws std::runtime_error where the file cannot be written
 void write_own_runs(const std::filesystem::path& folder, const std::vector<dem::RunResult>& runs);
 
-/// Returns the training runs that a fit file names, in the order of `names`. They are read from the
-/// atlas (the runs that come with the program) and from fit_runs.csv beside the fit file.
+/// Returns the training runs (simulations on which an emulator is trained) that a fit file names,
+/// in the order of `names`. The runs are read from the atlas (the simulations supplied with
+/// Pendular) and from fit_runs.csv beside the fit file.
 /// @param names JSON array of the fingerprints (hashes) of the runs; files of earlier versions
 ///        contain whole runs instead, which are returned as they are
 /// @throws InputError where a named run is neither in the atlas nor in fit_runs.csv

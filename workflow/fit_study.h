@@ -11,44 +11,52 @@
 
 namespace pendular {
 
-/// Options for all computations on a study, such as fits and diagnoses: settings and store of the
-/// simulations, threads, and the listener to progress reports.
+/// Options for all computations on a study, such as fits and diagnoses: settings of the
+/// simulations, seed, threads, store of the simulations, stop request, and the listener to progress
+/// reports.
 struct SessionOptions {
     Fidelity fidelity;       ///< settings of the simulations, such as the number of grains
     std::uint64_t seed = 1;  ///< seed of simulations and of random draws of errors
     /// Largest number of threads for simulation runs and refits.
     int threads = 1;
-    /// Store: the user's file of simulated runs, which keeps new runs and provides earlier runs;
-    /// null: no store.
+    /// Store (the user's file of simulations), which keeps new runs and provides earlier runs.
+    /// Null: no store is used.
     RunStore* store = nullptr;
-    std::stop_token stop = {};  ///< request to stop, by dem::Interrupted
-    Listener listener = {};     ///< callback for notes and progress; may be empty
+    /// Request to stop, which ends a computation by the exception dem::Interrupted.
+    std::stop_token stop = {};
+    /// Callback that receives notes and progress reports. May be empty.
+    Listener listener = {};
 };
 
 /// Options of the fit of a study's parameters.
 struct FitOptions {
-    /// Whether the fit is checked by new simulations at the fitted parameters. The emulator is then
-    /// trained on these runs too, and the fit is repeated until emulator and simulation agree.
+    /// Whether the fit is checked by new simulations at the fitted parameters. The emulator (which
+    /// interpolates simulations) is then trained on the new runs too, and the fit is repeated until
+    /// emulator and simulation agree.
     bool confirm = false;
-    /// Time that the confirming runs may take [s]; empty: no limit.
+    /// Time that the simulations which check the fit may take [s]. Empty: no limit.
     std::optional<double> confirming_seconds = {};
-    /// Whether the fit simulates all its training runs and uses none of the atlas (runs that come
-    /// with the program) or of the store (the user's file of runs).
+    /// Whether the fit simulates all runs on which its emulator is trained, and uses no run of the
+    /// atlas (the simulations supplied with Pendular) or of the store (the user's file of
+    /// simulations).
     bool cold = false;
-    /// Whether the fit also computes the 68 % interval of the friction by its profile likelihood.
+    /// Whether the fit also computes the 68 % interval of the friction coefficient by its profile
+    /// likelihood.
     bool profile = false;
     CohesionOptions cohesion = {};  ///< options of the Mohr-Coulomb lines through the wet readings
 };
 
-/// Whether a fit must simulate all runs on which its emulator is trained. Runs must be simulated if
-/// `options.cold` is set, or if fewer than 20 runs of the atlas (the runs that come with the
-/// program) and of the store (the user's file of runs) can train an emulator for the study.
+/// Whether a fit must simulate all runs on which its emulator (which interpolates simulations) is
+/// trained. The runs must be simulated if `options.cold` is set, or if fewer than 20 runs of the
+/// atlas (the simulations supplied with Pendular) and of the store (the user's file of simulations)
+/// can train an emulator for the study.
 bool begins_cold(const Study& study, const SessionOptions& session, const FitOptions& options);
 
 /// Fits the parameters of a study's model to its readings by least squares. The predictions come
-/// from an emulator, which is trained on the runs of the atlas (the runs that come with the
-/// program) and of the store (the user's file of runs) or, if these are too few or `options.cold`
-/// is set, on runs that the fit simulates.
+/// from an emulator, which interpolates simulations. The emulator is trained on the runs of the
+/// atlas (the simulations supplied with Pendular) and of the store (the user's file of
+/// simulations). If these runs are too few or `options.cold` is set, the emulator is trained on
+/// runs that the fit simulates.
 /// @throws InputError where there is nothing to fit, where a reading cannot be simulated, where the
 ///         study has effects on grains but no earlier simulations exist, and where the atlas cannot
 ///         be read
@@ -56,9 +64,9 @@ bool begins_cold(const Study& study, const SessionOptions& session, const FitOpt
 Calibration fit_study(const ResolvedStudy& study, const Measurements& measurements,
                       const SessionOptions& session, const FitOptions& options);
 
-/// Returns the exception to throw where the user stopped simulations. Its message names the file of
-/// the store, which keeps the finished runs, and says how to continue. Without a store (null), the
-/// message is the default one.
+/// Returns the exception to throw where the user stopped simulations. The message of the exception
+/// names the file `store` of the user's simulations, which keeps the finished runs, and says how to
+/// continue. If `store` is null, the message is the default message.
 dem::Interrupted interrupted_with(const RunStore* store);
 
 }  // namespace pendular

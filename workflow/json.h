@@ -10,20 +10,23 @@
 
 namespace pendular {
 
-/// JSON of a study's measurements, as `pendular import --json` writes it: every reading, every
-/// excluded range of rows with its reason, the scatter between replicates, reasons to doubt
-/// readings, and notes. Readings are in SI units.
+/// Returns the JSON of a study's measurements, as `pendular import --json` writes it: every
+/// reading, every excluded range of rows with the reason, the scatter between replicates (readings
+/// at the same condition), reasons to doubt readings, faults of files and recordings, and notes.
+/// Readings are in SI units.
 nlohmann::ordered_json to_json(const Measurements& measurements);
 
-/// JSON of the comparison of a fitted model with the readings, as in out/compare.json.
-/// @param lines cohesion lines, Mohr-Coulomb lines through measured and predicted wet readings
+/// Returns the JSON of the comparison of the readings with the predictions of a fitted model, as in
+/// out/compare.json.
+/// @param lines cohesion lines: Mohr-Coulomb lines fitted to measured and to predicted stress
+///        ratios of wet readings
 /// @param where tests of the residuals, and the groups of readings that deviate most from the model
 nlohmann::ordered_json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
                                const WhereItFails& where);
 
 /// Writes a JSON object to a file, after the key `"format"` with the version of the program's JSON.
-/// The text goes to a temporary file that is then renamed, so that an earlier file survives a full
-/// disk.
+/// The text is first written to a temporary file, which is then renamed, so that an earlier file
+/// survives a full disk.
 /// @throws std::runtime_error where the file cannot be written
 void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json);
 

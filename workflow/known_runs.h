@@ -10,24 +10,25 @@
 
 namespace pendular {
 
-/// Returns the earlier runs that can train an emulator for a study: first those of the atlas (the
-/// runs that come with the program), then those of the store, latest first. A run can be used if it
-/// has no effects other than those that the study lists, enough grains, a similar Poisson ratio
-/// and, if wet, the study's bridge force law (`runs_serving`). If more than `most_known` runs can
-/// be used, the oldest runs of the store are left out and the listener receives a note. Empty where
-/// fewer than 20 runs can be used.
-/// @param store store, the user's file of runs; null: only the atlas is used
+/// Returns the earlier simulation runs that can train an emulator for a study: first the runs of
+/// the atlas (the simulations supplied with Pendular), then the runs of the store (the user's file
+/// of simulations), latest first. A run can train the emulator if it has no effects other than
+/// those that the study lists, enough grains, a similar Poisson ratio and, if wet, the study's
+/// bridge force law (`runs_serving`). If more than `most_known` runs can train the emulator, the
+/// oldest runs of the store are left out and the listener receives a note. Empty where fewer than
+/// 20 runs can train the emulator.
+/// @param store user's file of simulations; null: only the atlas is used
 /// @throws InputError where the atlas cannot be read
 std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,
                                     const RunStore* store, const Listener& listener = {});
 
 /// Returns the hyperparameters (amplitudes and lengths) of the emulator's Gaussian processes from
-/// the file beside the atlas, the runs that come with the program. Empty where this file does not
-/// exist.
+/// the file beside the atlas (the simulations supplied with Pendular). Empty where the file does
+/// not exist.
 EmulatorHyperparameters atlas_hyperparameters();
 
-/// Largest number of training runs of an emulator. The time of training grows with the cube of the
-/// number and is some seconds at this limit.
+/// Largest number of runs on which an emulator is trained. The time of training is proportional to
+/// the cube of the number of runs, and is some seconds for this number.
 constexpr std::size_t most_known = 1500;
 
 }  // namespace pendular

@@ -9,33 +9,35 @@
 
 namespace pendular {
 
-/// Note to the user, or progress report of a long computation such as a fit, for display.
+/// Event to be displayed to the user: a note, or a progress report of a long computation such as a
+/// fit.
 struct Event {
     enum class Kind {
         note,   ///< note for the user: `text`
         stage,  ///< beginning of the stage of work that `text` names
-        runs,   ///< progress of the simulations in the stage that `text` names
+        runs,   ///< progress of the simulations in the stage of work that `text` names
         round,  ///< end of round `number` (new simulations, then a fit), with the result `fit`
-        refits  ///< progress of the refits that `text` names: `number` of `total` are done
+        refits  ///< progress of the refits that `text` names: `number` of `total` refits are done
     };
     Kind kind = Kind::note;
     /// Text of the note, or name of the stage of work or of the refits.
     std::string text = {};
-    /// Progress of the simulations, for an event of the kind `runs`.
+    /// Progress of the simulations. Used for an event of the kind `runs`.
     EnsembleProgress runs = {};
-    /// For an event of the kind `round`, the number of the round. For an event of the kind
-    /// `refits`, the number of refits that are done, and of all refits.
+    /// Number of the round in an event of the kind `round`. In an event of the kind `refits`,
+    /// `number` is the number of refits that are done, and `total` the number of all refits.
     std::size_t number = 0, total = 0;
-    /// Fit at the end of a round, for an event of the kind `round`; valid only while the listener
-    /// is called.
+    /// Fit at the end of a round, in an event of the kind `round`. Valid only while the listener is
+    /// called.
     const Fit* fit = nullptr;
 };
 
 /// Callback that receives notes to the user and progress reports of long computations such as fits.
-/// The callback is called from one thread at a time and may be empty.
+/// The callback is called from one thread at a time. A listener may be empty.
 using Listener = std::function<void(const Event&)>;
 
-/// Calls a listener with an event; does nothing where the listener is empty.
+/// Calls a listener (callback for notes and progress reports) with an event. Does nothing where the
+/// listener is empty.
 inline void tell(const Listener& listener, const Event& event) {
     if (listener) listener(event);
 }

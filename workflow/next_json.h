@@ -6,8 +6,10 @@
 
 namespace pendular {
 
-/// JSON of the next measurement to make for a study, as in out/next.json: the rival models, the
-/// point to measure and what each model predicts there.
+/// Returns the JSON of the next measurement to make for a study, as in out/next.json. If there are
+/// several rival models: their names, the point to measure and the predictions of each model. If
+/// there is only one model: the point to measure and the standard errors of its parameters before
+/// and after the measurement.
 nlohmann::ordered_json to_json(const NextMeasurement& next);
 
 }  // namespace pendular

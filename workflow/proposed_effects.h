@@ -9,33 +9,35 @@
 
 namespace pendular {
 
-/// Effects that a diagnosis proposes where no known effect explains the readings, as in the file
+/// Effects that a diagnosis proposes where no known effect explains the readings, as in
 /// proposed.toml of the results folder. A proposal is a set of effects that would together explain
 /// the readings.
 struct ProposedEffects {
     /// Names of the effects of each proposal, in the order of the diagnosis.
     std::vector<std::vector<std::string>> proposals;
-    /// Definitions of the effects of all proposals, by formulas.
+    /// Definitions, by formulas, of the effects of all proposals.
     std::vector<WrittenEffect> effects;
 };
 
-/// Returns the definition of an effect as the text of a table [[effect]] for study.toml.
+/// Returns the definition of an effect, by formulas, as the text of a table [[effect]] for
+/// study.toml.
 std::string effect_table(const WrittenEffect& effect);
 
-/// Writes the effects that a diagnosis proposes to a file: tables [[proposal]], and tables
-/// [[effect]] that can be copied to study.toml. Removes the file where there is no proposal.
+/// Writes the effects that a diagnosis proposes to a file: tables [[proposal]] with names of
+/// effects, and tables [[effect]] that can be copied to study.toml. Removes the file where there is
+/// no proposal.
 /// @throws std::runtime_error where the file cannot be written
 void write_proposed(const std::filesystem::path& file, const ProposedEffects& proposed);
 
 /// Reads the effects that a diagnosis proposed from a file such as proposed.toml. Empty where the
 /// file does not exist.
-/// @throws InputError where the file is not one that `write_proposed` wrote
+/// @throws InputError where the file was not written by `write_proposed`
 ProposedEffects read_proposed(const std::filesystem::path& file);
 
-/// Returns the names of the effects of one proposal of a diagnosis.
+/// Returns the names of the effects of one proposal (set of effects) of a diagnosis.
 /// @param file file of the proposals, such as out/proposed.toml
 /// @param number number of the proposal, from 1
-/// @throws InputError where the file has no proposal of this number or cannot be read
+/// @throws InputError where the file has no proposal with the number or cannot be read
 std::vector<std::string> proposal(const std::filesystem::path& file, std::int64_t number);
 
 }  // namespace pendular

@@ -11,13 +11,13 @@
 
 namespace pendular {
 
-/// Comparison of the numbers that Badetti et al. (2018) publish with the same numbers from
-/// simulations.
+/// Comparison of the numbers that Badetti et al. (2018) publish with the numbers that simulations
+/// give.
 class Reproduction {
   public:
-    /// Compares the published numbers with the runs of the atlas (the runs that come with the
-    /// program) and of a store (the user's file of runs).
-    /// @param store store; null: only the atlas is used
+    /// Compares the published numbers with the runs of the atlas (the simulations supplied with
+    /// Pendular) and of a store (the user's file of simulations).
+    /// @param store user's file of simulations; null: only the atlas is used
     /// @throws InputError where there are too few runs
     Reproduction(const Fidelity& fidelity, const RunStore* store);
     Reproduction(const Reproduction&) = delete;
@@ -25,11 +25,11 @@ class Reproduction {
 
     const PaperStudy& study() const { return *study_; }
     const std::vector<ScoreboardRow>& rows() const { return rows_; }
-    /// Number of published numbers or ranges that agree with the simulated ones.
+    /// Returns the number of published numbers or ranges that agree with the simulated numbers.
     std::size_t agreeing() const;
-    /// Parameters of the runs that are still to be simulated: one for each published state without
-    /// an earlier run. Number of grains and stiffness number are those of the fidelity, the set of
-    /// simulation settings.
+    /// Returns the parameters of the runs that are still to be simulated: one run for each
+    /// published state without an earlier run. Number of grains, strain and stiffness number are
+    /// those of the fidelity (set of simulation settings).
     std::vector<dem::RunParameters> missing_runs() const;
 
   private:
@@ -39,8 +39,8 @@ class Reproduction {
     std::vector<ScoreboardRow> rows_;
 };
 
-/// JSON of a reproduction, as `pendular reproduce --json` writes it: each number or range that
-/// Badetti et al. (2018) publish, with the simulated number and whether they agree.
+/// Returns the JSON of a reproduction, as `pendular reproduce --json` writes it: each number or
+/// range that Badetti et al. (2018) publish, with the simulated numbers, and whether both agree.
 nlohmann::ordered_json to_json(const Reproduction& reproduction);
 
 }  // namespace pendular

@@ -8,58 +8,61 @@
 
 namespace pendular {
 
-/// State of steady shear as the user requests it from `pendular predict`. The grains are wet where
-/// a reduced pressure is given; the amount of liquid is then either a bridge volume or a liquid
-/// content.
+/// State of steady shear that the user requests from `pendular predict`. The grains are wet if a
+/// reduced pressure is given. The amount of liquid is then given either as a bridge volume or as a
+/// liquid content.
 struct RequestedState {
     double friction = 0.09, inertial_number = 0;  ///< friction coefficient and inertial number [1]
     /// Reduced pressure P* [1], volume of a liquid bridge divided by the cubed grain diameter [1],
-    /// and liquid content Phi_L/Phi_S, the liquid volume divided by the bead volume [1].
+    /// and liquid content Phi_L/Phi_S (volume of liquid divided by volume of grains) [1]. Empty if
+    /// not given.
     std::optional<double> reduced_pressure, bridge_volume, liquid_content;
-    /// Stiffness number of the grains [1]; 0: the stiffness number of most training runs.
+    /// Stiffness number of the grains [1]. 0: the stiffness number of most simulation runs on which
+    /// the emulator is trained.
     double stiffness_number = 0;
 
-    /// Checks that the requested state is possible: its numbers lie within their ranges, and a wet
-    /// state has its amount of liquid given in exactly one way.
+    /// Checks that the requested state is possible. The numbers must lie within their ranges, and
+    /// the amount of liquid of a wet state must be given in exactly one way.
     /// @throws InputError where the state is not possible; the message names the option of
     ///         `pendular predict` to change
     void check_supported() const;
 
-    /// Returns the requested state in the coordinates of the emulator: friction, inertial number,
-    /// 1/P* and bridge volume. A liquid content is converted to a bridge volume by means of the
-    /// coordination number that the emulator predicts.
+    /// Returns the requested state in the coordinates of the emulator: friction coefficient,
+    /// inertial number, 1/P* (P*: reduced pressure) and bridge volume. A liquid content is
+    /// converted to a bridge volume by means of the coordination number that the emulator predicts.
     /// @param known range of states in which the earlier simulation runs allow predictions
     /// @throws InputError for a wet state where no earlier run is wet, and for a dry state where no
     ///         earlier run is dry
     FlowState state(const Emulator& emulator, const KnownRange& known) const;
-    /// Returns a request for another state, `state`. The new request gives a liquid content if this
-    /// one does, else a bridge volume.
+    /// Returns a request for the state `state`. The returned request gives a liquid content if the
+    /// present request gives a liquid content, else a bridge volume.
     RequestedState with(const FlowState& state, const Emulator& emulator) const;
 
-    /// Text that describes the requested state, as in "friction 0.3, inertial number 0.01, reduced
-    /// pressure 1, liquid content 0.03".
+    /// Returns a text that describes the requested state, as in "friction 0.3, inertial number
+    /// 0.01, reduced pressure 1, liquid content 0.03".
     std::string text() const;
-    /// Options of `pendular predict` that request this state, as in "--friction 0.3".
+    /// Returns the options of `pendular predict` that request the state, as in "--friction 0.3".
     std::string options() const;
 };
 
-/// Parameters of the run that simulates a state of steady shear, with the number of grains and the
-/// strain of `fidelity`, a set of simulation settings. An inertial number below the lowest one that
-/// `fidelity` simulates is raised to that value.
+/// Returns the parameters of the run that simulates a state of steady shear, with the number of
+/// grains and the strain of `fidelity`, a set of simulation settings. An inertial number below the
+/// lowest inertial number of `fidelity` is raised to that lowest inertial number.
 dem::RunParameters run_of(const FlowState& state, const Fidelity& fidelity,
                           double stiffness_number);
 
-/// Reason why a run with these parameters cannot be simulated, such as a number outside its range;
-/// empty where the run can be simulated.
+/// Returns the reason why a run with the parameters `run` cannot be simulated, such as a number
+/// outside its range. Empty where the run can be simulated.
 std::string why_impossible(const dem::RunParameters& run);
 
-/// Command line of `pendular simulate` that simulates a run with these parameters. Number of grains
-/// and strain are those of `fidelity`.
+/// Returns the command line of `pendular simulate` that simulates a run with the parameters `run`,
+/// with the number of grains and the strain of `fidelity`, a set of simulation settings.
 std::string simulate_command(const dem::RunParameters& run, const Fidelity& fidelity);
 
-/// Error message for a requested state outside the range of the earlier simulation runs. It
-/// contains the reason `why`, the nearest state within the range with the command that predicts it,
-/// and the command that simulates the requested state instead.
+/// Returns the error message for a requested state outside the range of the earlier simulation
+/// runs. The message contains the reason `why`, the nearest state within the range, and the command
+/// that predicts the nearest state. The message also contains the command that simulates the
+/// requested state, or the reason why the requested state cannot be simulated.
 /// @param state requested state in the coordinates of the emulator
 std::string unsupported_text(const RequestedState& requested, const FlowState& state,
                              const std::string& why, const Emulator& emulator,
@@ -67,9 +70,10 @@ std::string unsupported_text(const RequestedState& requested, const FlowState& s
                              double stiffness_number);
 
 /// Corrects the bridge volume of a state outside the range of the earlier simulation runs. The
-/// volume follows from the requested liquid content and the coordination number, which the emulator
-/// cannot predict reliably for `state`. The coordination number of the nearest state within the
-/// range is used in its place. Returns `state` unchanged where no liquid content is requested.
+/// bridge volume follows from the requested liquid content and the coordination number, which the
+/// emulator cannot predict reliably for `state`. The coordination number of the nearest state
+/// within the range is used in its place. Returns `state` unchanged where no liquid content is
+/// requested.
 FlowState with_known_coordination(const RequestedState& requested, FlowState state,
                                   const Emulator& emulator, const KnownRange& known);
 

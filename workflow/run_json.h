@@ -9,26 +9,26 @@
 
 namespace pendular {
 
-/// JSON of a number with its standard error, {"value": number, "stderr": standard error}, both in
-/// the unit of the number.
+/// Returns the JSON of a number with its standard error, {"value": number, "stderr": standard
+/// error}, both in the unit of the number.
 nlohmann::ordered_json uncertain(double value, double error);
 
-/// JSON of the parameter values of a model's effects, in the units of the parameters. The keys are
-/// "EFFECT.PARAMETER", as in "torque-offset.torque".
+/// Returns the JSON of the parameter values of a model's effects, in the units of the parameters.
+/// The keys are "EFFECT.PARAMETER", as in "torque-offset.torque".
 nlohmann::ordered_json effects_json(const std::vector<ActiveEffect>& effects);
 
-/// JSON of a run: each observable as {"value", "stderr"}, and all parameters that are needed to
-/// repeat the run. Observables of liquid bridges are zero in a dry run. Parameters of effects on
-/// grains are under the key `effects_in_run_units`; in these units, grain diameter, grain mass and
-/// normal stress are 1.
+/// Returns the JSON of a simulation run: each observable as {"value", "stderr"}, and all parameters
+/// that are needed to repeat the run. Observables of liquid bridges are zero in a dry run.
+/// Parameters of effects on grains are under the key `effects_in_run_units`, in units in which
+/// grain diameter, grain mass and normal stress are 1.
 nlohmann::ordered_json to_json(const dem::RunResult& run);
 
-/// JSON of the values that the closures (analytical formulas) of Badetti et al. (2018) give for a
-/// wet state, one key for each quantity. All values are dimensionless.
+/// Returns the JSON of the values that the closures (analytical formulas) of Badetti et al. (2018)
+/// give for a wet state, with one key for each quantity. All values are dimensionless.
 nlohmann::ordered_json closures_json(const closures::ClosureValues& values);
 
-/// Reads the result of a run from the JSON that `to_json` writes for a run. Observables that
-/// earlier versions did not write are zero.
+/// Reads the result of a simulation run from the JSON that `to_json` writes for a run. Observables
+/// that earlier versions did not write are zero.
 /// @throws nlohmann::json::exception where a key is missing or has another type
 dem::RunResult run_from_json(const nlohmann::ordered_json& json);
 

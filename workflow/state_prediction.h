@@ -13,22 +13,24 @@
 
 namespace pendular {
 
-/// Observables predicted at one state of steady shear, by an emulator trained on the runs of the
-/// atlas (the runs that come with the program) and of the store (the user's file of runs).
+/// Observables predicted at one state of steady shear by an emulator, which interpolates
+/// simulations. The emulator is trained on the runs of the atlas (the simulations supplied with
+/// Pendular) and of the store (the user's file of simulations).
 struct StatePrediction {
     FlowState state;
     /// Predicted values of the observables at the state, with their standard errors.
     std::vector<EmulatedObservable> observables;
-    /// Stiffness number of the grains for which predictions hold [1].
+    /// Stiffness number of the grains for which the predictions hold [1].
     double stiffness_number = 1000;
-    /// Text that names each quantity of the state (friction, inertial number, reduced pressure,
-    /// bridge volume) outside its range in the training runs, as in "friction 0.9 is above 0.6";
-    /// empty where all quantities are within their ranges.
+    /// Text that names each quantity of the state (friction coefficient, inertial number, reduced
+    /// pressure, bridge volume) outside its range in the simulation runs on which the emulator is
+    /// trained, as in "friction 0.9 is above 0.6". Empty where all quantities are within their
+    /// ranges.
     std::string beyond;
     /// Number of simulation runs on which the emulator is trained.
     std::size_t runs = 0;
     /// Values of the closures (analytical formulas) of Badetti et al. (2018), computed from the
-    /// predicted observables; empty for a dry state.
+    /// predicted observables. Empty for a dry state.
     std::optional<closures::ClosureValues> closures = {};
 };
 
@@ -44,50 +46,50 @@ struct VariedQuantity {
     /// Whether the values of the quantity are evenly spaced in the logarithm.
     bool logarithmic = false;
 
-    /// Parses the name and range of a varied quantity from a text such as
-    /// "reduced-pressure=0.5:10". The values are evenly spaced in the logarithm, except for
-    /// friction and for a range that does not begin above 0.
+    /// Parses the name and the range of a varied quantity from a text such as
+    /// "reduced-pressure=0.5:10". The values are evenly spaced in the logarithm, except for the
+    /// friction coefficient and for a range that does not begin above 0.
     /// @param points number of values along the range
     /// @throws InputError where the text has another form, where the range does not increase, and
     ///         where `points` is below 2
     static VariedQuantity parsed(const std::string& text, int points);
-    /// Value k of the varied quantity [1], for k from 0 (`from`) to points - 1 (`to`).
+    /// Returns value k of the varied quantity [1], for k from 0 (`from`) to points - 1 (`to`).
     double at(int k) const;
     /// Sets the varied quantity of a requested state to a value [1].
     void set(RequestedState& requested, double value) const;
 };
 
-/// Predictions along a curve of states that differ in one quantity. States outside the range of the
-/// earlier simulation runs are left out.
+/// Predictions along a curve of states of steady shear that differ in one quantity. States outside
+/// the range of the earlier simulation runs are left out.
 struct PredictionCurve {
     std::string variable;    ///< name of the varied quantity, as in `VariedQuantity`
     std::vector<double> at;  ///< value of the varied quantity at each predicted state [1]
-    /// States of steady shear at which the curve has predictions, in the order of `at`.
+    /// States of steady shear for which the curve has predictions, in the order of `at`.
     std::vector<FlowState> states;
     /// Predicted observables of each state, in the order of `states`.
     std::vector<std::vector<EmulatedObservable>> observables;
     /// Values of the closures (analytical formulas) of Badetti et al. (2018) at each state,
-    /// computed from the predicted observables; empty for dry states.
+    /// computed from the predicted observables. Empty for dry states.
     std::vector<closures::ClosureValues> closures;
-    /// Stiffness number of the grains for which predictions hold [1].
+    /// Stiffness number of the grains for which the predictions hold [1].
     double stiffness_number = 1000;
-    /// Number of states of the curve that are left out, since no earlier simulation run is near
-    /// these states.
+    /// Number of states of the curve that are left out, since no earlier simulation run is near the
+    /// states.
     int left_out = 0;
-    /// Reason why the first state that was left out cannot be predicted; empty where no state was
+    /// Reason why the first state that was left out cannot be predicted. Empty where no state was
     /// left out.
     std::string why_left_out;
 };
 
-/// Predicts steady shear at any state from the runs of the atlas (the runs that come with the
-/// program) and of a store (the user's file of runs), without a study and without new runs.
+/// Predictor of steady shear at any state from the runs of the atlas (the simulations supplied with
+/// Pendular) and of a store (the user's file of simulations), without a study and without new runs.
 class StatePredictor {
   public:
-    /// Trains an emulator on earlier simulation runs: those of the atlas (which come with the
-    /// program) and of the user's store.
+    /// Trains an emulator (which interpolates simulations) on the earlier runs of the atlas (the
+    /// simulations supplied with Pendular) and of the store (the user's file of simulations).
     /// @param fidelity settings of the runs that messages and `run_for` suggest where a state
     ///        cannot be predicted
-    /// @param store user's file of runs; null: only the atlas is used
+    /// @param store user's file of simulations; null: only the atlas is used
     /// @param stiffness_number stiffness number of the grains to predict [1]
     /// @throws InputError where there are too few earlier runs to train an emulator, and where the
     ///         stiffness number is below 100
@@ -95,8 +97,8 @@ class StatePredictor {
     StatePredictor(const StatePredictor&) = delete;
     StatePredictor& operator=(const StatePredictor&) = delete;
 
-    /// Checks that solid fractions can be predicted for grains of this stiffness number [1], which
-    /// must be 100 or more.
+    /// Checks that solid fractions can be predicted for grains of the stiffness number
+    /// `stiffness_number` [1], which must be 100 or more.
     /// @throws InputError where the stiffness number is below 100
     static void check_stiffness_number(double stiffness_number);
 
@@ -121,21 +123,22 @@ class StatePredictor {
     ///         predicted solid fraction is not that of a dense flow
     PredictionCurve along(RequestedState requested, const VariedQuantity& varied) const;
 
-    /// Values of the closures (analytical formulas) of Badetti et al. (2018) for the state of a wet
-    /// run. They are computed from the observables of the run and the stress ratio that the
-    /// emulator predicts for dry grains at the run's friction and inertial number. Empty for a dry
-    /// run, where no earlier runs are near this dry state, and where the run has a damping other
-    /// than the default or an effect that also changes dry flow.
+    /// Returns the values of the closures (analytical formulas) of Badetti et al. (2018) for the
+    /// state of a wet simulation run. The values are computed from the observables of the run and
+    /// the stress ratio that the emulator predicts for dry grains that have the friction
+    /// coefficient and the inertial number of the run. Empty for a dry run, where no earlier runs
+    /// are near the dry state, and where the run has a damping other than the default damping or an
+    /// effect that also changes dry flow.
     std::optional<closures::ClosureValues> closures_of(const dem::RunResult& run) const;
 
-    /// Parameters of the run that simulates a requested state which cannot be predicted from the
-    /// earlier runs.
+    /// Returns the parameters of the run that simulates a requested state which cannot be predicted
+    /// from the earlier runs.
     /// @throws InputError where the state cannot be simulated
     dem::RunParameters run_for(const RequestedState& requested) const;
 
   private:
-    /// Requested state in the coordinates of the emulator, for grains of the stiffness number
-    /// `stiffness_number_`.
+    /// Returns the requested state in the coordinates of the emulator, for grains of the stiffness
+    /// number `stiffness_number_`.
     FlowState state_of(RequestedState requested) const;
     std::vector<EmulatedObservable> observables_at(const FlowState& state) const;
     std::string unsupported(const RequestedState& requested, const FlowState& state,

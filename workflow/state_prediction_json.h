@@ -6,18 +6,19 @@
 
 namespace pendular {
 
-/// JSON of the predictions at one state, as `pendular predict --json` writes it: each observable
-/// with its standard error and its derivatives with respect to friction, logarithm of inertial
-/// number, inverse reduced pressure and bridge volume.
+/// Returns the JSON of the predictions at one state of steady shear, as `pendular predict --json`
+/// writes it: each observable with its standard error and its derivatives with respect to friction
+/// coefficient, logarithm of inertial number, inverse reduced pressure and bridge volume.
 nlohmann::ordered_json to_json(const StatePrediction& prediction);
 
-/// JSON of the predictions along a curve of states, as `pendular predict --along --json` writes it:
-/// an array of states that differ in one quantity, each with its observables, standard errors and
-/// derivatives.
+/// Returns the JSON of the predictions along a curve of states, as `pendular predict --along
+/// --json` writes it: an array of states of steady shear that differ in one quantity, each with its
+/// observables, standard errors and derivatives.
 nlohmann::ordered_json to_json(const PredictionCurve& curve);
 
-/// JSON of a state that was simulated instead of predicted, as `pendular predict --json` writes it:
-/// each observable with its standard error, without derivatives.
+/// Returns the JSON of a state of steady shear that was simulated instead of predicted, as
+/// `pendular predict --json` writes it: each observable with its standard error, without
+/// derivatives.
 nlohmann::ordered_json simulated_state_json(const dem::RunParameters& requested,
                                             const dem::RunResult& run);
 

@@ -13,7 +13,7 @@
 
 namespace pendular {
 
-/// Change of the effects that a study lists: one effect is added or dropped.
+/// Kind of change of the effects that a study lists: one effect is added or dropped.
 enum class Action { add, drop };
 
 /// Change of the effects that a study lists, checked but not yet written to study.toml.
@@ -26,46 +26,51 @@ struct StudyChange {
 };
 
 /// Checks a change of the effects that a study lists, and prepares the changed study. Nothing is
-/// written. The effect to add may be one that the study's catalogue lacks but that is among
-/// `proposed`; its table [[effect]] is then added to study.toml too.
-/// @throws InputError where an effect to add is unknown (naming the nearest known effect), does not
-///         apply to the study or is listed already, and where an effect to drop is not listed
+/// written. An effect to add that the study's catalogue lacks may be among `proposed`. The table
+/// [[effect]] of a proposed effect is then added to study.toml too.
+/// @throws InputError where an effect to add is unknown (the message names the nearest known
+///         effect), does not apply to the study or is listed already, and where an effect to drop
+///         is not listed
 StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect,
                         const std::vector<WrittenEffect>& proposed = {});
 
-/// Calibration of a study before or after an effect was added or dropped, compared with the
-/// readings.
+/// Calibration of a study before or after an effect was added or dropped, with the comparison of
+/// the readings with the predictions.
 struct Fitted {
     Calibration calibration;
     Comparison comparison;
-    /// Summary of the fit, for the ladder (sequence of the study's models).
+    /// Summary of the fit, as a step of the ladder (the sequence of the study's models).
     LadderStep ladder_step;
-    /// Judgement whether the fit can be believed; empty for a fit before the change.
+    /// Judgement whether the fit can be believed. The judgement contains no reasons for a fit
+    /// before the change, since only the fit after the change is judged.
     Belief belief = {};
     /// Number of conditions in the cross-validation, each predicted by a fit to the other
-    /// conditions; 0: there are too few conditions for a cross-validation.
+    /// conditions. 0 if no cross-validation was made.
     std::size_t left_out = 0;
-    /// Number of conditions that the cross-validation cannot predict: the readings at the other
-    /// conditions alone do not determine every parameter of the model.
+    /// Number of conditions that the cross-validation cannot predict, since a fit to the readings
+    /// at the other conditions does not determine every parameter of the model or does not
+    /// converge.
     std::size_t undetermined = 0;
 };
-/// Compares a calibration with all readings of the study, and computes its cross-validation errors:
-/// the errors of each condition when it is predicted by a fit to the other conditions.
+/// Compares all readings of a study with the predictions of a calibration, and computes the
+/// cross-validation errors: the errors of the predictions of each condition by a fit to the other
+/// conditions.
 /// @param cross_validated whether to compute the cross-validation errors, which takes a refit for
 ///        each condition
 Fitted fitted(const ResolvedStudy& study, Calibration calibration, bool cross_validated = true);
 
-/// JSON of a change of the effects that a study lists, as `pendular add --json` and `pendular drop
-/// --json` write it: the effect, and the model's parameters and errors before and after.
+/// Returns the JSON of a change of the effects that a study lists, as `pendular add --json` and
+/// `pendular drop --json` write it: the effect, the alternatives to an added effect, and the
+/// parameters and errors of the model before and after the change.
 /// @param written whether study.toml was changed
 nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before,
                                const LadderStep& after, bool written);
 
-/// Makes a fitted change of effects permanent: appends the model after it to the ladder (the
-/// sequence of the study's models), writes fit.json and ladder.json to `folder`, and last writes
-/// study.toml.
-/// @param before, after the models before and after the change, fitted to the same readings
-/// @param fit the fit of the changed study, for fit.json
+/// Makes a fitted change of effects permanent. The function appends the model after the change to
+/// the ladder (the sequence of the study's models), writes fit.json and ladder.json to `folder`,
+/// and last writes study.toml.
+/// @param before, after models before and after the change, fitted to the same readings
+/// @param fit fit of the changed study, for fit.json
 /// @throws InputError where study.toml has changed since it was read; nothing is written
 /// @throws std::runtime_error where a file cannot be written; study.toml is then unchanged
 void apply_change(const StudyChange& change, const LadderStep& before, LadderStep after,
@@ -74,21 +79,23 @@ void apply_change(const StudyChange& change, const LadderStep& before, LadderSte
 /// Result of adding or dropping an effect of a study: the fits before and after the change.
 struct ChangedStudy {
     StudyChange change;
-    /// Fit of the study before the change. If the parameters were fitted to the dry readings only
-    /// but are fitted to all readings after the change, `before` is a fit to all readings too.
+    /// Fit of the study before the change. If the study is fitted to the dry readings only before
+    /// the change but to all readings after the change, `before` is a fit to all readings.
     Fitted before;
-    Fitted after;  ///< fit of the study after the change, as in fit.json
-    /// Fit of the changed study to all readings, for comparison with `before`, which is a fit to
-    /// all readings. Empty unless `after` is a fit to the dry readings only.
+    /// Fit of the study after the change, which fit.json contains if `written` is true.
+    Fitted after;
+    /// Fit of the changed study to all readings, for comparison with `before`, if `before` is a fit
+    /// to all readings and `after` is a fit to the dry readings only. Empty otherwise, and where
+    /// the fit `after` did not converge.
     std::optional<Fitted> after_to_all;
-    /// Ladder: sequence of the study's models. The last one is the changed model if `written` is
-    /// true.
+    /// Ladder (the sequence of the study's models). The last model is the changed model if
+    /// `written` is true.
     Ladder ladder;
-    /// Whether the change was written to study.toml; false where the fit after the change did not
+    /// Whether the change was written to study.toml. False where the fit after the change did not
     /// converge.
     bool written = false;
 
-    /// Returns the fit of the study after the change that uses the same readings as `before`.
+    /// Returns the fit of the study after the change that uses the readings which `before` uses.
     const Fitted& comparable_after() const { return after_to_all ? *after_to_all : after; }
 };
 
@@ -97,18 +104,19 @@ struct ChangeOptions {
     /// Options of the fits before and after the change.
     FitOptions fit = {};
     /// Whether to use the fidelity (set of simulation settings) of the fit in `folder`, if there is
-    /// one.
+    /// a fit.
     bool same_fidelity = true;
     /// Folder for results, which also contains the results of earlier commands.
     std::filesystem::path folder;
 };
 
-/// Adds an effect to a study or drops one, and fits the study before and after the change. The fit
-/// before is read from the results folder if that fit was made with comparable settings; otherwise
-/// the study is fitted again. Then fit.json and ladder.json are written to the folder and, last,
-/// study.toml. Nothing is written where the fit after the change does not converge.
-/// @param effect name of the effect; to add, also one that proposed.toml of the results folder
-///        defines
+/// Adds an effect to a study or drops an effect, and fits the study before and after the change.
+/// The fit before the change is read from the results folder if that fit was made with comparable
+/// settings. Otherwise the study before the change is fitted again. Then fit.json and ladder.json
+/// are written to the results folder and, last, study.toml is written. Nothing is written where the
+/// fit after the change does not converge.
+/// @param effect name of the effect; an effect to add may be defined in proposed.toml of the
+///        results folder
 /// @throws InputError where the effect cannot be added or dropped, where ladder.json cannot be
 ///         read, where a fit is impossible, and where study.toml has changed since it was read
 /// @throws std::runtime_error where a file cannot be written; study.toml is then unchanged

@@ -20,14 +20,14 @@
 
 namespace pendular {
 
-/// Rival model: the study's model with other effects in place of one that the study lists, fitted
-/// to the readings.
+/// Rival model: the study's model with other effects in place of one effect that the study lists,
+/// fitted to the readings.
 struct RivalModel {
     /// Name of the effect that the study lists and that the rival model lacks.
     std::string in_place_of;
     /// Names of the effects that the rival model has instead.
     std::vector<std::string> effects;
-    /// The rival model with its fitted parameters.
+    /// Rival model as a predictor of readings, with its fitted parameters.
     Rival fitted;
     /// chi2 of all readings and direct measurements in the rival model [1].
     double chi2 = 0;
@@ -39,20 +39,22 @@ struct Confirmation {
     std::size_t runs = 0;
     double seconds = 0;  ///< time that the simulations and the diagnoses took together [s]
     /// Whether the verdict is firm: the last runs did not change the verdict and agreed with the
-    /// emulator, and the noise of all runs is small compared with the other errors.
+    /// emulator's predictions, and the noise of all runs is small compared with the other errors.
     bool settled = false;
-    std::string open = {};  ///< reason why the verdict is not firm; empty where it is firm
+    /// Reason why the verdict is not firm. Empty where the verdict is firm.
+    std::string open = {};
 };
 
 /// Largest number of readings that a diagnosis tests one by one. If there are more readings, the
-/// diagnosis divides them into this many bins and tests the mean of each bin. The time of the tests
-/// grows with the third power of the number of readings.
+/// diagnosis divides the readings into this many bins and tests the mean of each bin. The time of
+/// the tests is proportional to the third power of the number of readings.
 inline constexpr std::size_t most_tested = 200;
 
-/// Diagnosis of a study, with the readings, models and errors on which it is based.
+/// Diagnosis of a study (search for effects that its model lacks), with the readings, models and
+/// errors on which the diagnosis is based.
 struct StudyDiagnosis {
-    /// Readings that are tested, dry readings first: the readings of the study, or means of
-    /// neighbouring readings if there are more than `most_tested`.
+    /// Readings that are tested, dry readings first. They are the readings of the study or, if
+    /// there are more than `most_tested`, means of neighbouring readings.
     std::vector<Reading> readings;
     /// Number of readings of the study, before any means were taken.
     std::size_t measured = 0;
@@ -60,31 +62,33 @@ struct StudyDiagnosis {
     std::unique_ptr<StudyModels> models;
     /// Tested readings and direct measurements, as one vector of values with its covariance.
     Evidence evidence;
-    Diagnosis diagnosis;  ///< verdict, tests and refitted models
+    Diagnosis diagnosis;  ///< result of the diagnosis: verdict, tests and refitted models
     /// Column of the recordings that was probably read in a wrong unit, which would explain the
-    /// misfit; empty: no such column was found.
+    /// misfit. Empty if no column was found.
     std::optional<UnitMistake> mistake = {};
     /// Whether the verdict is `suspect_measurement` regardless of the tests, since a column may be
     /// in a wrong unit or implausible readings were kept.
     bool overruled = false;
-    /// Models that the readings do not rule out, with other effects in place of one that the study
-    /// lists.
+    /// Rival models that the readings do not rule out, with other effects in place of one effect
+    /// that the study lists.
     std::vector<RivalModel> rivals = {};
     /// Changes of the predictions by formulas, not by known physical effects, that would explain
-    /// the readings. Empty where known effects explain all of the misfit.
+    /// the readings. Empty where known effects explain all of the misfit, or where leading effects
+    /// explain most of the misfit and no proposal is clearly better.
     std::vector<Proposal> proposals = {};
-    /// Simulations that tested the verdict; empty: no simulations were requested.
+    /// Simulations that tested the verdict. Empty if no simulations were requested.
     std::optional<Confirmation> confirmed = {};
-    /// Number of simulated repetitions of the experiment that give the same verdict; empty: not
-    /// computed, or no model fits the readings.
+    /// Counts of the simulated repetitions of the experiment, and of the repetitions that give the
+    /// same verdict as the readings. Empty if no repetitions were simulated, or if no model fits
+    /// the readings.
     std::optional<Repeated> repeated = {};
     /// Judgement whether the fit of the study's model, without further effects, can be believed.
     Belief belief = {};
 };
 
-/// Tests which physical effect is missing from a study's model, with an emulator trained on the
-/// runs of the atlas (the runs that come with the program) and of the store (the user's file of
-/// runs). Nothing is simulated.
+/// Tests which physical effect is missing from a study's model, with an emulator (which
+/// interpolates simulations). The emulator is trained on the runs of the atlas (the simulations
+/// supplied with Pendular) and of the store (the user's file of simulations). Nothing is simulated.
 /// @throws InputError where the readings contain no more measured values than the model has
 ///         parameters, where all readings have one condition, where there are too few runs, where
 ///         the study lists an effect that no run has, and where a reading is outside the range that
@@ -92,8 +96,8 @@ struct StudyDiagnosis {
 /// @throws dem::Interrupted where the user requests a stop
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session);
-/// Tests which physical effect is missing from a study's model, with an emulator trained on the
-/// runs `known`. Nothing is simulated.
+/// Tests which physical effect is missing from a study's model, with an emulator (which
+/// interpolates simulations) that is trained on the runs `known`. Nothing is simulated.
 /// @throws InputError where the readings contain no more measured values than the model has
 ///         parameters, where all readings have one condition, where the study lists an effect that
 ///         no run has, and where a reading is outside the range that can be simulated
@@ -102,48 +106,51 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
                               const SessionOptions& session, KnownRuns known);
 
 /// Returns the earlier simulation runs on which the emulator for a diagnosis of a study is trained,
-/// from the atlas (the runs that come with the program) and the store (the user's file of runs). A
-/// run may have any effect, listed in the study or not.
+/// from the atlas (the simulations supplied with Pendular) and the store (the user's file of
+/// simulations). A run may have any effect, listed in the study or not.
 /// @throws InputError where there are fewer than 20 runs that can train the emulator
 KnownRuns runs_for_diagnosis(const ResolvedStudy& study, const SessionOptions& session);
 
-/// Tests the residuals of the study's fitted model, without further effects: where the model
-/// deviates from the readings by more than a change of its calibrated parameters can imitate.
+/// Tests the residuals of the study's fitted model, without further effects. The tests find where
+/// the model deviates from the readings by more than a change of the calibrated parameters can
+/// imitate.
 /// @param seed seed of the random errors from which the p values are computed
 Checks checks_of(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
-/// Tests where the model with the leading effects (which explain most of the misfit but not all of
-/// it) still deviates from the readings. Empty where the diagnosis has no leading effects.
+/// Tests where the model with the leading effects (effects that explain most of the misfit but not
+/// all of it) still deviates from the readings. Empty where the diagnosis has no leading effects.
 /// @param seed seed of the random errors from which the p values are computed
 std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
-/// Computes by how much each effect, and each error of measurement, would shift the fitted
-/// parameters of a study's model. Empty where a column is in a wrong unit, since the fitted numbers
-/// are then meaningless.
+/// Computes the shifts of the fitted parameters of a study's model by each effect and each error of
+/// measurement. Empty where a column is in a wrong unit, since the fitted numbers are then
+/// meaningless.
 /// @param threads largest number of threads
 std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size_t threads);
 
 /// Simulates `count` repetitions of the experiment (readings with new random errors), diagnoses
-/// each, and counts those with the same verdict. Empty where no model fits the readings, and where
-/// the verdict is a suspect measurement regardless of the tests (`StudyDiagnosis::overruled`).
+/// each repetition, and counts the repetitions with the same verdict as the readings. Empty where
+/// `count` is 0, where no model fits the readings, and where the verdict is a suspect measurement
+/// regardless of the tests (`StudyDiagnosis::overruled`).
 /// @throws dem::Interrupted where the user requests a stop
 std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& diagnosis,
                                          const SessionOptions& session, std::size_t count);
 
-/// Standard deviation of a smooth error of the predicted shear stress, relative to the shear stress
-/// [1], that would account for the remaining misfit. The remaining misfit is that of the model with
-/// the leading effects (which explain most of the misfit) or, if there are none, of the best
-/// refitted model. Returns 0 where the model fits, no discrepancy is significant, or the misfit
-/// varies too quickly with the conditions.
-/// @param stated relative error of the model (discrepancy) that study.toml already states [1]; the
-///        result is the root of the sum of the squares of both errors
+/// Returns the standard deviation of a discrepancy (error of the predicted shear stress that varies
+/// smoothly between conditions), relative to the shear stress [1], that would account for the
+/// remaining misfit. The remaining misfit is that of the model with the leading effects (effects
+/// that explain most of the misfit) or, if there are none, of the best refitted model. Returns 0
+/// where a model fits, no discrepancy is significant, or the misfit varies too quickly with the
+/// conditions.
+/// @param stated discrepancy that study.toml already states, relative to the shear stress [1]; the
+///        result is the root of the sum of the squares of both discrepancies
 double remaining_discrepancy(const StudyDiagnosis& diagnosis, double stated);
 
-/// Returns the models between which the next measurement should decide: those that fit the readings
-/// according to a diagnosis. If no model fits, returns the model with the leading effects (which
-/// explain most of the misfit) or, if there are none, the study's model. If this gives only one
-/// model, also returns the models in which other effects replace one that the study lists
-/// (`StudyDiagnosis::rivals`).
+/// Returns the rival models, which the next measurement should tell apart: the models that fit the
+/// readings according to a diagnosis. If no model fits, returns the model with the leading effects
+/// (effects that explain most of the misfit) or, if there are none, the study's model. If there is
+/// then only one model, also returns the models in which other effects replace one effect that the
+/// study lists (`StudyDiagnosis::rivals`).
 std::vector<Rival> rivals_of(const StudyDiagnosis& diagnosis);
 
 }  // namespace pendular

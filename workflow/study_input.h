@@ -19,35 +19,36 @@ struct StudyInput {
 };
 
 /// Reads a study and its recordings.
-/// @param file study.toml, or the folder that contains it
-/// @throws InputError where a file of the study or an effect that it lists is wrong
+/// @param file study.toml, or the folder that contains study.toml
+/// @throws InputError where a file of the study or the definition of a listed effect is wrong
 StudyInput read_input(const std::filesystem::path& file);
 
-/// Path of the folder of a study, given the path of that folder or of the study.toml in it.
+/// Returns the path of the folder of a study, given the path of the folder or of the study.toml in
+/// the folder.
 std::filesystem::path study_folder(const std::filesystem::path& study);
 
 /// Files and folders to which a command writes.
 struct OutputPlaces {
     /// Folder to which the command writes its results.
     std::filesystem::path folder;
-    /// Paths in `folder` that the command writes to: files, and folders in which it creates files
-    /// whose names are not known beforehand.
+    /// Paths in `folder` to which the command writes: files, and folders in which the command
+    /// creates files whose names are not known beforehand.
     std::vector<std::filesystem::path> files;
-    /// File that option --json names; "-": standard output; empty: no JSON.
+    /// File that the option --json names. "-": standard output. Empty: no JSON is written.
     std::optional<std::string> json;
 };
 
-/// Checks, before a long computation, that output replaces none of the files that a study was read
-/// from (study.toml, its recordings, and links to these files), that no link leads an output out of
-/// the results folder, and that no `file` pattern of the study would read an output as a
-/// measurement.
-/// @throws InputError where an output would replace an input, leave the folder or match a pattern;
-///         the message says what to do
+/// Checks, before a long computation, that the output of a command does no harm to a study. Output
+/// must replace none of the files from which the study was read (study.toml, the recordings, and
+/// links to these files). No link may lead output out of the results folder. No `file` pattern of
+/// the study may match output, which the study would then read as a measurement.
+/// @throws InputError where output would replace an input, leave the folder or match a pattern; the
+///         message says what to do
 void protect_inputs(const Study& study, const OutputPlaces& outputs);
 
 /// Reads a study and its recordings, after checking that the files which a command will write
-/// (`outputs`) do not replace them.
-/// @param file study.toml, or the folder that contains it
+/// (`outputs`) do not replace the files of the study.
+/// @param file study.toml, or the folder that contains study.toml
 /// @throws InputError if a file of the study or the definition of a listed effect is invalid, or if
 ///         an output would replace a file of the study or match the pattern of its recordings
 StudyInput read_input(const std::filesystem::path& file, const OutputPlaces& outputs);

@@ -16,61 +16,63 @@
 
 namespace pendular {
 
-/// Model of a study with some effects switched on and others off, fitted to the readings without
-/// new simulations.
+/// Model of a study with some effects switched on and all other effects switched off, fitted to the
+/// readings without new simulations.
 struct SwitchedModel {
     /// Predictor of readings with the effects that are switched on.
     std::shared_ptr<const EffectModel> predictor;
-    /// Fit of the model with the readings that it uses. Its list of training runs is empty.
+    /// Fit of the model, with the readings. The list of training runs is empty.
     Calibration calibration;
-    /// Comparison of the fitted model with all readings of the study.
+    /// Comparison of all readings of the study with the predictions of the fitted model.
     Comparison comparison;
-    /// Expansions of the predictions about the fitted parameters: of all readings and direct
-    /// measurements, and at the conditions of `SwitchOptions::along`.
+    /// Second-order expansions of the predictions about the fitted parameters: `response` for all
+    /// readings and direct measurements, `along` for the conditions of `SwitchOptions::along`.
     Response response, along;
-    /// Range of parameters around the fit in which `response` differs from the model by at most a
-    /// tenth of the standard error of each reading.
+    /// Range of each parameter around its fitted value in which `response` differs from the model's
+    /// predictions by at most a tenth of the standard error of each reading.
     ParameterBounds trusted;
-    /// Coefficients of chi2 of all readings as a polynomial in the shifts of the parameters from
-    /// the fit.
+    /// Coefficients of chi2 of all readings and direct measurements as a polynomial in the shifts
+    /// of the parameters from their fitted values (see `chi2_form`).
     Eigen::MatrixXd chi2_form;
-    /// Change of the fit when one fitted reading is left out, one row for each reading: the
-    /// reduction of chi2 [1], then the shift of each parameter [its unit].
+    /// Change of the fit when one fitted reading is left out: a row for each fitted reading, with
+    /// the reduction of chi2 [1], then the shift of each parameter [its unit].
     Eigen::MatrixXd without_each;
 };
 
-/// Options for fitting a study with all combinations of its leading effects.
+/// Options for fitting a study with all combinations of its leading effects (effects that the study
+/// lists or that the diagnosis finds most important).
 struct SwitchOptions {
     /// Largest number n of effects to switch on and off; up to 2^n models are fitted.
     std::size_t most = 6;
-    /// Conditions, other than those of the readings, at which the models also predict, such as
-    /// points of curves.
+    /// Further conditions, beside the conditions of the readings, at which the models predict, such
+    /// as points of curves.
     std::vector<Condition> along = {};
 };
 
-/// Models of a study with all combinations of its leading effects (those that the study lists or
+/// Models of a study with all combinations of its leading effects (effects that the study lists or
 /// that the diagnosis finds most important), each fitted to the readings.
 struct SwitchedModels {
-    /// The study, with the catalogue that defines the effects of the models.
+    /// Study, with the catalogue that defines the effects of the models.
     ResolvedStudy study;
     /// Names of the effects that the models switch on and off.
     std::vector<std::string> switches = {};
-    /// Names of effects that the study lists and that all models have: those beyond the largest
-    /// number of switches (`SwitchOptions::most`).
+    /// Names of effects that the study lists and that all models have, since the study lists more
+    /// effects than the largest number of effects to switch (`SwitchOptions::most`).
     std::vector<std::string> always = {};
-    /// Fitted model of each combination. The combination with index i contains effect k of
-    /// `switches` if bit k of i is 1. Empty where a combination cannot be fitted.
+    /// Fitted model of each combination of effects. The combination with index i contains effect k
+    /// of `switches` if bit k of i is 1. Empty where a combination cannot be fitted.
     std::vector<std::optional<SwitchedModel>> models = {};
-    /// Reason why each combination cannot be fitted, as in "the readings are impossible with these
-    /// effects"; empty where it is fitted.
+    /// Reason why each combination of effects cannot be fitted, as in "the readings are impossible
+    /// with these effects". Empty where the combination is fitted.
     std::vector<std::string> why_not = {};
-    /// Index into `models` of the combination that has the effects which the study lists.
+    /// Index in `models` of the combination that has the effects which the study lists.
     std::size_t current = 0;
 };
 
-/// Fits a study with each combination of its leading effects: first the effects that the study
-/// lists, then those that the verdict of the diagnosis names, those of other models that fit, and
-/// those whose refits reduce chi2 most. Nothing is simulated.
+/// Fits a study with each combination of its leading effects. The leading effects are first the
+/// effects that the study lists, then the effects that the verdict of the diagnosis names, the
+/// effects of all models that fit, and the effects whose refits reduce chi2 most. Nothing is
+/// simulated.
 /// @throws dem::Interrupted where the user requests a stop
 SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis& diagnosis,
                                const SessionOptions& session, const SwitchOptions& options = {});

@@ -9,10 +9,10 @@ namespace pendular {
 /// First characters of every table that `tidy_table` returns.
 constexpr const char* tidy_table_begin = "test,interval,role,line";
 
-/// Returns the rows of all intervals of a file of measurements as the text of one CSV table in SI
-/// units. The first two rows contain the names and the units of the columns; Origin and pandas
-/// (header=[0, 1]) read this form. Columns are test, interval, role, line of the file, and every
-/// quantity that an interval contains; cells without a value are empty.
+/// Returns the data points of all intervals of a file of measurements as the text of one CSV table
+/// in SI units. The first two rows contain the names and the units of the columns. Origin and
+/// pandas (header=[0, 1]) read this form. Columns are test, interval, role, line of the file, and
+/// every quantity that an interval contains. Cells without a value are empty.
 std::string tidy_table(const FileView& view);
 
 }  // namespace pendular

@@ -10,8 +10,8 @@
 #include "sim/closures/closure_values.h"
 #include "sim/dem/run.h"
 
-// Simulated states of the parameter study of Badetti et al. (2018), on which its figures and
-// numbers are based.
+// Simulated states of the parameter study of Badetti et al. (2018), on which the figures and
+// numbers of that paper are based.
 namespace pendular {
 
 /// Friction coefficients between grains [1] in the parameter study of Badetti et al. (2018).
@@ -89,8 +89,8 @@ class PaperState {
 /// friction coefficient and the same bridge volume. The slope c* is the reduced cohesion.
 /// Source: Badetti et al. (2018), eq:mohrcoulomb2.
 struct StrengthLine {
-    /// Friction coefficient [1] of the states on the line, and bridge volume of these states,
-    /// divided by the cubed grain diameter [1].
+    /// Friction coefficient [1] of the states on the line, and bridge volume of the states, divided
+    /// by the cubed grain diameter [1].
     double friction = 0, bridge_volume = 0;
     /// Intercept of the fitted line [1], and slope of the line, which is the reduced cohesion c* =
     /// a^2 c/F0 [1] (a: grain diameter, c: cohesion, F0: pull-off force of a bridge).
