@@ -55,7 +55,7 @@ bool begins_cold(const Study& study, const SessionOptions& session, const FitOpt
 /// Fits the parameters of a study's model to its readings by least squares. The predictions come
 /// from an emulator, which interpolates simulations. The emulator is trained on the runs of the
 /// atlas (the simulations supplied with Pendular) and of the store (the user's file of
-/// simulations). If these runs are too few or `options.cold` is set, the emulator is trained on
+/// simulations). If there are too few runs or `options.cold` is set, the emulator is trained on
 /// runs that the fit simulates.
 /// @throws InputError where there is nothing to fit, where a reading cannot be simulated, where the
 ///         study has effects on grains but no earlier simulations exist, and where the atlas cannot

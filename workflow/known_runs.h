@@ -27,8 +27,9 @@ std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity
 /// not exist.
 EmulatorHyperparameters atlas_hyperparameters();
 
-/// Largest number of runs on which an emulator is trained. The time of training is proportional to
-/// the cube of the number of runs, and is some seconds for this number.
+/// Largest number of runs on which an emulator (which interpolates simulations) is trained. The
+/// time of training is proportional to the cube of the number of runs, and is some seconds for
+/// `most_known` runs.
 constexpr std::size_t most_known = 1500;
 
 }  // namespace pendular

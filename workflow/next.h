@@ -31,8 +31,8 @@ struct NextMeasurement {
     /// total (`most_readings`).
     int most_repeats = 1, most_readings = 1;
     /// Number of possible measurements that the instrument can make but whose results cannot be
-    /// predicted, since no earlier simulation run is near their conditions. `points` does not
-    /// contain these measurements.
+    /// predicted, since no earlier simulation run is near the conditions of the measurement.
+    /// `points` does not contain the measurements without predicted results.
     std::size_t unsupported = 0;
 };
 

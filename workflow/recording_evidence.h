@@ -12,7 +12,7 @@ namespace pendular {
 /// Fault found inside the recordings of a study, such as a saturated sensor, and the share of the
 /// misfit that the fault may explain.
 struct RecordingEvidence {
-    /// Fault, as the import of the recordings found it.
+    /// Fault that the import found in the recordings.
     RecordingFinding finding;
     /// Share [1] of the misfit that the fault may explain: the reduction of chi2 if the affected
     /// readings were all multiplied by one fitted factor, divided by chi2 - dof of the study's
@@ -39,7 +39,7 @@ std::vector<RecordingEvidence> recording_evidence(const StudyDiagnosis& diagnosi
 
 /// Returns the text "The recordings themselves show: ..." with up to two sentences on faults of the
 /// recordings, followed by the number of further sentences. If the first fault explains most of the
-/// misfit, a sentence adds the share that it explains. Empty where `evidence` is empty.
+/// misfit, a sentence adds the share that the fault explains. Empty where `evidence` is empty.
 std::string recordings_line(const std::vector<RecordingEvidence>& evidence);
 
 /// Returns a JSON array of faults found inside recordings, with one object for each fault. Each

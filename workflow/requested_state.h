@@ -70,10 +70,10 @@ std::string unsupported_text(const RequestedState& requested, const FlowState& s
                              double stiffness_number);
 
 /// Corrects the bridge volume of a state outside the range of the earlier simulation runs. The
-/// bridge volume follows from the requested liquid content and the coordination number, which the
-/// emulator cannot predict reliably for `state`. The coordination number of the nearest state
-/// within the range is used in its place. Returns `state` unchanged where no liquid content is
-/// requested.
+/// bridge volume follows from the requested liquid content and the coordination number. The
+/// emulator cannot predict the coordination number at `state` reliably, so that the coordination
+/// number at the nearest state within the range is used. Returns `state` unchanged where no liquid
+/// content is requested.
 FlowState with_known_coordination(const RequestedState& requested, FlowState state,
                                   const Emulator& emulator, const KnownRange& known);
 

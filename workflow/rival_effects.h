@@ -14,19 +14,19 @@ namespace pendular {
 /// Returns the names of the effects that a study lists, in the order of the list.
 std::vector<std::string> names_of(const std::vector<ListedEffect>& effects);
 
-/// Reads the alternatives to an effect from the result of an earlier diagnosis, as sets of names of
-/// effects. Each set explained the readings as well without the effect as other sets did with it.
-/// Empty where `file`, a diagnosis.json, does not exist or cannot be read, where no set that
-/// contains the effect explained the readings, and where the study's list of effects has changed
-/// since the diagnosis.
+/// Reads the alternatives to an effect from the result of an earlier diagnosis. An alternative is a
+/// set of effects without the effect `effect` that explained the readings as well as the sets with
+/// the effect. Empty where `file`, a diagnosis.json, does not exist or cannot be read, where no set
+/// with the effect explained the readings, and where the study's list of effects has changed since
+/// the diagnosis.
 std::vector<std::vector<std::string>> rivals_in(const std::filesystem::path& file,
                                                 const Study& study, const std::string& effect);
 
 /// Fits the models in which an alternative (set of effects) replaces one effect that the study
 /// lists. The alternatives explained the readings as well as the listed effect when that effect was
 /// added (`LadderStep::rivals`). All other effects that the study lists stay in the model. Returns
-/// the models that the readings do not rule out. Their value of Akaike's criterion, chi2 + 2
-/// (number of parameters), exceeds that of the study's model by less than 7.
+/// the models that the readings do not rule out. Akaike's criterion, chi2 + 2 (number of
+/// parameters), of a returned model exceeds that of the study's model by less than 7.
 /// @param diagnosis diagnosis of the study, whose readings and emulator are used
 /// @param ladder sequence of the study's models, with the alternatives to each added effect
 /// Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002), section 2.6.

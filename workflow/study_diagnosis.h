@@ -46,15 +46,15 @@ struct Confirmation {
 };
 
 /// Largest number of readings that a diagnosis tests one by one. If there are more readings, the
-/// diagnosis divides the readings into this many bins and tests the mean of each bin. The time of
-/// the tests is proportional to the third power of the number of readings.
+/// diagnosis divides the readings into `most_tested` bins and tests the mean of each bin. The time
+/// of the tests is proportional to the third power of the number of readings.
 inline constexpr std::size_t most_tested = 200;
 
 /// Diagnosis of a study (search for effects that its model lacks), with the readings, models and
 /// errors on which the diagnosis is based.
 struct StudyDiagnosis {
-    /// Readings that are tested, dry readings first. They are the readings of the study or, if
-    /// there are more than `most_tested`, means of neighbouring readings.
+    /// Readings that are tested, dry readings first: the readings of the study or, if there are
+    /// more than `most_tested`, means of neighbouring readings.
     std::vector<Reading> readings;
     /// Number of readings of the study, before any means were taken.
     std::size_t measured = 0;

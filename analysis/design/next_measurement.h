@@ -21,9 +21,9 @@ namespace pendular {
 std::vector<Point> points_of(const Rig& rig, const ResolvedStudy& study, double time);
 
 /// Returns the rig (possible measurements of an instrument) of a study whose study.toml has no
-/// table [rig]. The ranges of normal stress and inertial number, and the liquid contents, are those
-/// of `readings`. The range of inertial numbers begins at 1e-3 if a reading has the inertial number
-/// 0.
+/// table [rig]. The rig has the ranges of normal stress and inertial number, and the liquid
+/// contents, of `readings`. The range of inertial numbers begins at 1e-3 if a reading has the
+/// inertial number 0.
 Rig rig_of(const std::vector<Reading>& readings);
 
 /// Returns typical relative standard errors of one reading [1]: first that of the shear stress,
@@ -63,16 +63,16 @@ struct Plan {
     double cost = 0;
 };
 
-/// Returns a plan for each of `points` (possible measurements), sorted by how well readings at the
-/// point tell rival models apart. Plans that tell more pairs of models apart come first, then
-/// cheaper plans, then plans of larger criterion T. For n readings at a point and the rival models
-/// i and j,
+/// Returns a plan of readings for each of `points` (possible measurements), sorted by how well
+/// readings at the point tell rival models apart. Plans that tell more pairs of models apart come
+/// first, then cheaper plans, then plans of larger criterion T. For n readings at a point and the
+/// rival models i and j,
 ///     T = D' S^-1 D + tr(2 V S^-1)/n,   D = f_i - f_j,
 ///     S = 2 V/n + J_i C_i J_i' + J_j C_j J_j' + 2 C_f,
 /// with the predicted values f, the derivatives J of the predicted values with respect to the
 /// parameters, the covariance C of the parameters, the covariance V of one reading and the
-/// covariance C_f of the simulation's errors, averaged over both models. A pair is told apart if D'
-/// S_1^-1 D is at least `telling_noncentrality`, or `telling_directly` for a direct measurement.
+/// covariance C_f of the simulation's errors, averaged over both models. A pair is told apart if
+/// D' S_1^-1 D is at least `telling_noncentrality`, or `telling_directly` for a direct measurement.
 /// S_1 contains V/n and C_f once instead of twice, since both models are compared with one
 /// measurement.
 /// @param relative_noise relative standard errors of one reading [1]: first that of the shear

@@ -40,9 +40,9 @@ struct Series {
 /// with the covariance V/n of n readings, the derivatives J of the predictions with respect to the
 /// parameters, the covariance C of the parameters, and the covariance C_f of the simulation's
 /// errors, averaged over both models. S contains the errors that points share, so that a second
-/// point with the same error adds little. The search adds one reading at a time. Each reading is
-/// added at the point where it most increases, for its cost, D' S^-1 D of the pairs not yet told
-/// apart. Finally the search removes readings that turned out to be unnecessary.
+/// point with the same error as the first adds little. The search adds one reading at a time. Each
+/// reading is added at the point where the reading most increases, for its cost, D' S^-1 D of the
+/// pairs not yet told apart. Finally the search removes readings that turned out to be unnecessary.
 /// @param relative_noise relative standard errors of one reading [1]: first that of the shear
 ///        stress, second that of the solid fraction
 /// @param most_repeats largest number of readings at one point

@@ -18,12 +18,12 @@ enum class Verdict {
     /// are assumed, not measured.
     inconclusive,
     missing,  ///< the model lacks the effects in `Diagnosis::effects`
-    /// Several models with different further effects fit, and no effect is in all of them.
+    /// Several models with different further effects fit, and no effect is in all of the models.
     indistinguishable,
     unknown,             ///< the model does not fit, and no known effect explains why
     suspect_measurement  ///< an error of one part of the measurement would explain the misfit
 };
-/// Name of a verdict for output, such as "nothing-missing".
+/// Returns the name of a verdict for output, such as "nothing-missing".
 std::string_view to_string(Verdict verdict);
 
 /// Result of a diagnosis: whether a study's model is complete and, if not, which physical effects
@@ -89,8 +89,8 @@ struct Diagnosis {
 /// Tests whether a study's model is complete and, if not, which physical effects explain the
 /// residuals. The diagnosis fits the model, tests the residuals for every candidate effect (not in
 /// the model), refits the model with the significant effects, and keeps the models that fit with
-/// the fewest further effects. A model fits if neither its lack of fit nor the most significant
-/// effect that it still lacks is significant, each at half of `options.significance`. All p values
+/// the fewest further effects. A model fits if neither the lack of fit nor the most significant
+/// effect that the model lacks is significant, each at half of `options.significance`. All p values
 /// come from one set of random draws of errors. If no model fits, the diagnosis names the effects
 /// that explain most of the misfit, if there are any.
 /// @param space study's model and the candidate effects

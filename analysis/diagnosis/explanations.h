@@ -21,7 +21,7 @@ inline constexpr FitEffort refit_effort{
 WeightedResiduals residuals_of(const Model& model, const Measured& measured, const Fit& fit);
 
 /// Refits of a model with further effects to readings, and tests whether the refitted models fit.
-/// All tests use the same random draws of errors. Constant functions may be called from several
+/// All tests use one set of random draws of errors. Constant functions may be called from several
 /// threads at once.
 class Explanations {
   public:

@@ -118,11 +118,12 @@ struct ImpactTable {
 /// linear approximation. For the leading effects or errors, the function also computes the impacts
 /// by refits, at the estimated sizes and at the smallest sizes of interest. The leading effects or
 /// errors are the first in the returned table: up to `most_refitted` that the verdict names, and
-/// `most_refitted` further ones with the largest impacts. Effects or errors that the verdict names
-/// are also refitted at one standard error above and below the estimated size. Sizes of effects are
-/// estimated by the refits of the diagnosis or, without a refit, by score tests. Sizes of errors of
-/// measurement are estimated by score tests. Effects with several free parameters are left out, and
-/// so are effects with which the model cannot give the conditions that the instrument shows.
+/// `most_refitted` further effects or errors with the largest impacts. Effects or errors that the
+/// verdict names are also refitted at one standard error above and below the estimated size. Sizes
+/// of effects are estimated by the refits of the diagnosis or, without a refit, by score tests.
+/// Sizes of errors of measurement are estimated by score tests. Effects with several free
+/// parameters are left out, and so are effects with which the model cannot give the conditions that
+/// the instrument shows.
 /// @param threads largest number of threads; no result depends on the number
 ImpactTable impacts(const ModelSpace& space, const Evidence& evidence, const Diagnosis& diagnosis,
                     std::size_t most_refitted = 3, std::size_t threads = 1);

@@ -10,8 +10,8 @@
 
 namespace pendular {
 
-/// Counts of the simulated repetitions of an experiment for which a diagnosis gives the same
-/// verdict as for the readings.
+/// Counts of simulated repetitions of an experiment: number of all repetitions, and number of the
+/// repetitions for which a diagnosis gives the same verdict as for the readings.
 struct Repeated {
     /// Number of simulated repetitions for which the diagnosis gives the same verdict as for the
     /// readings.
@@ -40,18 +40,19 @@ struct RepetitionOptions {
 };
 
 /// Whether `repetition`, the diagnosis of a repeated experiment, gives the same verdict as the
-/// first diagnosis, `verdict`. The verdicts `nothing_missing` and `inconclusive` count as the same.
-/// They differ in the effects that would stay unseen, which depend on the plan of the experiment
-/// and not on its readings. Other verdicts must name the same effects and suspect measurements, and
-/// both diagnoses must agree on whether a model fits (`Diagnosis::complete`).
+/// first diagnosis, `verdict`. The verdicts `nothing_missing` and `inconclusive` count as one
+/// verdict. Both verdicts differ in the effects that would stay unseen, which depend on the plan of
+/// the experiment and not on its readings. All other verdicts must name the same effects and
+/// suspect measurements in both diagnoses, and both diagnoses must agree on whether a model fits
+/// (`Diagnosis::complete`).
 bool comes_again(const Diagnosis& verdict, const Diagnosis& repetition);
 
-/// Repeats an experiment by simulation (parametric bootstrap), and counts for how many repetitions
-/// the diagnosis gives the same verdict. The readings of a repetition are the predictions of a
-/// model that fits the readings, at the model's estimates, plus new random errors. Several models
-/// that fit take turns. Each repetition is diagnosed with linearised models (`LinearisedSpace`).
-/// The share of equal verdicts assumes that the estimates are the truth. Empty if no model fits the
-/// readings, or if `options.count` is 0.
+/// Repeats an experiment by simulation (parametric bootstrap), and counts the repetitions for which
+/// the diagnosis gives the same verdict as for the readings. The readings of a repetition are the
+/// predictions of a model that fits the readings, at the model's estimates, plus new random errors.
+/// Several models that fit take turns. Each repetition is diagnosed with linearised models
+/// (`LinearisedSpace`). The share of equal verdicts assumes that the estimates are the truth. Empty
+/// if no model fits the readings, or if `options.count` is 0.
 /// Source: Efron and Tibshirani (1993), An Introduction to the Bootstrap, section 6.5.
 std::optional<Repeated> repeat(const ModelSpace& space, const Evidence& evidence,
                                const Diagnosis& diagnosis, const RepetitionOptions& options = {});

@@ -20,10 +20,10 @@ Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatte
                      const std::vector<DirectMeasurement>& direct = {});
 
 /// Returns the quantities along which residuals are checked: normal stress, inertial number, liquid
-/// content, height, and time or run order. A quantity is returned only if it varies by more than 10
-/// % between the readings. Smaller differences are scatter of set points or, for the height, follow
-/// from the solid fraction. Each quantity has a value for every entry. The entries are the two
-/// observables of each reading in turn, then the direct measurements.
+/// content, height, and time or run order. A quantity is returned only if its values differ by more
+/// than 10 % between the readings. Smaller differences are scatter of set points or, for the
+/// height, follow from the solid fraction. Each quantity has a value for every entry. The entries
+/// are the two observables of each reading in turn, then the direct measurements.
 /// @param direct number of direct measurements, for which the value is "not a number"
 std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::size_t direct = 0);
 

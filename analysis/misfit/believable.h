@@ -16,15 +16,15 @@ struct Belief {
     /// Reasons against the fit as sentences, the most serious first. Empty if there is no reason
     /// against the fit.
     std::vector<std::string> reasons;
-    /// Whether the fitted numbers are meaningless. They are if the model does not describe the
-    /// readings and the friction coefficient is at the end of its range, or if the import of the
-    /// measurement excluded more readings than it kept.
+    /// Whether the fitted numbers are meaningless, for one of two reasons. Either the model does
+    /// not describe the readings and the friction coefficient is at the end of its range, or the
+    /// import of the measurement excluded more readings than it kept.
     bool meaningless = false;
     /// Index in `reasons` of the reason that chi2 is too large. Empty if the model describes the
     /// readings.
     std::optional<std::size_t> misfit_reason = {};
 
-    /// Whether the fit can be believed: `reasons` contains no reason against it.
+    /// Whether the fit can be believed: `reasons` contains no reason against the fit.
     bool believable() const { return reasons.empty(); }
 };
 
@@ -42,7 +42,7 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
                  const Measurements& measurements, const std::optional<UnitMistake>& mistake);
 
 /// Returns the number of doubts (reasons not to believe a measured value) because of which the
-/// import of the measurement excluded readings or rows of recordings.
+/// import of the measurement excluded readings or data points of recordings.
 std::size_t doubts_that_set_aside(const Measurements& measurements);
 
 /// Returns a sentence that states the source of the readings' standard errors, as in "Standard

@@ -20,12 +20,12 @@ struct ReadingMisfit {
     Eigen::Vector2d predicted;
     /// Covariance of the errors of the predicted shear stress [Pa] and solid fraction [1].
     Eigen::Matrix2d predicted_covariance;
-    /// Contributions of the reading to the chi2 of all readings [1]: first that of its shear
-    /// stress, second that of its solid fraction. No contribution is negative.
+    /// Contributions of the reading to the chi2 of all readings [1]: first that of the shear
+    /// stress, second that of the solid fraction. No contribution is negative.
     Eigen::Vector2d chi2;
     /// Normalised residuals of the reading [1]: first that of the shear stress, second that of the
     /// solid fraction. Each is the measured minus the predicted value, divided by the standard
-    /// error of this difference from errors of measurement and prediction.
+    /// error of the difference from errors of measurement and prediction.
     Eigen::Vector2d normalised;
 };
 

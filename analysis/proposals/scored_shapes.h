@@ -77,9 +77,9 @@ class ScoredShapes {
     /// Adds oscillations with periods and phases near those of the oscillations with the best
     /// scores.
     void refine();
-    /// Computes, for the shapes (changes of unknown cause) from index `first` on, the direction and
-    /// length of the change of the readings that each makes, in units of their errors (whitened).
-    /// Also computes the component of the residuals along each direction.
+    /// Computes the direction and the length of the change of the readings by each shape (change of
+    /// unknown cause) from index `first` on, in units of the readings' errors (whitened). Also
+    /// computes the component of the residuals along each direction.
     void project_from(std::size_t first);
     void draw(const NullDraws& draws, std::size_t threads);
     Score score_of(std::size_t index) const;

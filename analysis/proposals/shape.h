@@ -43,9 +43,10 @@ struct ShapeOfChange {
     std::string name() const;
 };
 
-/// Returns the quantities that may change in a study with the readings `readings`: the quantities
-/// of the flow and of the grains; in a study with a cell, also the quantities that the instrument
-/// shows; with wet readings, also the surface tension of the liquid.
+/// Returns the quantities that may change in a study with the readings `readings`. They are the
+/// quantities of the flow and of the grains. In a study with a cell, the quantities that the
+/// instrument shows may also change. With wet readings, the surface tension of the liquid may also
+/// change.
 std::vector<ChangedQuantity> quantities_that_may_change(const ResolvedStudy& study,
                                                         const std::vector<Reading>& readings);
 

@@ -66,7 +66,7 @@ class PaperState {
     /// force of a bridge, a: grain diameter).
     const closures::CapillaryStress& capillary() const { return capillary_; }
 
-    /// Returns an observable of the run with its standard error. The standard error of the stress
+    /// Returns an observable of the run, with its standard error. The standard error of the stress
     /// ratio includes the scatter between runs of different seeds.
     Mean operator[](dem::Observable which) const;
     /// Returns the solid fraction of the run, corrected to grains of infinite stiffness [1].
@@ -118,18 +118,18 @@ struct MissingState {
     double friction, bridge_volume, reduced_pressure;
 };
 
-/// Simulations of the parameter study of Badetti et al. (2018), as far as the atlas (the
-/// simulations supplied with Pendular) or the store (the user's file of simulations) contains them.
+/// Simulations of the parameter study of Badetti et al. (2018), as far as they are contained in the
+/// atlas (the simulations supplied with Pendular) or the store (the user's file of simulations).
 class PaperStudy {
   public:
-    /// Selects the usable runs (`emulated::usable`) without additional effects that have a friction
-    /// coefficient and a bridge volume of the parameter study and an inertial number of at most
-    /// 0.0035. If several runs simulate one state, a run is preferred whose stiffness number is
-    /// within a factor of 2 of the one in Badetti et al. (2018), then the run with the most grains.
-    /// The emulator (which interpolates simulations) converts runs of other stiffness numbers to
-    /// the stiffness number of Badetti et al. (2018), with the error of the conversion. Without the
-    /// conversion, stiffness could be mistaken for a trend. An emulator without runs of several
-    /// stiffness numbers converts nothing.
+    /// Selects the runs without additional effects that can train an emulator (`emulated::usable`)
+    /// and that have a friction coefficient and a bridge volume of the parameter study and an
+    /// inertial number of at most 0.0035. If several runs simulate one state, a run is preferred
+    /// whose stiffness number is within a factor of 2 of the one in Badetti et al. (2018), then the
+    /// run with the most grains. The emulator (which interpolates simulations) converts runs of
+    /// other stiffness numbers to the stiffness number of Badetti et al. (2018), with the error of
+    /// the conversion. Without the conversion, stiffness could be mistaken for a trend. An emulator
+    /// without runs of several stiffness numbers converts nothing.
     /// @param runs simulation runs of atlas and store
     /// @param emulator emulator trained on `runs`; must outlive this object
     PaperStudy(const std::vector<dem::RunResult>& runs, const Emulator& emulator);
@@ -147,8 +147,8 @@ class PaperStudy {
     /// by the cubed grain diameter [1] and reduced pressure [1]. Null if no run simulates the
     /// state.
     const PaperState* at(double friction, double bridge_volume, double reduced_pressure) const;
-    /// Returns the usable runs of dry grains without additional effects, sorted by friction
-    /// coefficient, then by inertial number.
+    /// Returns the runs of dry grains without additional effects that can train an emulator
+    /// (`emulated::usable`), sorted by friction coefficient, then by inertial number.
     const std::vector<dem::RunResult>& dry_runs() const { return dry_runs_; }
     /// Returns the straight lines of stress ratio against 1/P* (P*: reduced pressure), one for each
     /// friction coefficient and bridge volume with three or more simulated states at P* >=

@@ -53,8 +53,8 @@ struct StateValue {
     std::string where;
 };
 
-/// Table that compares the simulations of one parameter study with published numbers; its rows are
-/// in the order in which they are added.
+/// Table that compares the simulations of a parameter study with published numbers. The rows of the
+/// table are in the order in which the rows are added.
 class Scoreboard {
   public:
     using Quantity = std::function<Mean(const PaperState&)>;
@@ -93,8 +93,8 @@ class Scoreboard {
     }
     /// Adds a row for each friction coefficient of the parameter study. The row compares a
     /// published range with the values of `quantity` at the states of the section that have the
-    /// friction coefficient and fulfil the condition `which`. No row is added for a friction
-    /// coefficient without such states.
+    /// friction coefficient and fulfil the condition `which`. No row is added where no state
+    /// fulfils the condition.
     /// @param what quantity and condition, with the unit of the quantity
     /// @param published published range as text
     /// @param lower, upper ends of the published range
