@@ -55,7 +55,7 @@ std::string source_of_wet(const Calibration& c) {
             lowest_cohesion_pressure);
     const Study study{.grains = c.grains, .liquid = c.liquid, .model = c.model};
     return level_of(study) == closures::Level::simulation
-               ? "with the fitted friction"
+               ? "with the fitted friction coefficient"
                : "by the formula of the base model and the simulated dry law";
 }
 
@@ -88,9 +88,9 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
     }
     print_doubts(console, belief, 1);
     if (c.profile) {
-        console.line(
-            fmt::format("The 68 % profile likelihood interval of the friction is {:.4f} to {:.4f}.",
-                        c.profile->first, c.profile->second));
+        console.line(fmt::format(
+            "The 68 % profile likelihood interval of the friction coefficient is {:.4f} to {:.4f}.",
+            c.profile->first, c.profile->second));
     }
     const double p = comparison.fitted.p();
     if (belief.misfit_reason != 0) {  // else the answer states it
@@ -126,16 +126,19 @@ int calibrate(const std::vector<std::string>& arguments) {
     FitOptions fit;
     Options options(
         "calibrate STUDY [options]",
-        "Fits the friction between grains to the shear stress and solid fraction of all dry "
-        "readings "
-        "together,\n"
-        "and predicts the wet readings with it (fit_to = \"all\" in study.toml fits them too). The "
-        "model is a\n"
-        "discrete-element simulation. In the least-squares fit, an emulator replaces it: a "
-        "statistical model\n"
-        "trained on the simulations that come with the program (the atlas) and on those in the "
-        "store.\n"
-        "Then new simulations at the fitted friction train the emulator further, and the fit is "
+        "Fits the friction coefficient between grains to the shear stress and solid fraction of "
+        "all "
+        "dry\n"
+        "readings together, and predicts the wet readings with this coefficient (with fit_to = "
+        "\"all\" in\n"
+        "study.toml, the fit includes the wet readings). The model is a discrete-element "
+        "simulation. "
+        "In the\n"
+        "least-squares fit, an emulator replaces the simulation: a statistical model trained on "
+        "the\n"
+        "simulations that come with the program (the atlas) and on the simulations in the store. "
+        "Then new\n"
+        "simulations at the fitted friction coefficient train the emulator further, and the fit is "
         "repeated,\n"
         "until simulations and emulator agree and the noise of the simulations enlarges no error "
         "by more\n"
@@ -162,7 +165,7 @@ int calibrate(const std::vector<std::string>& arguments) {
         "fit the cohesion only to points with at least this reduced pressure P* = a^2 s22/F0 [1] "
         "(a: grain diameter, s22: normal stress, F0: pull-off force of a bridge) (default 2.3)");
     options.add_switch("profile", &fit.profile,
-                       "also compute the profile likelihood interval of the friction");
+                       "also compute the profile likelihood interval of the friction coefficient");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

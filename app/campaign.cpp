@@ -140,11 +140,12 @@ void report(std::size_t runs, const Survey& before, const Survey& after, const R
 int campaign(const std::vector<std::string>& arguments) {
     Options options(
         "campaign FILE [options]",
-        "Makes the simulations that a campaign file lists (grids, lists, Sobol sequences), the "
+        "Runs the simulations that a campaign file lists (grids, lists, Sobol sequences), the "
         "longest first,\n"
-        "and keeps the result of each in the store as soon as it ends. The same command resumes a "
-        "stopped\n"
-        "campaign; simulations that are in the store are not repeated.",
+        "and keeps each result in the store as soon as the simulation ends. The same command "
+        "resumes "
+        "a\n"
+        "stopped campaign; simulations that are in the store are not repeated.",
         "  pendular campaign sim/atlas/campaign.toml\n"
         "  mpirun -n 9 pendular campaign my.toml        # 1 process distributes, 8 simulate\n"
         "  pendular campaign my.toml --shard 2/8 --store part-2.sqlite   # machine 2 of 8\n"

@@ -93,7 +93,7 @@ int compare(const std::vector<std::string>& arguments) {
         misfit_text(comparison.total),
         belief.believable() ? verdict_on_predicted(c, comparison) : "",
         belief.believable() ? error_basis(measurements)
-                            : warning_on(belief, "the fitted friction")));
+                            : warning_on(belief, "the fitted friction coefficient")));
     print_doubts(console, belief, 1);
     if (c.fitted < c.readings.size()) {
         console.line(fmt::format("Readings that were predicted, not fitted: {}.",

@@ -165,7 +165,7 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
     }
 }
 
-/// Prints the shifts of the fitted friction by effects and errors of measurement.
+/// Prints the shifts of the fitted friction coefficient by effects and errors of measurement.
 void print_impacts(Console& console, const ImpactTable& impacts, const Diagnosis& diagnosis) {
     for (const std::string& line : impact_lines(impacts, diagnosis)) {
         console.line(line);

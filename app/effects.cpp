@@ -27,7 +27,8 @@ const char* const about_effects =
 and the forces between grains. With a name, describes one effect in full. 'pendular add' writes an
 effect into study.toml: effects = ["torque-offset"] in section [model].
 
-A study may also define its own effects by formulas. The option --study lists them too:
+A study may also define its own effects by formulas. With --study, the list includes the effects of
+the study. Example:
 
   [[effect]]
   name = "speed-drag"                         # lower-case words joined by hyphens

@@ -42,7 +42,8 @@ plan stays within the range of the readings:
   error = "0.05 mN m"                     # standard error of one such measurement
   cost = 0.5                              # cost of one, in units of a dry reading (default 1)
 
-Write the result of a direct measurement into study.toml; every fit and diagnosis then uses it:
+If a parameter is measured directly, such as the torque of the empty cell, write its value into
+study.toml; every fit and diagnosis then uses the value:
 
   [[direct]]
   effect = "torque-offset"

@@ -18,7 +18,7 @@ const std::vector<CommandGroup> groups = {
     {"Measure and calibrate",
      {{"import", "turn recordings into readings: shear stress and solid fraction with their errors",
        import},
-      {"calibrate", "fit the friction between grains to the dry readings, predict the wet ones",
+      {"calibrate", "fit the friction coefficient to the dry readings, predict the wet readings",
        calibrate},
       {"compare", "show where the model misses the readings, with figures", compare},
       {"report", "write one HTML page on a study, with switches for effects and sliders", report},
@@ -81,8 +81,8 @@ const ProgramTexts program_texts = {
         "  pendular diagnose my-study\n",
     .exit_codes =
         "0 done; 1 the program failed; 2 the input or the command line is wrong;\n"
-        "3 no usable fit: it did not converge; or the friction is at its bound and the model does\n"
-        "not describe the readings; or more readings were excluded than kept;\n"
+        "3 no usable fit: it did not converge; or the friction coefficient is at its bound and\n"
+        "the model does not describe the readings; or more readings were excluded than kept;\n"
         "130 interrupted.\n"};
 
 namespace {

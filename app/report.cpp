@@ -19,12 +19,12 @@ namespace {
 const char* const about_report =
     R"(Writes a page on a study: one HTML file that needs no other file and no network. The page shows the
 verdict, measured values and model, the recordings with the rows that are averaged, where the model
-fails, which effects explain the misfit and how they shift the friction, all models of the study so
-far, what to measure next, the fit with its correlations, and the sources of all effects. Switches add
-the leading effects to the model or remove them, and sliders move the parameters: curves, residuals,
-chi2 and RMS errors are updated. Every combination of the leading effects is fitted beforehand, as
-'pendular add' fits it without new simulations. Every figure saves its numbers as CSV and its drawing
-as SVG.)";
+fails, which effects explain the misfit and how they shift the friction coefficient, all models of the
+study so far, what to measure next, the fit with its correlations, and the sources of all effects.
+Switches add the leading effects to the model or remove them, and sliders change the parameters. The
+page then draws the changed curves and residuals and states chi2 and RMS errors. Every combination of
+the leading effects is fitted beforehand, as 'pendular add' fits it without new simulations. Every
+figure saves its numbers as CSV and its drawing as SVG.)";
 
 }  // namespace
 

@@ -67,7 +67,7 @@ std::vector<std::string> checks_table(const Checks& checks) {
             ? fmt::format("Where the model fails ({} checks of the residuals, together: p {}):",
                           checks.all.size(), p_text(checks.p))
             : fmt::format("Taken together, the {} checks of the residuals show no significant "
-                          "misfit (p {}); by themselves, these have p < {}:",
+                          "misfit (p {}); taken singly, the following checks have p < {}:",
                           checks.all.size(), p_text(checks.p), significant));
     return lines;
 }

@@ -73,8 +73,9 @@ struct Panel {
     /// Names below the x axis at x = 1, 2, ... in place of numbers. Each name is a list of lines of
     /// text.
     std::vector<std::vector<std::string>> x_names = {};
-    /// Names to the left of the y axis at y = 1, 2, ... in place of numbers. Empty names leave the
-    /// axis without names, for a panel to the right of a panel that shows the names.
+    /// Tick labels of the y axis at y = 1, 2, ... in place of numbers. If the list is empty, the
+    /// axis shows numbers. Empty texts leave the axis without labels, for a panel to the right of a
+    /// panel that shows the labels.
     std::vector<std::string> y_names = {};
     /// Whether the y axis of the panel includes zero. A logarithmic axis never includes zero.
     bool y_from_zero = false;

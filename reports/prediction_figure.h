@@ -10,9 +10,9 @@ namespace pendular {
 
 /// Checks that a predicted curve has values of a quantity, which is an observable of the simulation
 /// or a closure (analytical formula).
-/// @param name name of the quantity, as in JSON
-/// @throws InputError where the curve has no values of the quantity; the message names the nearest
-///         known name
+/// @param name name of the quantity, as in the JSON output of the program
+/// @throws InputError if the curve has no values of the quantity; the message suggests the known
+///         name of the most similar spelling
 void check_drawable(const std::string& name, const PredictionCurve& curve);
 
 /// Returns a figure of predictions along a curve of flow states, one panel for each quantity. An

@@ -13,7 +13,8 @@ namespace pendular {
 /// liquid content.
 struct RequestedState {
     double friction = 0.09, inertial_number = 0;  ///< friction coefficient and inertial number [1]
-    /// Reduced pressure P* [1], volume of a liquid bridge divided by the cubed grain diameter [1],
+    /// Reduced pressure P* = a^2 s22/F0 [1] (a: grain diameter, s22: normal stress, F0: pull-off
+    /// force of a bridge), volume of a liquid bridge divided by the cube of the grain diameter [1],
     /// and liquid content Phi_L/Phi_S (volume of liquid divided by volume of grains) [1]. Empty if
     /// not given.
     std::optional<double> reduced_pressure, bridge_volume, liquid_content;

@@ -240,8 +240,15 @@ void Diagnostician::search() {
             result_.scan[each.chosen.front()].refitted_reduction = base_.chi2 - each.chi2;
         }
     }
+    // Beside effects that fit, a suspect measurement is a rival only if it explains the readings at
+    // least as well.
+    double best_effect = INFINITY;
+    for (const Explanation& each : found.fitting) {
+        best_effect = std::min(best_effect, explanations_.akaike(each));
+    }
     for (const Explanation& each : found.fitting_suspects) {
-        result_.suspects.push_back(evidence_.suspects[*each.suspect].name);
+        if (explanations_.akaike(each) <= best_effect)
+            result_.suspects.push_back(evidence_.suspects[*each.suspect].name);
     }
     result_.tried = std::move(found.tried);
     result_.confidence_set =

@@ -41,7 +41,8 @@ struct Diagnosis {
     /// false.
     std::optional<Leaders> leaders;
     /// Names of the suspect measurements (parts of the measurement) whose error alone would explain
-    /// the misfit, such as "the readings of dry_1.csv".
+    /// the misfit, such as "the readings of dry_1.csv". If effects explain the misfit, only suspect
+    /// measurements that explain the readings at least as well (`Explanations::akaike`).
     std::vector<std::string> suspects;
     /// Models that fit the readings with the fewest further effects: the study's model alone, if it
     /// fits, or else refitted models.

@@ -123,6 +123,11 @@ WeightedResiduals Explanations::residuals_of(const Explanation& explanation) con
                                   explanation.fit);
 }
 
+double Explanations::akaike(const Explanation& explanation) const {
+    return explanation.chi2 + residuals_of(explanation).log_determinant() +
+           2.0 * static_cast<double>(explanation.fit.parameters.size());
+}
+
 double Explanations::lack_of_fit_p(const WeightedResiduals& residuals, bool roughly) const {
     const Eigen::MatrixXd means = residuals.means_over(evidence_.conditions);
     const double observed = (means.transpose() * residuals.residuals()).squaredNorm();

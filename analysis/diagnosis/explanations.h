@@ -30,9 +30,11 @@ class Explanations {
     /// @param space study's model and the candidates (effects that may be added to the model)
     Explanations(const ModelSpace& space, const Evidence& evidence,
                  const DiagnosisOptions& options);
-    /// Tests the models of `space` against the readings of `other`, with the random draws of errors
-    /// of `other`. `space` and the arguments from which `other` was made must outlive this object.
+    /// Tests the models of `space` against the same readings as `other` and with the same randomly
+    /// drawn errors, which saves the time of new draws. `space` and the arguments from which
+    /// `other` was made must outlive this object.
     /// @param space study's model and the candidates (effects that may be added to the model)
+    /// @param other tests of other models against the readings
     Explanations(const ModelSpace& space, const Explanations& other);
 
     /// Fits the model with the effects `chosen` and, if given, with an error of the suspect
@@ -54,6 +56,11 @@ class Explanations {
     /// model. Derivatives with respect to parameters at a bound are set to zero, since a parameter
     /// at its bound cannot move to imitate a change.
     WeightedResiduals residuals_of(const Explanation& explanation) const;
+    /// Returns Akaike's criterion [1] of a refitted model, up to a constant that all models of the
+    /// readings share: chi2 + ln det Sigma + 2 (number of parameters), with the covariance Sigma of
+    /// measurement and prediction in the units of the readings. Of two models, the one with the
+    /// smaller value explains the readings better.
+    double akaike(const Explanation& explanation) const;
     /// Returns the p value [1] of the test for lack of fit: probability that errors of readings and
     /// predictions alone make the mean residuals of the conditions at least as large as observed.
     /// @param roughly whether to use only the first 600 random draws of errors if the residuals are

@@ -7,11 +7,10 @@
 
 namespace pendular {
 
-/// Leading effects: effects that a study's model lacks and that explain most of a misfit, if no
-/// refitted model explains the whole misfit within the errors.
+/// Leading effects: effects that a study's model lacks and that explain most of a misfit. Leading
+/// effects are sought if no refitted model explains the whole misfit within the errors.
 struct Leaders {
-    /// Study's model with the leading effects and no other further effects, refitted to the
-    /// readings.
+    /// Study's model with only the leading effects added, refitted to the readings.
     Explanation model;
     /// Share [1] of the excess chi2 - dof (chi2 minus degrees of freedom) of the study's model that
     /// `model` removes.

@@ -143,7 +143,7 @@ double FamilyOfTests::p(double smallest) const {
 }
 
 double FamilyOfTests::limit(double probability) const {
-    // Bisection: p() decreases with its argument.
+    // Bisection: p() increases with its argument.
     double low = 1e-300, high = 1;
     for (int halving = 0; halving < 60 && high / low > 1.001; ++halving) {
         const double middle = std::sqrt(low * high);

@@ -86,7 +86,8 @@ ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signat
 /// number of tests by means of random draws of errors.
 class FamilyOfTests {
   public:
-    /// Computes the statistics of the score tests of one fit in random draws of errors.
+    /// Computes the statistics of all score tests of one fit for randomly drawn errors. The drawn
+    /// errors give the distribution of the statistics if the fitted model is right.
     /// @param tests score tests of one fit
     /// @param residuals residuals of that fit
     /// @param draws random draws of errors

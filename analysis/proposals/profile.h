@@ -53,8 +53,8 @@ struct Profile {
     double constant = 0;
     /// Phase of the oscillation [rad]. Unused if `dependence` is not `oscillation`.
     double phase = 0;
-    /// Value of the coordinate at which the size of the change is 1 [unit of the coordinate]. 0 if
-    /// the formula of `dependence` contains no such value.
+    /// Value of the coordinate (such as the normal stress) at which the profile has the size 1
+    /// [unit of the coordinate]. 0 if the formula of `dependence` contains no such value.
     double full_at = 0;
     /// Value of the coordinate at each reading [unit of the coordinate].
     Eigen::VectorXd along;

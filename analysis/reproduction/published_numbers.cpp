@@ -55,10 +55,11 @@ void add_dry_grains(Scoreboard& board) {
                 study.dry_solid_fraction(0));
     board.range("stress ratio, friction 0.05, I -> 0 [1]", "about 0.2", 0.18, 0.22,
                 study.dry_stress_ratio(0.05));
-    board.value("stress ratio at the fitted friction 0.09 against the measured one [1]",
+    board.value("stress ratio at the fitted friction coefficient 0.09 against the measured one [1]",
                 "0.25 +- 0.02, measured", {0.25, 0.02}, study.dry_stress_ratio(0.09));
-    board.value("solid fraction at the fitted friction 0.09 against the measured one [1]",
-                "0.615 +- 0.002, measured", {0.615, 0.002}, study.dry_solid_fraction(0.09));
+    board.value(
+        "solid fraction at the fitted friction coefficient 0.09 against the measured one [1]",
+        "0.615 +- 0.002, measured", {0.615, 0.002}, study.dry_solid_fraction(0.09));
     std::vector<StateValue> growth, fall;
     const double frictions[] = {0, 0.05, 0.09, 0.15, 0.20, 0.25};
     for (std::size_t k = 1; k < std::size(frictions); ++k) {

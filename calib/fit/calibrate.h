@@ -42,12 +42,12 @@ class LearningModel {
 
     /// Returns the model trained on all runs simulated so far.
     virtual const Model& model() const = 0;
-    /// Simulates more states of steady shear and trains the model on the runs.
+    /// Makes more simulation runs of steady shear and trains the emulator of the model on the runs.
     /// @param parameters parameter values at which the new runs are to improve predictions: the
     ///        result of the last fit or, before any fit, the starting values
-    /// @param excess variance that the noise of the runs causes in the fit, divided by the largest
-    ///        acceptable variance [1]; above 1, the number of runs should grow by about the factor
-    ///        `excess`
+    /// @param excess variance of the fitted parameters due to the noise of the runs, divided by the
+    ///        largest acceptable variance [1]; above 1, the number of runs should grow by about the
+    ///        factor `excess`
     virtual void improve(const Eigen::VectorXd& parameters, double excess) = 0;
     /// Whether the simulation runs of the last call of `improve` agree with the predictions that
     /// the model made before being trained on the runs.

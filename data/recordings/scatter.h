@@ -55,8 +55,9 @@ struct ScatterSums {
 /// Performs a two-way analysis of variance (by conditions and by files) of deviations between
 /// replicates (repeated readings at one condition), for files that are connected by common
 /// conditions. If conditions and files leave no degree of freedom, all scatter is attributed to
-/// steps.
-/// @param exponent load exponent of the scatter: standard deviation ~ load^-exponent [1]
+/// the steps of a recording, each of which gives one reading.
+/// @param exponent exponent of the normal stress in the scatter [1]: standard deviation ~
+///         (normal stress)^-exponent
 /// @param tell_files true: the scatter is divided between steps and files; false: all scatter is
 ///         attributed to steps
 /// Source: Searle, Casella and McCulloch, Variance Components (1992), chapter 5.

@@ -21,8 +21,8 @@ struct PageRecording {
         /// Name of the quantity that is shown against the row, with its unit.
         std::string label;
         std::vector<std::pair<std::size_t, double>> points;
-        /// Mean of the quantity over each of `windows`, in the unit of the quantity. Empty for a
-        /// window in which no value is known.
+        /// Mean of the recorded quantity over each averaging window in `windows`, in the unit of
+        /// the quantity. Empty for a window without a recorded value.
         std::vector<std::optional<double>> means;
     };
     /// Path of the recording's file, as in `Reading::origin`.

@@ -181,15 +181,18 @@ std::string shift_text(double shift) {
 
 PageSection impact_section(const PageContent& content) {
     const ImpactTable& impacts = *content.impacts;
-    PageSection section{.id = "impacts", .title = "How effects shift the fitted friction"};
+    PageSection section{.id = "impacts",
+                        .title = "How effects shift the fitted friction coefficient"};
     section.lines = impact_lines(impacts, content.diagnosis.diagnosis);
     const Cells head = {"effect or error", "group", "at the smallest size that matters",
                         "at the estimate", "per standard error of the estimate"};
     const std::string friction = with_error(impacts.fitted(0), impacts.errors(0));
-    PageTable effects{.caption = fmt::format("Shift of the friction {} by each effect", friction),
-                      .head = head};
+    PageTable effects{
+        .caption = fmt::format("Shift of the friction coefficient {} by each effect", friction),
+        .head = head};
     PageTable errors{
-        .caption = fmt::format("Shift of the friction {} by each error of measurement", friction),
+        .caption = fmt::format("Shift of the friction coefficient {} by each error of measurement",
+                               friction),
         .head = head,
         .folded = true};
     for (const Impact& impact : impacts.impacts) {

@@ -17,7 +17,8 @@ struct DirectMeasurement {
     std::string unit;  ///< SI unit of the measured parameter
     /// Instrument or method that measures the parameter, such as "a viscometer"; empty if unknown.
     std::string by = {};
-    /// Value of the parameter that a model without the effect predicts, in the parameter's unit.
+    /// Value of the parameter at which the effect vanishes, in the parameter's unit, such as 1 for
+    /// a torque gain. A model without the effect predicts this value.
     double neutral = 0;
     /// Measured value of the parameter, in the parameter's unit; 0 if not measured yet.
     double value = 0;

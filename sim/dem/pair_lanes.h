@@ -182,9 +182,9 @@ template <Gathered part>
     }
 }
 
-/// Kind of torques that the pairs of a batch exert on their grains.
+/// Kind of torques that the contact forces of a batch of pairs of grains exert on the grains.
 enum class Torques {
-    none,      ///< no torques, for pairs that cannot touch
+    none,      ///< no torques, for pairs of grains that cannot touch
     shared,    ///< equal torques on both grains of a pair, in `Batch::torque`
     separate,  ///< different torques on the two grains of a pair, in `first_torque` and `torque`
 };

@@ -51,7 +51,8 @@ TEST(Tutorial, DoesWhatItSays) {
         said[command.substr(0, command.find(' '))].push_back(outcome.output);
     }
     EXPECT_THAT(said["import"][0], HasSubstr("24 readings written to"));
-    EXPECT_THAT(said["calibrate"][0], HasSubstr("Do not use the fitted friction, 0.19"));
+    EXPECT_THAT(said["calibrate"][0],
+                HasSubstr("Do not use the fitted friction coefficient, 0.19"));
     EXPECT_THAT(said["compare"][0], HasSubstr("residual of the shear stress (measured minus model) "
                                               "increases with the normal stress"));
     EXPECT_THAT(said["diagnose"][0], HasSubstr("Missing: wall-friction (coefficient 0.1483"));

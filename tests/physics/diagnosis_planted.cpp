@@ -84,22 +84,40 @@ TEST(PlantedDiagnosis, TellsTheAngleFromTheTensionByNothing) {
     EXPECT_THAT(d.effects, Contains("capillary-bridges"));
 }
 
+/// Splits readings into recordings, one for each content and inertial number. Returns the number of
+/// the recording of each reading, from 1.
+std::vector<int> split_into_recordings(std::vector<Reading>& readings) {
+    std::vector<int> numbers;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        const bool new_one = k == 0 || readings[k].condition.liquid_content !=
+                                           readings[k - 1].condition.liquid_content;
+        numbers.push_back((numbers.empty() ? 0 : numbers.back()) + (new_one ? 1 : 0));
+        readings[k].origin.file = "recording_" + std::to_string(numbers.back()) + ".csv";
+    }
+    return numbers;
+}
+
 TEST(PlantedDiagnosis, SuspectsAllRecordingsSinceTheTorqueChanged) {
     std::vector<Reading> readings = readings_with({}, 5);
-    // A recording for each content and inertial number; the torque shows 8 % too much from the
-    // sixth of eight recordings on.
-    int recording = 0;
+    const std::vector<int> recordings = split_into_recordings(readings);
+    ASSERT_EQ(recordings.back(), 8);
     for (std::size_t k = 0; k < readings.size(); ++k) {
-        const Condition& c = readings[k].condition;
-        if (k == 0 || c.liquid_content != readings[k - 1].condition.liquid_content) ++recording;
-        readings[k].origin.file = "recording_" + std::to_string(recording) + ".csv";
-        if (recording >= 6) readings[k].value(0) *= 1.08;
+        if (recordings[k] >= 6) readings[k].value(0) *= 1.08;
     }
-    ASSERT_EQ(recording, 8);
     const Diagnosis d = diagnose(models(), evidence_of(readings, {}));
     EXPECT_EQ(d.verdict, Verdict::suspect_measurement);
     EXPECT_THAT(d.suspects,
                 Contains("the readings of recording_6.csv and of all later recordings"));
+}
+
+TEST(PlantedDiagnosis, DoesNotSuspectRecordingsThatExplainLessThanAnEffect) {
+    for (const Planted& planted : {Planted{"torque-gain", 1.1}, Planted{"wet-friction", 0.03}}) {
+        std::vector<Reading> readings = readings_with(planted, 6);
+        split_into_recordings(readings);
+        const Diagnosis d = diagnose(models(), evidence_of(readings, {}));
+        EXPECT_TRUE(names(d, planted.effect));
+        EXPECT_THAT(d.suspects, testing::IsEmpty()) << planted.effect;
+    }
 }
 
 TEST(PlantedDiagnosis, FindsNothingWhereNothingIsMissing) {

@@ -45,10 +45,10 @@ TEST(ImpactReport, SaysWhatTheNamedEffectDoesAtItsEstimate) {
     Diagnosis d;
     d.verdict = Verdict::missing;
     d.effects = {"wall-friction"};
-    EXPECT_THAT(
-        impact_lines(table(), d),
-        ElementsAre("With wall-friction in the model, the friction fitted to all readings is 0.220 "
-                    "instead of 0.300."));
+    EXPECT_THAT(impact_lines(table(), d),
+                ElementsAre("With wall-friction in the model, the friction coefficient fitted to "
+                            "all readings is 0.220 "
+                            "instead of 0.300."));
 }
 
 TEST(ImpactReport, SaysNothingWhereNoKnownEffectExplainsTheReadings) {
@@ -60,11 +60,13 @@ TEST(ImpactReport, SaysNothingWhereNoKnownEffectExplainsTheReadings) {
 TEST(ImpactReport, SaysWhatTheTwoLeadingEffectsWouldDoWhereNoneIsNamed) {
     Diagnosis d;
     d.verdict = Verdict::inconclusive;
-    EXPECT_THAT(impact_lines(table(), d),
-                ElementsAre("With wall-friction in the model at coefficient 0.4, the friction "
-                            "fitted to all readings would be 0.260 instead of 0.300.",
-                            "With lid-slip in the model at coefficient 0.2, the friction fitted to "
-                            "all readings would be 0.280 instead of 0.300."));
+    EXPECT_THAT(
+        impact_lines(table(), d),
+        ElementsAre(
+            "With wall-friction in the model at coefficient 0.4, the friction coefficient "
+            "fitted to all readings would be 0.260 instead of 0.300.",
+            "With lid-slip in the model at coefficient 0.2, the friction coefficient fitted to "
+            "all readings would be 0.280 instead of 0.300."));
 }
 
 TEST(ImpactReport, TableHasEachImpactAndEachGroup) {
