@@ -111,13 +111,16 @@ TEST(PlantedDiagnosis, SuspectsAllRecordingsSinceTheTorqueChanged) {
 }
 
 TEST(PlantedDiagnosis, DoesNotSuspectRecordingsThatExplainLessThanAnEffect) {
-    for (const Planted& planted : {Planted{"torque-gain", 1.1}, Planted{"wet-friction", 0.03}}) {
-        std::vector<Reading> readings = readings_with(planted, 6);
+    int named = 0, suspected = 0;
+    for (std::uint64_t seed = 11; seed <= 18; ++seed) {
+        std::vector<Reading> readings = readings_with({"torque-gain", 1.02}, seed);
         split_into_recordings(readings);
         const Diagnosis d = diagnose(models(), evidence_of(readings, {}));
-        EXPECT_TRUE(names(d, planted.effect));
-        EXPECT_THAT(d.suspects, testing::IsEmpty()) << planted.effect;
+        named += names(d, "torque-gain");
+        suspected += !d.suspects.empty();
     }
+    EXPECT_GE(named, 6);
+    EXPECT_LE(suspected, 1);  // 6 if every suspect measurement that fits were named
 }
 
 TEST(PlantedDiagnosis, FindsNothingWhereNothingIsMissing) {
