@@ -125,7 +125,7 @@ std::optional<std::string> Checkpoint::read(const std::string& run) const {
     }
     const std::uintmax_t before = first.size() + sealed.size() + 2;
     const std::uintmax_t size = std::filesystem::file_size(file_);
-    if (size != before + sealed_size(sealed) || size > largest) {
+    if (size < before || size - before != sealed_size(sealed) || size > largest) {
         refuse("is truncated or corrupt");
     }
     const std::string content = read_bytes(file_, size).substr(before);

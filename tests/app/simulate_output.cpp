@@ -266,6 +266,9 @@ TEST(Checkpoints, ThatAreNotWholeAreRefused) {
     std::string newer = whole;
     newer.replace(newer.find("format 4"), 8, "format 7");
     EXPECT_THAT(with(newer), HasSubstr("another version"));
+    // A size that, with the two lines before the content, exceeds what an integer holds.
+    EXPECT_THAT(with("pendular checkpoint, format 4\nchecksum 0 of 18446744073709551615"),
+                HasSubstr("truncated or corrupt"));
     EXPECT_THAT(with("friction,stress\n"), HasSubstr("no checkpoint"));
     EXPECT_THAT(with(""), HasSubstr("no checkpoint"));
 }

@@ -28,3 +28,7 @@ E
 attack "work: a condition that fails only on runs" 2 "condition 'load_extension" <<'E'
 store; run runs list --where 'load_extension(1)'
 E
+attack "work: a checkpoint whose stated size wraps round" 2 "truncated or corrupt" <<'E'
+printf 'pendular checkpoint, format 4\nchecksum 0 of 18446744073709551615' >x.ckpt
+run simulate --beads 200 --strain 1 --checkpoint x.ckpt
+E
