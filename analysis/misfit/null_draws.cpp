@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "calib/emulator/wide_products.h"
+
 namespace pendular {
 namespace {
 
@@ -100,9 +102,9 @@ NullDraws::NullDraws(const Measured& measured, const ErrorKnowledge& knowledge, 
 
 Eigen::MatrixXd NullDraws::along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis,
                                  Eigen::Index draws) const {
-    return residuals.whiten_basis(basis).transpose() * errors_.leftCols(draws) +
-           (residuals.prediction_root().transpose() * basis).transpose() *
-               predictions_.leftCols(draws);
+    return transposed_product(residuals.whiten_basis(basis), errors_.leftCols(draws)) +
+           transposed_product(residuals.prediction_root().transpose() * basis,
+                              predictions_.leftCols(draws));
 }
 
 Eigen::MatrixXd NullDraws::whitened(const WeightedResiduals& residuals) const {

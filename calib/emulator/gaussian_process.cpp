@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "calib/emulator/wide_products.h"
+
 namespace pendular {
 
 Observations Observations::only(Eigen::Index quantity) const {
@@ -108,7 +110,7 @@ GaussianProcess::Solved GaussianProcess::solve(std::vector<Requested> requested)
     for (const Requested& one : requested) {
         places.push_back(prepared(one));
     }
-    Eigen::MatrixXd half = factor_.matrixL().solve(with_known(requested));
+    Eigen::MatrixXd half = solve_lower(factor_.matrixLLT(), with_known(requested));
     return {std::move(requested), std::move(places), std::move(half)};
 }
 
@@ -122,8 +124,7 @@ double GaussianProcess::prior_covariance(const Solved& a, std::size_t i, const S
 
 Eigen::MatrixXd GaussianProcess::covariance_of(const Solved& requested) const {
     const Eigen::MatrixXd& half = requested.half;
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(half.cols(), half.cols());
-    result.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose(), -1);
+    Eigen::MatrixXd result = -transposed_product(half, half);
     for (std::size_t i = 0; i < requested.places.size(); ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
             result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) +=
@@ -134,7 +135,7 @@ Eigen::MatrixXd GaussianProcess::covariance_of(const Solved& requested) const {
 }
 
 Eigen::MatrixXd GaussianProcess::covariance_between(const Solved& a, const Solved& b) const {
-    Eigen::MatrixXd result = -(a.half.transpose() * b.half);
+    Eigen::MatrixXd result = -transposed_product(a.half, b.half);
     for (std::size_t i = 0; i < a.places.size(); ++i) {
         for (std::size_t j = 0; j < b.places.size(); ++j) {
             result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) +=
