@@ -76,6 +76,8 @@ when the verdict stays the same, the simulations agree with the emulator and the
 error by more than a fifth, or when the time is over. All results are kept; after Ctrl-C the same
 command continues with them.)";
 
+/// Largest number of direct measurements that are named without --all.
+constexpr std::size_t most_methods = 4;
 /// Time for --confirm without a number [min].
 constexpr double usual_minutes = 5;
 
@@ -159,6 +161,14 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
     console.table(unseen_table(diagnosis, models), 3);
     for (const std::string& line : advice_on(diagnosis, models, !d.proposals.empty())) {
         console.line(line);
+    }
+    if (diagnosis.verdict != Verdict::unknown) {
+        const std::size_t most = console.all() ? diagnosis.effects.size() : most_methods;
+        if (const std::string methods =
+                direct_methods(diagnosis.effects, session.resolved().catalogue(), most);
+            !methods.empty()) {
+            console.line(fmt::format("Direct measurements: {}.", methods));
+        }
     }
     if (measurements.doubts.empty() && !d.mistake) {
         console.line(error_basis(measurements));

@@ -8,10 +8,12 @@
 #include "app/command.h"
 #include "app/console.h"
 #include "app/open_session.h"
+#include "reports/diagnosis_report.h"
 #include "reports/draw_figure.h"
 #include "reports/next_report.h"
 #include "workflow/json.h"
 #include "workflow/next_json.h"
+#include "workflow/rival_effects.h"
 
 namespace pendular::app {
 namespace {
@@ -74,25 +76,32 @@ int next(const std::vector<std::string>& arguments) {
     json["verdict"] = to_string(d.diagnosis.verdict);
     write_json(common->out_folder() / "next.json", json);
     const std::vector<std::string> lines = next_lines(next, d.diagnosis);
+    const bool orders = orders_readings(next, d.diagnosis);
     console.answer(lines.front());
     for (std::size_t k = 1; k < lines.size(); ++k) {
         console.line(lines[k]);
     }
     if (const std::string& assumed = next.rivals.front().name;
-        next.plans.empty() && assumed != present_model) {
+        next.plans.empty() && assumed != present_model && orders) {
         console.line(
-            fmt::format("The plan assumes that {} is part of the model, as the diagnosis says; "
-                        "study.toml does not list it yet.",
+            fmt::format("The plan assumes that {} is part of the model, as the diagnosis says. "
+                        "study.toml does not list this effect yet: add it first.",
                         assumed));
     }
-    if (d.diagnosis.verdict == Verdict::unknown ||
-        d.diagnosis.verdict == Verdict::suspect_measurement) {
-        console.note(
-            fmt::format("The verdict of the diagnosis is {}: more precise parameters do not change "
-                        "it. For details: pendular diagnose {}",
-                        to_string(d.diagnosis.verdict), common->study_word()));
+    if (!orders) {
+        if (const std::string methods =
+                direct_methods(d.diagnosis.effects, session->resolved().catalogue());
+            !methods.empty()) {
+            console.line(fmt::format("Measure directly instead: {}.", methods));
+            console.line(fmt::format(
+                "Then write each value as [[direct]] into study.toml ('pendular next --help' shows "
+                "an example), and run: pendular diagnose {}",
+                common->study_word()));
+        }
     }
-    if (!session->study().rig) {
+    const bool planned = d.diagnosis.verdict != Verdict::unknown &&
+                         d.diagnosis.verdict != Verdict::suspect_measurement;
+    if (planned && !session->study().rig) {
         console.note(
             "study.toml has no section [rig] with the settings that the rheometer can reach: the "
             "plan stays near the conditions already measured. 'pendular next --help' shows an "
@@ -113,10 +122,12 @@ int next(const std::vector<std::string>& arguments) {
     if (diagnosis.verdict == Verdict::missing && diagnosis.confidence_set.size() <= 1) {
         console.next(
             fmt::format("pendular add {} {}", common->study_word(), diagnosis.effects.front()));
-    } else {
+    } else if (orders) {
         console.line(
             fmt::format("Then list the new recording in study.toml, and run: pendular diagnose {}",
                         common->study_word()));
+    } else if (diagnosis.verdict == Verdict::unknown) {
+        console.next(next_step(diagnosis, common->study_word(), !d.proposals.empty()));
     }
     return done;
 }

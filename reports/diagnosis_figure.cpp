@@ -59,7 +59,7 @@ Panel drop_panel(const Diagnosis& diagnosis, const std::vector<const Finding*>& 
 }
 
 Panel size_panel(const std::vector<const Finding*>& findings, const ModelSpace& space) {
-    Panel panel{.x_label = "", .y_label = "size / smallest size that matters", .zero_line = true};
+    Panel panel{.x_label = "", .y_label = "size / smallest size of interest", .zero_line = true};
     Curve estimates{.label = "estimate, ± 1 standard error", .colour = measured_colour},
         detectable{.label = "smallest size that 80 % of such studies would show",
                    .colour = calibrated_colour,
@@ -75,7 +75,7 @@ Panel size_panel(const std::vector<const Finding*>& findings, const ModelSpace& 
         panel.x_names.push_back(broken_name(candidate.name));
     }
     panel.curves = {detectable, estimates};
-    panel.references.push_back({"smallest size that matters", 1, 0, false, "#888888"});
+    panel.references.push_back({"smallest size of interest", 1, 0, false, "#888888"});
     panel.key = Key::top_right;
     panel.headroom = 0.3;
     return panel;

@@ -147,15 +147,19 @@ std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
 }
 
 std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) {
-    std::vector<std::string> sets;
+    std::vector<std::string> sets, left;
     for (const Explanation& each : d.confidence_set) {
         sets.push_back(with_estimates(each, space));
+        left.push_back(fmt::format("{:.2f}", chi2_per_dof(each.chi2, each.fit.dof)));
     }
+    const auto [least, most] =
+        std::ranges::minmax(left, {}, [](const std::string& text) { return std::stod(text); });
     return fmt::format(
         "Indistinguishable: something is missing, and these readings do not tell whether it is {}. "
-        "Adding {} brings {}.",
+        "Adding {} brings chi2/dof from {:.2f} to {}.",
         joined(sets, "or"), sets.size() == 2 ? "either" : "any one of them",
-        reduction(d, *best_of(d.confidence_set)));
+        chi2_per_dof(d.chi2, d.dof),
+        least == most ? "about " + least : fmt::format("between {} and {}", least, most));
 }
 
 /// Names of the effects each of which would take at least half of a large misfit, though the errors
@@ -193,8 +197,8 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
                "not tell whether an effect is missing.";
     }
     return fmt::format(
-        "Inconclusive: no known effect improves the model, but these readings cannot exclude {} "
-        "effect{} of the smallest size of interest: {}.",
+        "Inconclusive: the model describes the readings, but {} effect{} of the smallest size of "
+        "interest could be present undetected: {}.",
         d.effects.size(), d.effects.size() == 1 ? "" : "s", some_of(d.effects));
 }
 
@@ -419,10 +423,10 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space, 
     if (d.verdict == Verdict::indistinguishable) lines.push_back(alike_line(d));
     if (d.verdict == Verdict::inconclusive) {
         lines.push_back(
-            "To rule out an effect, measure the effect directly ('pendular effects NAME' says how, "
-            "where possible) or add readings at conditions where the effect is larger. 'pendular "
-            "next' plans readings that reduce the standard errors of the fitted parameters; such "
-            "readings do not rule out effects.");
+            "To rule out an effect, measure the effect directly or add readings at conditions "
+            "where "
+            "the effect is larger. 'pendular next' plans readings that reduce the standard errors "
+            "of the fitted parameters; such readings do not rule out effects.");
     }
     if (d.verdict == Verdict::unknown) {
         if (const Explanation* best = best_of(d.tried); best && !best->suspect) {
@@ -460,8 +464,10 @@ std::string next_step(const Diagnosis& d, const std::string& study, bool propose
                                study);
         case Verdict::suspect_measurement:
             return fmt::format("repeat the suspect readings, then pendular diagnose {}", study);
-        default:
+        case Verdict::indistinguishable:
             return fmt::format("pendular next {}", study);
+        default:
+            return fmt::format("pendular compare {}", study);
     }
 }
 

@@ -136,7 +136,7 @@ std::string parameter_text(const Effect& effect, const EffectParameter& p) {
                        printed_value(p.smallest_of_interest, p));
 }
 
-/// Options that set an effect to its smallest size that matters, `--torque-offset.torque "0.1
+/// Options that set an effect to its smallest size of interest, `--torque-offset.torque "0.1
 /// mN m"`.
 std::string options_of(const Effect& effect) {
     std::vector<std::string> options;

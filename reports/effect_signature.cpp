@@ -96,7 +96,7 @@ Along along(const Column& column, bool dry, bool at_failure, const Study& study,
     return all;
 }
 
-/// Value of an effect's parameter at which its signature is drawn: the smallest size that matters
+/// Value of an effect's parameter at which its signature is drawn: the smallest size of interest
 /// away from neutral, or from the liquid's value where the parameter is a property of the liquid.
 double shown_size(const Effect& effect, const EffectParameter& p, const Study& study) {
     if (!p.is_fitted()) return p.value_if_not_fitted();

@@ -53,7 +53,7 @@ Panel shift_panel(const ImpactTable& table, const std::vector<const Impact*>& ro
         down{.label = "estimate minus its standard error",
              .style = Curve::Style::bars_across,
              .colour = calibrated_colour},
-        interest{.label = "effect just large enough to matter",
+        interest{.label = "effect of the smallest size of interest",
                  .colour = measured_colour,
                  .symbol = {Shape::diamond, Filling::hollow}};
     const double error = in_thousandths * table.errors(0);
@@ -74,8 +74,8 @@ Panel shift_panel(const ImpactTable& table, const std::vector<const Impact*>& ro
         panel.y_names.push_back(plain_text(impact_name(*rows[k])));
     }
     const double reach = reach_of(reaches);
-    // Shifts far beyond the bars, of effects just large enough to matter, would shrink them: left
-    // out.
+    // Shifts far beyond the bars, of effects of the smallest size of interest, would shrink them:
+    // left out.
     for (std::size_t k = interest.x.size(); k-- > 0;) {
         if (std::abs(interest.x[k]) > 1.05 * reach) {
             interest.x.erase(interest.x.begin() + static_cast<std::ptrdiff_t>(k));

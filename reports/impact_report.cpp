@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_lines = 2;
 /// Smallest shift worth a sentence, in standard errors of the parameter [1].
-constexpr double worth_a_line = 0.1;
+constexpr double worth_a_line = 0.3;
 /// Smallest shift worth a row of the table, in standard errors of the parameter [1].
 constexpr double worth_a_row = 0.05;
 

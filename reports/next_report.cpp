@@ -105,11 +105,13 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
     std::vector<std::string> lines;
     if (steps.empty()) {
         const Plan& best = shown_plan(next);
+        std::vector<std::string> names;
+        std::ranges::transform(next.rivals, std::back_inserter(names), &Rival::name);
         lines.push_back(fmt::format(
-            "This rig cannot tell {} apart, with up to {} at one condition or {} in all. They "
-            "differ most at {}.",
-            joined(pair_names(next, false)), readings(next.most_repeats), next.most_readings,
-            where(next.points[best.point], next.study)));
+            "No plan of up to {}, with at most {} at one condition, tells {}{} apart. Their "
+            "predictions differ most at {}.",
+            readings(next.most_readings), next.most_repeats, names.size() > 2 ? "any two of " : "",
+            pendular::joined(names, "and"), where(next.points[best.point], next.study)));
         add_forecasts(lines, next, best);
         return lines;
     }
@@ -165,16 +167,25 @@ bool beside(const Condition& a, const Condition& b, const Study& study, bool sam
 
 }  // namespace
 
+bool orders_readings(const NextMeasurement& next, const Diagnosis& diagnosis) {
+    if (diagnosis.verdict == Verdict::unknown) return false;
+    return diagnosis.verdict == Verdict::suspect_measurement || next.plans.empty() ||
+           !next.series.steps.empty();
+}
+
 std::vector<std::string> next_lines(const NextMeasurement& next, const Diagnosis& diagnosis) {
-    std::vector<std::string> lines =
-        next.plans.empty() ? sharpening_lines(next) : separating_lines(next);
     if (diagnosis.verdict == Verdict::suspect_measurement) {
-        lines.insert(lines.begin(),
-                     fmt::format("Repeat {} first, with a new filling: an error there explains the "
-                                 "residuals.",
-                                 joined(diagnosis.suspects, "or")));
+        return {fmt::format(
+            "Repeat {}, with a new filling: an error there explains the residuals. Other "
+            "measurements are planned when these are settled.",
+            joined(diagnosis.suspects, "or"))};
     }
-    return lines;
+    if (diagnosis.verdict == Verdict::unknown) {
+        return {
+            "No measurement is planned: something is missing that no known effect explains, and "
+            "more precise parameters do not change that."};
+    }
+    return next.plans.empty() ? sharpening_lines(next) : separating_lines(next);
 }
 
 std::string next_paragraph(const std::vector<std::string>& lines) {

@@ -9,11 +9,16 @@
 
 namespace pendular {
 
+/// Returns whether the lines of `next_lines` ask for readings. False if no readings of the plan
+/// tell the models apart that fit, and if a cause is missing that no known effect explains.
+bool orders_readings(const NextMeasurement& next, const Diagnosis& diagnosis);
+
 /// Returns lines of text on the next measurement to make. Where several models fit the readings,
 /// the lines list the measurements that tell these models apart, with the prediction of each model.
 /// Where one model fits, the lines list the standard errors of the model's parameters before and
 /// after the measurement. Where the diagnosis attributes the misfit to an error in some readings,
-/// the first line says that these readings should be repeated.
+/// the only line says that these readings should be repeated. Where no known effect explains the
+/// misfit, the only line says that no measurement is planned.
 std::vector<std::string> next_lines(const NextMeasurement& next, const Diagnosis& diagnosis);
 
 /// Joins lines on the next measurement to one paragraph. Leaves out indented lines, which contain

@@ -90,6 +90,19 @@ std::string phrase_on(const FittedShape& fitted) {
                        fitted.change < 0 ? "smaller" : "larger", course_of(fitted.shape.profile));
 }
 
+/// Part of the instrument whose values a proposal changes; empty for changes of the beads.
+std::string instrument_of(const Proposal& proposal) {
+    static const std::map<std::string, const char*, std::less<>> devices = {
+        {"torque", "the torque transducer with a known torque"},
+        {"normal_force", "the load cell with known weights"},
+        {"height", "the gap sensor with a gauge block"}};
+    for (const FittedShape& each : proposal.shapes) {
+        const auto device = devices.find(each.shape.quantity.target);
+        if (device != devices.end()) return device->second;
+    }
+    return "";
+}
+
 }  // namespace
 
 std::string sentence_on(const FittedShape& shape) {
@@ -99,7 +112,7 @@ std::string sentence_on(const FittedShape& shape) {
 std::string sentence_on(const Proposal& proposal) {
     std::string text;
     for (const FittedShape& shape : proposal.shapes) {
-        text += (text.empty() ? "" : "; and ") + phrase_on(shape);
+        text += (text.empty() ? "" : ". Besides, ") + phrase_on(shape);
     }
     return capitalised(text);
 }
@@ -112,8 +125,10 @@ std::vector<std::string> proposal_lines(const std::vector<Proposal>& proposals, 
     const Fit& fit = best.explanation.fit;
     lines.push_back(fmt::format(
         "{} {}. This brings chi2/dof from {:.3g} to {:.3g}.",
-        best.fits() ? "A change of unknown cause would explain the readings:"
-                    : "A change of unknown cause would explain most of the misfit, not all:",
+        best.fits()
+            ? "Proposal 1, a change of unknown cause, would explain the readings:"
+            : "Proposal 1, a change of unknown cause, would explain most of the misfit, not "
+              "all:",
         sentence_on(best), chi2 / dof, best.explanation.chi2 / fit.dof));
     if (!best.alike.empty()) {
         std::vector<std::string> phrases;
@@ -124,9 +139,14 @@ std::vector<std::string> proposal_lines(const std::vector<Proposal>& proposals, 
             fmt::format("These readings can hardly distinguish this change from another: {}.",
                         fmt::join(phrases, "; or ")));
     }
+    if (const std::string device = instrument_of(best); !device.empty()) {
+        lines.push_back(fmt::format(
+            "Check {} before you add the proposal: an error of the instrument belongs in its "
+            "calibration.",
+            device));
+    }
     for (std::size_t k = 1; k < proposals.size(); ++k) {
-        lines.push_back(fmt::format("{} would explain the readings as well: {}.",
-                                    k == 1 ? "A second change" : "A third change",
+        lines.push_back(fmt::format("Proposal {} would explain the readings as well: {}.", k + 1,
                                     sentence_on(proposals[k])));
     }
     return lines;

@@ -108,24 +108,30 @@ std::vector<RivalModel> rivals_alive(const StudyDiagnosis& d, const ResolvedStud
 
 std::string rivals_line(const std::vector<RivalModel>& rivals, double chi2,
                         const EffectCatalogue& catalogue) {
-    std::vector<std::string> models, methods;
+    std::vector<std::string> models;
     std::set<std::string> effects;
     for (const RivalModel& rival : rivals) {
         models.push_back(fmt::format("{} (chi2 {:.2f})", rival.fitted.name, rival.chi2));
         effects.insert(rival.in_place_of);
         effects.insert(rival.effects.begin(), rival.effects.end());
     }
-    for (const std::string& name : effects) {
-        if (const std::string& how = catalogue.find(name).directly; !how.empty()) {
-            methods.push_back(fmt::format("{} by {}", name, how));
-        }
-    }
     if (models.empty()) return "";
-    return fmt::format("Other models fit as well as the present one (chi2 {:.2f}) or better: {}.{}",
-                       chi2, fmt::join(models, "; "),
-                       methods.empty() ? ""
-                                       : fmt::format(" Effects that can be measured directly: {}.",
-                                                     fmt::join(methods, "; ")));
+    const std::string methods = direct_methods({effects.begin(), effects.end()}, catalogue);
+    return fmt::format(
+        "Other models fit as well as the present one (chi2 {:.2f}) or better: {}.{}", chi2,
+        fmt::join(models, "; "),
+        methods.empty() ? "" : fmt::format(" Effects that can be measured directly: {}.", methods));
+}
+
+std::string direct_methods(const std::vector<std::string>& effects,
+                           const EffectCatalogue& catalogue, std::size_t most) {
+    std::vector<std::string> methods;
+    for (const std::string& name : effects) {
+        const std::string& how = catalogue.find(name).directly;
+        if (!how.empty() && methods.size() < most)
+            methods.push_back(fmt::format("{} by {}", name, how));
+    }
+    return fmt::format("{}", fmt::join(methods, "; "));
 }
 
 nlohmann::ordered_json to_json(const std::vector<RivalModel>& rivals) {

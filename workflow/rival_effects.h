@@ -40,6 +40,13 @@ std::vector<RivalModel> rivals_alive(const StudyDiagnosis& diagnosis, const Reso
 std::string rivals_line(const std::vector<RivalModel>& rivals, double chi2,
                         const EffectCatalogue& catalogue);
 
+/// Returns how effects can be measured directly, without shearing grains: "contact-angle by ...;
+/// torque-gain by ...". Effects without a direct measurement are left out; empty if none is left.
+/// @param effects names of effects
+/// @param most largest number of effects in the text
+std::string direct_methods(const std::vector<std::string>& effects,
+                           const EffectCatalogue& catalogue, std::size_t most = 100);
+
 /// Returns a JSON array of rival models, in which other effects replace one effect that the study
 /// lists. Each object contains the listed effect that the model lacks, the effects that the model
 /// has instead, and the chi2 of the model [1].

@@ -288,7 +288,7 @@ std::vector<std::pair<std::string, std::vector<std::size_t>>> parts_since(
         }
         if (later == wet) continue;
         const std::string name = std::filesystem::path(file).filename().string();
-        parts.emplace_back(fmt::format("the readings of {} and of all later recordings", name),
+        parts.emplace_back(fmt::format("the readings of {} and later files", name),
                            std::move(later));
     }
     return parts;

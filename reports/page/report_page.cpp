@@ -120,7 +120,7 @@ PageTable scan_table(const PageContent& content) {
     PageTable table{.caption = "Known effects, sorted by the change of chi2",
                     .head = {"effect", "group", "estimate", "change of chi2, predicted",
                              "change of chi2, in a refit", "p",
-                             "power for an effect just large enough to matter", "decision"}};
+                             "power for an effect of the smallest size of interest", "decision"}};
     const auto& candidates = content.diagnosis.models->candidates();
     for (const Finding& finding : content.diagnosis.diagnosis.scan) {
         const Candidate& candidate = candidates[finding.candidate];
@@ -184,7 +184,7 @@ PageSection impact_section(const PageContent& content) {
     PageSection section{.id = "impacts",
                         .title = "How effects shift the fitted friction coefficient"};
     section.lines = impact_lines(impacts, content.diagnosis.diagnosis);
-    const Cells head = {"effect or error", "group", "at the smallest size that matters",
+    const Cells head = {"effect or error", "group", "at the smallest size of interest",
                         "at the estimate", "per standard error of the estimate"};
     const std::string friction = with_error(impacts.fitted(0), impacts.errors(0));
     PageTable effects{

@@ -116,7 +116,7 @@ constexpr std::array<std::array<const char*, 2>, 23> other_terms = {{
     {"misfit",
      "difference between measured and predicted value over its standard error; chi2 is the "
      "sum of squares, with correlations"},
-    {"power", "probability that the readings show an effect just large enough to matter"},
+    {"power", "probability that the readings show an effect of the smallest size of interest"},
     {"reading", "shear stress and solid fraction of one step of steady shear"},
     {"reduction of chi2", "decrease of chi2 when an effect is added to the model"},
     {"replicates", "readings at the same conditions, to 2 %"},

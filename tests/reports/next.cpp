@@ -272,11 +272,11 @@ TEST(NextMeasurement, SaysWhatToMeasureDirectly) {
     const Rig rig{.repeats = 20, .readings = 12};
     next.plans = separating_plans(next.rivals, next.points, noise, rig.repeats);
     next.series = next_series(next.plans, next.rivals, next.points, noise, rig);
-    EXPECT_THAT(text_of(next),
-                testing::AllOf(
-                    testing::HasSubstr("Take 2 direct measurements of friction (a sled). This "
-                                       "tells a and b apart."),
-                    testing::HasSubstr("0.300 +- 0.010"), testing::HasSubstr("0.25 +- 0")));
+    EXPECT_THAT(
+        text_of(next),
+        testing::AllOf(testing::HasSubstr("Take 2 direct measurements of friction (a sled). This "
+                                          "tells a and b apart."),
+                       testing::HasSubstr("0.300 +- 0.010"), testing::HasSubstr("0.25 +- 0")));
     const auto json = to_json(next);
     EXPECT_EQ(json.at("point").at("direct"), "friction");
     EXPECT_EQ(json.at("forecasts").at(1).at("direct").at("value"), 0.25);
@@ -304,10 +304,13 @@ TEST(NextMeasurement, ShowsTheMostTellingPointWhereNoneTells) {
     const Rig rig{.repeats = 1, .readings = 1};
     next.plans = separating_plans(next.rivals, next.points, noise, rig.repeats);
     next.series = next_series(next.plans, next.rivals, next.points, noise, rig);
-    EXPECT_THAT(text_of(next),
-                testing::AllOf(testing::HasSubstr("This rig cannot tell a and b apart"),
-                               testing::HasSubstr("differ most at 900 Pa"),
-                               testing::HasSubstr("after a wait of 2 h")));
+    EXPECT_THAT(
+        text_of(next),
+        testing::AllOf(testing::HasSubstr(
+                           "No plan of up to 1 reading, with at most 1 at one condition, tells a "
+                           "and b apart"),
+                       testing::HasSubstr("differ most at 900 Pa"),
+                       testing::HasSubstr("after a wait of 2 h")));
     EXPECT_EQ(to_json(next).at("point").at("wait"), 7200);
 }
 
@@ -405,11 +408,17 @@ TEST(NextLines, AskToRepeatSuspectReadingsFirst) {
                          .most_repeats = 20,
                          .most_readings = 12};
     next.sharpenings = sharpening_plans(next.rivals.front(), next.points, noise, 1);
-    const std::string first = "Repeat the readings of dry_1.csv first, with a new filling";
-    EXPECT_THAT(next_lines(next, diagnosis).front(), testing::StartsWith(first));
+    EXPECT_THAT(next_lines(next, diagnosis),
+                testing::ElementsAre(
+                    testing::StartsWith("Repeat the readings of dry_1.csv, with a new filling")))
+        << "no readings for precision";
+    EXPECT_TRUE(orders_readings(next, diagnosis));
     diagnosis.verdict = Verdict::unknown;
     EXPECT_THAT(next_lines(next, diagnosis),
-                testing::Not(testing::Contains(testing::StartsWith(first))));
+                testing::ElementsAre(testing::StartsWith("No measurement is planned")));
+    EXPECT_FALSE(orders_readings(next, diagnosis));
+    diagnosis.verdict = Verdict::inconclusive;
+    EXPECT_THAT(next_lines(next, diagnosis).front(), testing::StartsWith("Take 20 readings"));
 }
 
 }  // namespace pendular::analysis_next_test
