@@ -16,6 +16,7 @@
 #include "calib/fit/calibration.h"
 #include "data/input_error.h"
 #include "data/recordings/replicate_groups.h"
+#include "reports/parameter_name.h"
 #include "reports/tables.h"
 #include "sim/catalogue/effect_catalogue.h"
 #include "workflow/fit_file.h"
@@ -82,7 +83,8 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
     console.answer(
         belief.believable()
             ? fmt::format("Fitted: {} = {}.", c.parameters[0].name, first)
-            : warning_on(belief, fmt::format("the fitted {}, {}", c.parameters[0].name, first)));
+            : warning_on(belief, fmt::format("the fitted {}, {}",
+                                             parameter_in_words(c.parameters[0].name), first)));
     for (std::size_t k = 1; k < c.parameters.size(); ++k) {
         console.line(fmt::format("{} = {}.", c.parameters[k].name, estimate_text(c, k)));
     }

@@ -115,7 +115,7 @@ int import(const std::vector<std::string>& arguments) {
     for (const Doubt& doubt : measurements.doubts) {
         console.line(fmt::format(
             "Warning: {} {}", doubt.what,
-            doubt.set_aside ? "These readings are excluded." : "These readings are kept."));
+            doubt.set_aside ? "The affected readings are excluded." : "The affected readings are kept."));
     }
     console.table(findings_lines(measurements.findings, console.all()), 6);
     console.table(file_findings_lines(measurements.file_findings, console.all()), 6);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "reports/parameter_name.h"
 #include "reports/with_error.h"
 
 namespace pendular {
@@ -64,11 +65,6 @@ std::string condition_of(const Impact& impact, const Shift& shift, bool at_estim
                        size_text(impact, shift.size));
 }
 
-/// Returns the name of a parameter of the study's model as in a sentence.
-std::string in_words(const std::string& parameter) {
-    return parameter == "friction" ? "friction coefficient" : parameter;
-}
-
 /// Sentence on the shift of the first parameter at one size; empty where the shift is negligible.
 std::string line_of(const ImpactTable& table, const Impact& impact, bool at_estimate) {
     const Shift& shift = at_estimate ? impact.at_estimate : impact.at_interest;
@@ -77,7 +73,7 @@ std::string line_of(const ImpactTable& table, const Impact& impact, bool at_esti
     const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 12);
     return fmt::format("{}, the {} fitted to all readings {} {:.{}f} instead of {:.{}f}.",
                        condition_of(impact, shift, at_estimate),
-                       in_words(table.parameters.front().name),
+                       parameter_in_words(table.parameters.front().name),
                        at_estimate && !impact.measurement ? "is" : "would be", table.fitted(0) + by,
                        digits, table.fitted(0), digits);
 }

@@ -27,9 +27,9 @@ class Reproduction {
     const std::vector<ScoreboardRow>& rows() const { return rows_; }
     /// Returns the number of published numbers or ranges that agree with the simulated numbers.
     std::size_t agreeing() const;
-    /// Returns the parameters of the runs that are still to be simulated: one run for each
-    /// published state without an earlier run. Number of grains, strain and stiffness number are
-    /// those of the fidelity (set of simulation settings).
+    /// Returns the parameters of the runs that are still to be simulated: one run for each state of
+    /// the published simulations that has not been simulated yet. The number of grains, the strain
+    /// and the stiffness number are those of the fidelity (set of simulation settings).
     std::vector<dem::RunParameters> missing_runs() const;
 
   private:

@@ -95,7 +95,8 @@ struct ChangedStudy {
     /// converge.
     bool written = false;
 
-    /// Returns the fit of the study after the change that uses the readings which `before` uses.
+    /// Returns the fit of the changed study to the same readings that the fit `before` uses, so that
+    /// the misfits of the two fits can be compared.
     const Fitted& comparable_after() const { return after_to_all ? *after_to_all : after; }
 };
 

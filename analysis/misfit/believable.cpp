@@ -83,7 +83,7 @@ std::string error_basis(const Measurements& measurements) {
     const auto repeated = std::ranges::count_if(measurements.readings,
                                                 [](const Reading& r) { return r.replicates > 1; });
     return repeated > 0
-               ? fmt::format("Standard errors come from the scatter of {} repeated readings.",
+               ? fmt::format("The standard errors of the readings are estimated from the scatter of {} repeated readings.",
                              repeated)
                : "Standard errors are those given with the readings.";
 }

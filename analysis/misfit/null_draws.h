@@ -31,15 +31,16 @@ struct SharedErrors {
     double steps = 1;
 };
 
-/// Uncertainty of the sizes of the readings' errors, which are estimated from few replicates
+/// Uncertainty of the standard errors of the readings, which are estimated from few replicates
 /// (readings at the same condition). An entry is one observable of one reading, or one direct
-/// measurement. The part of an entry's error that the entry does not share with other entries
-/// belongs to a kind of error. One estimate gives the size of all errors of a kind.
+/// measurement. The error of an entry is the sum of an independent error and of errors that several
+/// entries share. Entries whose independent errors have one estimated standard deviation form one
+/// kind of error.
 struct ErrorKnowledge {
-    /// Kind of the unshared error of each entry, as index into `freedom`.
+    /// Kind of the independent error of each entry, as index into `freedom`.
     std::vector<std::size_t> kind;
-    /// Degrees of freedom of the estimated size of each kind of error. Infinite if the size is
-    /// known exactly.
+    /// Degrees of freedom of the estimated standard deviation of each kind of error. Infinite if the
+    /// standard deviation is known exactly.
     std::vector<double> freedom;
     std::vector<SharedErrors> shared;  ///< errors that several readings share
     /// Number of readings. The measured values with the indices 2 k and 2 k + 1 are the shear

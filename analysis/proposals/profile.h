@@ -9,8 +9,8 @@
 
 namespace pendular {
 
-/// Coordinate: quantity of the readings along which a change of unknown cause may vary, such as the
-/// normal stress, with the value of the quantity at each reading.
+/// Quantity, such as the normal stress, on which a difference of unknown cause between readings and
+/// model may depend, with the value of the quantity at each reading.
 struct ReadingCoordinate {
     std::string variable;  ///< name of the quantity in formulas, as in "normal_stress"
     std::string unit;      ///< SI unit of the quantity

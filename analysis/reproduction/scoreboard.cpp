@@ -22,8 +22,9 @@ std::string text_of(const Mean& mean) {
 
 void Scoreboard::value(const std::string& what, const std::string& published, const Mean& expected,
                        const Mean& ours) {
-    const double distance = std::abs(ours.value - expected.value) /
-                            std::hypot(expected.standard_error, ours.standard_error);
+    const double apart = std::abs(ours.value - expected.value),
+                 error = std::hypot(expected.standard_error, ours.standard_error);
+    const double distance = error > 0 ? apart / error : apart == 0 ? 0.0 : INFINITY;
     rows_.push_back({.section = section_,
                      .what = what,
                      .published = published,

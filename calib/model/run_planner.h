@@ -103,9 +103,9 @@ class RunPlanner {
     /// Returns the dry states of the first runs of a planner without earlier runs: a grid of
     /// friction coefficients and inertial numbers.
     std::vector<FlowState> first_dry_design() const;
-    /// Returns the wet states of the first wet runs. The states cover the study's wet conditions
-    /// and are spread over the friction coefficient about `friction` [1] and over the bridge
-    /// volume.
+    /// Returns the states of steady shear of the first wet runs. The states cover the study's wet
+    /// conditions. The friction coefficients of the states are spread around `friction` [1], and
+    /// the bridge volumes around those of the conditions.
     std::vector<FlowState> first_wet_design(double friction) const;
     /// Simulates the states of first_wet_design() and trains the emulator on the runs. The function
     /// does nothing if a training run is wet already or no runs may be requested.
@@ -115,9 +115,9 @@ class RunPlanner {
     /// only the wet conditions.
     void learn(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                double excess);
-    /// Requests runs at states of the dry conditions (`wet` is false) or of the wet conditions, at
-    /// the friction coefficient `friction` [1]. Runs are requested only for the states that lie
-    /// outside the range of the earlier runs.
+    /// Requests runs at the dry (`wet` is false) or the wet conditions of `conditions`, with the
+    /// friction coefficient `friction` [1]. Only conditions outside the range of the earlier runs
+    /// get a run.
     void order_beyond(double friction, const std::vector<EffectiveCondition>& conditions, bool wet);
     /// Requests runs near the friction coefficient `friction` [1], the optimum of a fit, for the
     /// dry conditions (`wet` is false) or the wet conditions, and tests whether the runs agree with

@@ -111,7 +111,7 @@ PlausibleRange solid_fraction_range(double value) {
             value,
             loosest_solid_fraction,
             densest_solid_fraction,
-            "too loose for grains in contact in steady shear",
+            "too low for grains in contact in steady shear",
             "the densest packing of equal spheres",
             "the gap (height, its zero and unit), the bead mass and the density",
             "bead mass",

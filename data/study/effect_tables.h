@@ -53,8 +53,8 @@ struct WrittenEffect {
 /// quantities of one kind only: of the instrument, of the flow (`flow_targets`) or of the condition
 /// (`condition_targets`).
 const std::vector<std::string>& instrument_targets();
-/// Returns the names of the quantities of the flow of the grains that formulas in a table
-/// [[effect]] of study.toml can set: "stress_ratio" and "solid_fraction".
+/// Returns the names of the flow quantities that a formula in a table [[effect]] of study.toml can
+/// set: "stress_ratio" and "solid_fraction".
 const std::vector<std::string>& flow_targets();
 /// Returns the names of the properties of the grains and of their liquid that formulas in a table
 /// [[effect]] of study.toml can set: "friction_difference" and "surface_tension" [N/m]. The

@@ -15,8 +15,8 @@ struct Flow {
     double height_rate = 0;
     /// Rate of change of the cell's length along the flow divided by this length, in reduced units.
     double length_rate = 0;
-    /// Rate of change of the cell's width along the vorticity divided by the width, in reduced
-    /// units.
+    /// Strain rate of the cell in the vorticity direction (rate of change of the width divided by
+    /// the width), in reduced units.
     double width_rate = 0;
 
     template <typename Archive>

@@ -24,8 +24,9 @@ struct RecordedStep {
     /// Reason why no part of the step is steady. The reason is empty if a part is steady, or if no
     /// transient was searched for.
     std::string why_unsteady = {};
-    /// Periodic parts of the step's columns after the transient or, if no part of the step is
-    /// steady, in the second half of the step; empty if too few data points are left.
+    /// Oscillations that are found in columns of the step. The data after the transient are searched
+    /// or, if no part of the step is steady, the second half of the step. Empty if too few data
+    /// points are left.
     std::vector<PeriodicColumn> periodic = {};
     /// Number of data points at the beginning of the steady part that are not averaged, so that the
     /// average covers whole turns of the lid and a wobble does not bias the average.
