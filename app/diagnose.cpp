@@ -62,6 +62,8 @@ Decisions on an effect:
   may be missing            one of several effects that explain the residuals equally well
   may be missing too        part of another set of effects that explains the residuals as well
   contains what is missing  the effect explains the residuals, but so does a model with fewer effects
+  explains most, not all    adding the effect removes at least 90 % of the excess of chi2, but leaves a
+                            misfit: it is not the likely cause, but worth a direct measurement
   does not explain it       the residuals resemble the effect, but adding it leaves a misfit
   no sign of it             something is missing, and the residuals do not resemble this effect
   absent                    nothing is missing, and the effect would have been detected at its

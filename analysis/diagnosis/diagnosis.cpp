@@ -354,7 +354,12 @@ void Diagnostician::decide() {
             finding.decision =
                 finding.power < options_.wanted_power ? "cannot be excluded" : "absent";
         } else {
-            finding.decision = looks_missing(finding) ? "does not explain it" : "no sign of it";
+            const bool most =
+                finding.refitted_reduction &&
+                *finding.refitted_reduction >= most_of_misfit * (result_.chi2 - result_.dof);
+            finding.decision = !looks_missing(finding) ? "no sign of it"
+                               : most                  ? "explains most, not all"
+                                                       : "does not explain it";
         }
     }
 }

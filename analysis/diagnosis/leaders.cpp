@@ -9,8 +9,6 @@ namespace {
 
 /// Share of repetitions in which an effect must be part of the leading model [1].
 constexpr double sure = 0.95;
-/// Share of the excess chi2 that the model with the leading effects must remove [1].
-constexpr double most_of_it = 0.9;
 
 double factor_on_variance(const std::vector<Explanation>& tried) {
     double least = INFINITY;
@@ -70,7 +68,7 @@ std::optional<Leaders> find_leaders(double chi2, int dof, const std::vector<Expl
     const auto rivals = std::ranges::count_if(
         leading, [&](std::size_t m) { return !std::ranges::includes(tried[m].chosen, leaders); });
     result.rival_share = static_cast<double>(rivals) / static_cast<double>(draws);
-    if (result.explained < most_of_it) return {};
+    if (result.explained < most_of_misfit) return {};
     return result;
 }
 

@@ -7,6 +7,10 @@
 
 namespace pendular {
 
+/// Share of the excess chi2 - dof (chi2 minus degrees of freedom) of a model from which on the
+/// misfit counts as mostly explained [1].
+inline constexpr double most_of_misfit = 0.9;
+
 /// Leading effects: effects that a study's model lacks and that explain most of a misfit. Leading
 /// effects are sought if no refitted model explains the whole misfit within the errors.
 struct Leaders {
