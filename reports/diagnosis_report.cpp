@@ -341,7 +341,8 @@ std::string discrepancy_line(double size) {
     if (size == 0) return "";
     return fmt::format(
         "A systematic error of the model of about {:.1f} % of the shear stress would explain the "
-        "remaining misfit. To allow for it: discrepancy = {:.2g} in section [model] of study.toml.",
+        "remaining misfit. If you accept this error, write discrepancy = {:.2g} into section "
+        "[model] of study.toml: standard errors grow, and no value is corrected.",
         100 * size, size);
 }
 

@@ -132,12 +132,14 @@ void set_files_apart(ReplicateTable& table, std::size_t place, Eigen::Index o,
     const std::vector<std::size_t> far = far_files(cluster, o);
     const double variance = 2 * difference * difference;
     Doubt doubt = doubt_about(
-        o, fmt::format(
-               "In {}, {} {} at all conditions, by {:.3g} %, while steps within a file agree; "
-               "check the units, the bead mass and the filling. {} weight in the fit is reduced.",
-               name_of(o), names_of(table, far),
-               far.size() == 1 ? "differs from its replicates" : "differ from one another",
-               100 * std::expm1(std::sqrt(variance)), far.size() == 1 ? "Its" : "Their"));
+        o,
+        fmt::format(
+            "In {}, {} {} at all conditions, by {:.3g} %, while steps within a file agree; "
+            "check the units, the zeros and calibrations of the sensors, the bead mass and the "
+            "filling. Until then, the fit takes larger errors for {}.",
+            name_of(o), names_of(table, far),
+            far.size() == 1 ? "differs from its replicates" : "differ from one another",
+            100 * std::expm1(std::sqrt(variance)), far.size() == 1 ? "this file" : "these files"));
     for (std::size_t k = 0; k < readings.size(); ++k) {
         if (std::ranges::find(far, table.file_of[k]) == far.end()) continue;
         result.variance[k](o) += variance;
@@ -167,9 +169,10 @@ void set_condition_apart(const ReplicateTable& table, const Values& values, Eige
                 : fmt::format("{}:{}", table.name_of(value.file), reading.origin.line));
     }
     result.doubts.push_back(doubt_about(
-        o, fmt::format("The replicates {} differ in {} far beyond the scatter of the others; look "
-                       "for a disturbance in these steps. Their weight in the fit is reduced.",
-                       fmt::join(places, " and "), name_of(o))));
+        o, fmt::format(
+               "The replicates {} differ in {} far beyond the scatter of the others; look "
+               "for a disturbance in these steps. The fit takes larger errors for these readings.",
+               fmt::join(places, " and "), name_of(o))));
     result.doubts.back().origins = std::move(origins);
 }
 
