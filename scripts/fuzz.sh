@@ -74,6 +74,7 @@ one() {
     -max_len="$longest" -entropic=0 -print_funcs=0 -print_final_stats=1 -artifact_prefix="build/fuzz/artifacts/$target/" "${options[@]}" \
     "$new" "$kept" >"$log" 2>&1 || code=$?
   if [ "$code" -eq 70 ] && ! really_hangs "$target"; then code=0; fi
+  if [ "$code" -eq 72 ]; then code=0; fi  # ended by Ctrl-C
   executions=$(awk '/number_of_executed_units/ {n = $2} END {print n + 0}' "$log")
   processor=$(awk '/^processor seconds/ {print $3}' "$log")
   [ -z "$4" ] || add_to_tally "$4" "$target" "$executions" "${processor:-0}" $((code != 0))
