@@ -122,33 +122,25 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
     }
 }
 
+const char* const about_calibrate =
+    R"(Fits the friction coefficient between grains to the shear stress and solid fraction of all dry
+readings together, and predicts the wet readings with this coefficient (with fit_to = "all" in
+study.toml, the fit includes the wet readings). The model is a discrete-element simulation. In the
+least-squares fit, an emulator replaces the simulation: a statistical model trained on the
+simulations that come with the program (the atlas) and on the simulations in the store. Then new
+simulations at the fitted friction coefficient train the emulator further, and the fit is repeated,
+until simulations and emulator agree and the noise of the simulations enlarges no error by more
+than a fifth. Writes fit.json to the results folder.)";
+
 }  // namespace
 
 int calibrate(const std::vector<std::string>& arguments) {
     FitOptions fit;
-    Options options(
-        "calibrate STUDY [options]",
-        "Fits the friction coefficient between grains to the shear stress and solid fraction of "
-        "all "
-        "dry\n"
-        "readings together, and predicts the wet readings with this coefficient (with fit_to = "
-        "\"all\" in\n"
-        "study.toml, the fit includes the wet readings). The model is a discrete-element "
-        "simulation. "
-        "In the\n"
-        "least-squares fit, an emulator replaces the simulation: a statistical model trained on "
-        "the\n"
-        "simulations that come with the program (the atlas) and on the simulations in the store. "
-        "Then new\n"
-        "simulations at the fitted friction coefficient train the emulator further, and the fit is "
-        "repeated,\n"
-        "until simulations and emulator agree and the noise of the simulations enlarges no error "
-        "by more\n"
-        "than a fifth. Writes fit.json to the results folder.",
-        "  pendular calibrate examples/polystyrene --no-confirm\n"
-        "  pendular calibrate examples/polystyrene --fidelity quick --confirm 5\n"
-        "  pendular calibrate my-study --cold --profile --json -\n",
-        true);
+    Options options("calibrate STUDY [options]", about_calibrate,
+                    "  pendular calibrate examples/polystyrene --no-confirm\n"
+                    "  pendular calibrate examples/polystyrene --fidelity quick --confirm 5\n"
+                    "  pendular calibrate my-study --cold --profile --json -\n",
+                    true);
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the simulations (default 1)");
     bool no_confirm = false;

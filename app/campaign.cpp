@@ -135,17 +135,16 @@ void report(std::size_t runs, const Survey& before, const Survey& after, const R
                   {"store", store.file().string()}});
 }
 
+const char* const about_campaign =
+    R"(Runs the simulations that a campaign file lists (grids, lists, Sobol sequences), the longest first,
+and keeps each result in the store as soon as the simulation ends. The same command resumes a
+stopped campaign; simulations that are in the store are not repeated.)";
+
 }  // namespace
 
 int campaign(const std::vector<std::string>& arguments) {
     Options options(
-        "campaign FILE [options]",
-        "Runs the simulations that a campaign file lists (grids, lists, Sobol sequences), the "
-        "longest first,\n"
-        "and keeps each result in the store as soon as the simulation ends. The same command "
-        "resumes "
-        "a\n"
-        "stopped campaign; simulations that are in the store are not repeated.",
+        "campaign FILE [options]", about_campaign,
         "  pendular campaign sim/atlas/campaign.toml\n"
         "  mpirun -n 9 pendular campaign my.toml        # 1 process distributes, 8 simulate\n"
         "  pendular campaign my.toml --shard 2/8 --store part-2.sqlite   # machine 2 of 8\n"

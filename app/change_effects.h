@@ -17,7 +17,7 @@ std::vector<std::filesystem::path> outputs_of_change();
 /// @param action whether to add or to drop the effect
 /// @param effect name of the effect
 /// @param fit options of the fits
-/// @param same_fidelity whether to use the fidelity (number of grains, stiffness number, strain) of
+/// @param same_fidelity whether to use the fidelity (set of simulation settings) of
 ///        the fit in the results folder
 /// @throws InputError where the effect cannot be added or dropped, where a fit is impossible, and
 ///         where study.toml has changed since the session read study.toml

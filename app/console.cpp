@@ -92,7 +92,7 @@ void Console::table(const std::vector<std::string>& heading_and_rows, std::size_
 void Console::note(const std::string& text) {
     const std::string pattern = pattern_of(text);
     const auto same = std::ranges::find(notes_, pattern, &Note::pattern);
-    if (same == notes_.end() || (all() && same->text != text)) {
+    if (same == notes_.end() || (all() && same->text != as_sentence(text))) {
         notes_.push_back({as_sentence(text), pattern});
     } else if (same->text != as_sentence(text)) {
         ++same->count;

@@ -35,8 +35,8 @@ class Console {
     void table(const std::vector<std::string>& heading_and_rows, std::size_t most_rows);
     /// Stores a remark for the user, which is printed as "Note: ..." before the figures and the
     /// next command. Without --all, at most three notes are printed, then the number of hidden
-    /// notes. If several notes differ only in words with digits, only the first of these notes is
-    /// printed, with the number of notes left out.
+    /// notes. Without --all, only the first of several notes that differ only in words with digits
+    /// is printed, with the number of notes left out.
     void note(const std::string& text);
     /// Prints the stored notes, then one line with the names of the figure files in `folder`.
     /// @param names names of the figures, without extension; if the list is empty, only the notes

@@ -113,9 +113,9 @@ int import(const std::vector<std::string>& arguments) {
                          : fmt::format(" Excluded: {} (listed in {}).", left_out,
                                        (common->out_folder() / "excluded.csv").string())));
     for (const Doubt& doubt : measurements.doubts) {
-        console.line(fmt::format(
-            "Warning: {} {}", doubt.what,
-            doubt.set_aside ? "The affected readings are excluded." : "The affected readings are kept."));
+        console.line(fmt::format("Warning: {} {}", doubt.what,
+                                 doubt.set_aside ? "The affected readings are excluded."
+                                                 : "The affected readings are kept."));
     }
     console.table(findings_lines(measurements.findings, console.all()), 6);
     console.table(file_findings_lines(measurements.file_findings, console.all()), 6);

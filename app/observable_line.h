@@ -6,8 +6,8 @@
 
 namespace pendular::app {
 
-/// Returns a line of text on an observable of a simulation: the name, the average with the standard
-/// error, and the meaning of the observable.
+/// Returns a line of text on a simulated or predicted observable: the name, the value with the
+/// standard error, and the meaning of the observable.
 std::string observable_line(dem::Observable which, const Mean& mean);
 
 }  // namespace pendular::app

@@ -5,8 +5,9 @@
 
 namespace pendular::app {
 
-/// Prints a line with all unprintable characters replaced, and flushes the stream. All results,
-/// notes and error messages are printed by this function.
+/// Prints a line with all unprintable characters replaced, and flushes the stream. All lines of
+/// text of results, notes and error messages are printed by this function; JSON, help texts and
+/// progress bars are not.
 void print_line(std::FILE* stream, std::string_view text);
 
 /// Prints an error message after `prefix` on standard error. The middle of a message longer than

@@ -147,13 +147,14 @@ std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
 }
 
 std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) {
-    std::vector<std::string> sets, left;
+    std::vector<std::string> sets;
+    std::vector<double> left;
     for (const Explanation& each : d.confidence_set) {
         sets.push_back(with_estimates(each, space));
-        left.push_back(fmt::format("{:.2f}", chi2_per_dof(each.chi2, each.fit.dof)));
+        left.push_back(chi2_per_dof(each.chi2, each.fit.dof));
     }
-    const auto [least, most] =
-        std::ranges::minmax(left, {}, [](const std::string& text) { return std::stod(text); });
+    const std::string least = fmt::format("{:.2f}", std::ranges::min(left)),
+                      most = fmt::format("{:.2f}", std::ranges::max(left));
     return fmt::format(
         "Indistinguishable: something is missing, and these readings do not tell whether it is {}. "
         "Adding {} brings chi2/dof from {:.2f} to {}.",

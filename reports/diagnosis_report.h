@@ -18,9 +18,9 @@ std::string verdict_line(const Diagnosis& diagnosis, const ModelSpace& space, co
 
 /// Returns the text of the first parameter of an effect as a diagnosis estimates the parameter,
 /// with standard error and unit. The estimate comes from a refit with the effect if a refit
-/// converged, else from the linear score test, which uses the residuals alone. An estimate at a
-/// bound of the parameter has no standard error. For an effect that is on or off, the text is
-/// "switch".
+/// converged and determines the parameter, else from the score test (test without a refit). An
+/// estimate at a bound of the parameter has no standard error. For an effect that is on or off, the
+/// text is "switch".
 /// @param finding result for the effect, an element of `diagnosis.scan`
 std::string estimate_of(const Diagnosis& diagnosis, const Finding& finding,
                         const ModelSpace& space);
@@ -37,7 +37,7 @@ std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const Model
 /// Returns sentences on the fit of the study's model without further effects. The sentences state
 /// chi2, the degrees of freedom and the p values of two tests. The first test compares the mean
 /// reading of each condition with the model (lack of fit). The second test asks whether the model
-/// lacks a known effect.
+/// lacks a known effect or the readings contain an error of a suspect measurement.
 std::string fit_line(const Diagnosis& diagnosis);
 
 /// Returns sentences on a diagnosis that found effects which explain most of the misfit but not all
@@ -70,9 +70,11 @@ std::string suspects_line(const Diagnosis& diagnosis, const Evidence& evidence);
 
 /// Returns a table of the effects that the study's readings cannot exclude: an effect of the
 /// smallest size of interest could be present and remain undetected. The first line is the heading.
-/// One line names the effects that these readings could not detect at any size. One line follows
-/// for each further effect, with the smallest size that these readings could detect. Returns an
-/// empty list unless the verdict of the diagnosis is inconclusive.
+/// One line names the effects that these readings could not detect at any size within the bounds of
+/// the parameters. One line follows for each further effect, with the smallest size that these
+/// readings could detect or, for an effect that is on or off, the percentage of repetitions of the
+/// study that would detect the effect. Returns an empty list unless the verdict of the diagnosis is
+/// inconclusive.
 std::vector<std::string> unseen_table(const Diagnosis& diagnosis, const ModelSpace& space);
 
 /// Returns sentences of advice after a diagnosis. The sentences say how similarly indistinguishable
@@ -83,7 +85,8 @@ std::vector<std::string> advice_on(const Diagnosis& diagnosis, const ModelSpace&
                                    bool proposes = false);
 
 /// Returns the text that says what to do after a diagnosis: the `pendular` command to give next or,
-/// if an error of measurement explains the misfit, which readings to repeat.
+/// for the verdict suspect-measurement, to repeat the suspect readings and then which command to
+/// give.
 /// @param study the study's name as the user gave it
 /// @param proposes whether the diagnosis proposes changes of the model of unknown cause
 std::string next_step(const Diagnosis& diagnosis, const std::string& study, bool proposes = false);

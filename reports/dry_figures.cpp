@@ -201,6 +201,12 @@ constexpr std::array<SeriesLook, 8> series_looks = {{{"#1f4fd8", Shape::circle},
                                                      {"#111111", Shape::circle},
                                                      {"#808080", Shape::square}}};
 
+/// Look of the series with this index. Steady shear and points of failure have up to eight series
+/// each, so that looks may repeat.
+const SeriesLook& look_of(std::size_t series) {
+    return series_looks[series % series_looks.size()];
+}
+
 /// Data of the figure against the inertial number: readings divided into series that one model
 /// curve each can represent.
 struct InertialFigure {
@@ -272,7 +278,7 @@ void draw_series(Panel& panel, const InertialFigure& figure, std::size_t s, std:
         .symbol = {.shape = Shape::square}};
     Curve line{.label = figure.of("model", one), .colour = model_colour};
     if (figure.parted()) {
-        const SeriesLook& look = series_looks[s];
+        const SeriesLook& look = look_of(s);
         measured.colour = model.colour = line.colour = look.colour;
         measured.symbol = measured_symbol;
         model.symbol = {look.shape, Filling::hollow};
@@ -301,8 +307,8 @@ void draw_series(Panel& panel, const InertialFigure& figure, std::size_t s, std:
 void explain_series(Panel& panel, const InertialFigure& figure) {
     for (std::size_t s = 0; s < figure.series.size(); ++s) {
         panel.curves.push_back({.label = figure.series[s].name,
-                                .colour = series_looks[s].colour,
-                                .symbol = {series_looks[s].shape, Filling::hollow}});
+                                .colour = look_of(s).colour,
+                                .symbol = {look_of(s).shape, Filling::hollow}});
     }
     const auto kind = [&](const std::string& label, Curve::Style style, const Symbol& symbol = {}) {
         panel.curves.push_back(

@@ -23,7 +23,9 @@ std::vector<Condition> signature_conditions(const Study& study);
 
 /// Returns a figure of how an effect of the smallest size of interest changes the predicted
 /// readings. The reference is the model without the effect or, for a property of the liquid, with
-/// the value of the study's liquid. The upper row of panels shows the change of the shear stress
+/// the value of the study's liquid. For an effect on the closure, the reference is the model with
+/// the level of closure below or, for the lowest level, the base model `mohr-coulomb`. The upper
+/// row of panels shows the change of the shear stress
 /// [%]. The lower row shows 1000 times the change of the solid fraction [1]. The four columns show
 /// the changes against reduced pressure [1], liquid content [1], inertial number [1] and height of
 /// the sample [mm]. For effects on grains, a band shows one standard error of the change.

@@ -8,12 +8,12 @@
 namespace pendular {
 
 /// Returns at most two sentences on how much the effects or errors of measurement that a verdict
-/// names shift the fitted friction coefficient at their estimated sizes. If the verdict names no
-/// effect or error that would shift the friction coefficient, the sentences state the largest
-/// shifts by effects at their smallest sizes of interest, as in "With wall-friction in the model at
-/// coefficient 0.05, the friction fitted to all readings would be 0.1080 instead of 0.1200." Shifts
-/// below a tenth of the standard error of the friction coefficient are left out. Returns an empty
-/// list if no known effect explains the readings.
+/// names shift the fitted friction coefficient at their estimated sizes. With the verdicts
+/// nothing-missing and inconclusive, the sentences state the largest shifts by effects at their
+/// smallest sizes of interest, as in "With wall-friction in the model at coefficient 0.05, the
+/// friction coefficient fitted to all readings would be 0.1080 instead of 0.1200." Shifts below 0.3
+/// standard errors of the friction coefficient are left out. Returns an empty list if no known
+/// effect explains the readings.
 std::vector<std::string> impact_lines(const ImpactTable& table, const Diagnosis& diagnosis);
 
 /// Returns the name of an effect. For an error of measurement, returns the quantity that is in

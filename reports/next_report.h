@@ -14,11 +14,12 @@ namespace pendular {
 bool orders_readings(const NextMeasurement& next, const Diagnosis& diagnosis);
 
 /// Returns lines of text on the next measurement to make. Where several models fit the readings,
-/// the lines list the measurements that tell these models apart, with the prediction of each model.
-/// Where one model fits, the lines list the standard errors of the model's parameters before and
-/// after the measurement. Where the diagnosis attributes the misfit to an error in some readings,
-/// the only line says that these readings should be repeated. Where no known effect explains the
-/// misfit, the only line says that no measurement is planned.
+/// the lines list the measurements that tell these models apart, with the prediction of each model,
+/// or say that no plan does and give the predictions where they differ most. Where one model fits,
+/// the lines list the standard errors of the model's parameters before and after the measurement.
+/// Where the diagnosis attributes the misfit to an error in some readings, the only line says that
+/// these readings should be repeated. Where no known effect explains the misfit, the only line says
+/// that no measurement is planned.
 std::vector<std::string> next_lines(const NextMeasurement& next, const Diagnosis& diagnosis);
 
 /// Joins lines on the next measurement to one paragraph. Leaves out indented lines, which contain
@@ -28,10 +29,11 @@ std::string next_paragraph(const std::vector<std::string>& lines);
 
 /// Returns a figure of the predicted stress ratio and solid fraction against the normal stress,
 /// with one curve and one band of one standard error for each model that fits the readings, for at
-/// most five models. Liquid content, mass of beads, and inertial number or shear rate are as in the
-/// first suggested reading. Vertical lines mark the normal stresses of the suggested readings. The
-/// figure has no panels where only one model fits, or where the instrument can only measure
-/// parameters directly.
+/// most five models. Liquid content, mass of beads, time, and inertial number or shear rate are as
+/// in the first suggested reading. Vertical lines mark the normal stresses of those suggested
+/// readings that have these settings. If no readings are suggested, one line marks the normal
+/// stress at which the predictions differ most. The figure has no panels where only one model fits,
+/// or where the instrument can only measure parameters directly.
 Figure next_figure(const NextMeasurement& next);
 
 }  // namespace pendular

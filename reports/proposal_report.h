@@ -8,11 +8,12 @@
 namespace pendular {
 
 /// Returns a sentence, without a full stop, that states one fitted change of the readings, of
-/// unknown physical cause: "The shown torque is 9.8 +- 0.4 % larger than in the model where the
+/// unknown physical cause: "The shown torque is 9.80 +- 0.40 % larger than in the model where the
 /// time since the first recording began is above 12 s, and as in the model below".
 std::string sentence_on(const FittedShape& shape);
-/// Returns a sentence, without a full stop, that states all changes of one proposal. A proposal is
-/// a set of changes of the readings, of unknown physical cause, that would explain the misfit.
+/// Returns one sentence for each change of a proposal, as one text without a full stop at the end.
+/// A proposal is a set of changes of the readings, of unknown physical cause, that would explain
+/// the misfit.
 std::string sentence_on(const Proposal& proposal);
 
 /// Returns lines of text on changes of unknown physical cause that would explain the readings. Each

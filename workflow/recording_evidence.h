@@ -14,11 +14,11 @@ namespace pendular {
 struct RecordingEvidence {
     /// Fault that the import found in the recordings.
     RecordingFinding finding;
-    /// Share [1] of the misfit that the fault may explain: the reduction of chi2 if the affected
-    /// readings were all multiplied by one fitted factor, divided by chi2 - dof of the study's
-    /// model (dof: degrees of freedom). A change that the calibrated parameters can imitate does
-    /// not count. Negative if not computed, since no affected reading was tested or the diagnosis
-    /// found no misfit.
+    /// Share [1] of the misfit that the fault may explain: the reduction of chi2 if the shear
+    /// stresses of the affected readings (for a fault of the height, the solid fractions) were all
+    /// multiplied by one fitted factor, divided by chi2 - dof of the study's model (dof: degrees of
+    /// freedom). A change that the calibrated parameters can imitate does not count. Negative if
+    /// not computed, since no affected reading was tested or the diagnosis found no misfit.
     double explains = -1;
     /// Whether multiplying the affected readings by one fitted factor would reduce chi2
     /// significantly (p < 0.01), and by more than any effect that the model may lack.

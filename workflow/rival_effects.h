@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -45,7 +47,7 @@ std::string rivals_line(const std::vector<RivalModel>& rivals, double chi2,
 /// @param effects names of effects
 /// @param most largest number of effects in the text
 std::string direct_methods(const std::vector<std::string>& effects,
-                           const EffectCatalogue& catalogue, std::size_t most = 100);
+                           const EffectCatalogue& catalogue, std::size_t most = SIZE_MAX);
 
 /// Returns a JSON array of rival models, in which other effects replace one effect that the study
 /// lists. Each object contains the listed effect that the model lacks, the effects that the model

@@ -47,9 +47,9 @@ struct Fitted {
     /// Number of conditions in the cross-validation, each predicted by a fit to the other
     /// conditions. 0 if no cross-validation was made.
     std::size_t left_out = 0;
-    /// Number of conditions that the cross-validation cannot predict, since a fit to the readings
-    /// at the other conditions does not determine every parameter of the model or does not
-    /// converge.
+    /// Number of conditions without which the other readings do not determine every parameter of
+    /// the model, or the refit does not converge (`LeftOut::undetermined`). The prediction of such
+    /// a condition depends on the starting values of the fit.
     std::size_t undetermined = 0;
 };
 /// Compares all readings of a study with the predictions of a calibration, and computes the
@@ -95,8 +95,8 @@ struct ChangedStudy {
     /// converge.
     bool written = false;
 
-    /// Returns the fit of the changed study to the same readings that the fit `before` uses, so that
-    /// the misfits of the two fits can be compared.
+    /// Returns the fit of the changed study to the same readings that the fit `before` uses, so
+    /// that the misfits of the two fits can be compared.
     const Fitted& comparable_after() const { return after_to_all ? *after_to_all : after; }
 };
 

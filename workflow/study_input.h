@@ -20,7 +20,8 @@ struct StudyInput {
 
 /// Reads a study and its recordings.
 /// @param file study.toml, or the folder that contains study.toml
-/// @throws InputError where a file of the study or the definition of a listed effect is wrong
+/// @throws InputError where a file of the study is wrong, where a listed effect is unknown, is
+/// defined wrongly or does not apply to the study, and where a direct measurement is wrong
 StudyInput read_input(const std::filesystem::path& file);
 
 /// Returns the path of the folder of a study, given the path of the folder or of the study.toml in
@@ -49,8 +50,9 @@ void protect_inputs(const Study& study, const OutputPlaces& outputs);
 /// Reads a study and its recordings, after checking that the files which a command will write
 /// (`outputs`) do not replace the files of the study.
 /// @param file study.toml, or the folder that contains study.toml
-/// @throws InputError if a file of the study or the definition of a listed effect is invalid, or if
-///         an output would replace a file of the study or match the pattern of its recordings
+/// @throws InputError if a file of the study is wrong, if a listed effect is unknown, is defined
+/// wrongly or does not apply to the study, if a direct measurement is wrong, or if an output would
+/// replace a file of the study or match the pattern of its recordings
 StudyInput read_input(const std::filesystem::path& file, const OutputPlaces& outputs);
 
 /// Returns the shear cell that study.toml in the folder of `file` describes. Empty where study.toml

@@ -70,8 +70,9 @@ struct SwitchedModels {
 };
 
 /// Fits a study with each combination of its leading effects. The leading effects are first the
-/// effects that the study lists, then the effects that the verdict of the diagnosis names, the
-/// effects of all models that fit, and the effects whose refits reduce chi2 most. Nothing is
+/// effects that the study lists, then the effects that the verdict of the diagnosis names (unless
+/// it is inconclusive), the effects of all models that fit, the effects whose refits reduce chi2
+/// most, and finally the other candidate effects in the order of their score tests. Nothing is
 /// simulated.
 /// @throws dem::Interrupted where the user requests a stop
 SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis& diagnosis,

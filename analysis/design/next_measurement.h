@@ -13,8 +13,8 @@ namespace pendular {
 /// Returns the measurements that a rig (the user's instrument) can make: first readings of steady
 /// shear at a grid of conditions, then the direct measurements of the rig. The grid combines each
 /// normal stress and each shear rate (or inertial number) with every liquid content, every filling
-/// (volume of beads in the cell) and every waiting time. Normal stresses and shear rates are evenly
-/// spaced in the logarithm.
+/// (volume of beads in the cell) and every waiting time. Normal stresses and shear rates (or
+/// inertial numbers) are evenly spaced in the logarithm.
 /// @param time time of the study's last reading [s], at which the waiting times begin
 /// @throws InputError if a direct measurement names an effect that is unknown, has no parameter or
 ///         does not apply to the study, or if the direct measurement has a wrong unit

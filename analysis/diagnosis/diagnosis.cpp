@@ -241,10 +241,12 @@ void Diagnostician::search() {
         }
     }
     // Beside effects that fit, a suspect measurement is a rival only if it explains the readings at
-    // least as well.
+    // least as well as the best of them.
     double best_effect = INFINITY;
-    for (const Explanation& each : found.fitting) {
-        best_effect = std::min(best_effect, explanations_.akaike(each));
+    if (!found.fitting_suspects.empty()) {
+        for (const Explanation& each : found.fitting) {
+            best_effect = std::min(best_effect, explanations_.akaike(each));
+        }
     }
     for (const Explanation& each : found.fitting_suspects) {
         if (explanations_.akaike(each) <= best_effect)

@@ -258,38 +258,43 @@ ErrorKnowledge knowledge_of(const std::vector<Reading>& readings, const Replicat
     return knowledge;
 }
 
-/// Readings of a recording and of all later recordings, in ascending order, with a name, for each
-/// recording but the first. An instrument that changes between two recordings, such as a torque
-/// transducer that is knocked, shows wrong values in all later recordings. Empty if the order of
-/// the recordings is not known.
+/// Indices of readings, by the file that contains the readings.
+using ReadingsOfFiles = std::map<std::string, std::vector<std::size_t>>;
+
+/// Readings of a file and of all later files, in ascending order, with a name, for each file but
+/// the first. An instrument that changes between two recordings, such as a torque transducer that
+/// is knocked, shows wrong values in all later recordings. Left out are all wet readings, since
+/// liquid was added before them. Empty if the files do not follow one another in time.
 std::vector<std::pair<std::string, std::vector<std::size_t>>> parts_since(
-    const std::vector<Reading>& readings) {
-    std::map<std::string, double> begins;
-    for (const Reading& reading : readings) {
-        const double time = reading.condition.time;
-        auto& first = begins.emplace(reading.origin.file, time).first->second;
-        first = std::min(first, time);
+    const ReadingsOfFiles& files, const std::vector<Reading>& readings) {
+    struct Recording {
+        double begin, end;
+        ReadingsOfFiles::const_iterator file;
+    };
+    std::vector<Recording> recordings;
+    for (auto file = files.begin(); file != files.end(); ++file) {
+        Recording recording{INFINITY, -INFINITY, file};
+        for (const std::size_t k : file->second) {
+            recording.begin = std::min(recording.begin, readings[k].condition.time);
+            recording.end = std::max(recording.end, readings[k].condition.time);
+        }
+        recordings.push_back(recording);
     }
-    std::set<double> times;
-    for (const auto& [file, time] : begins) {
-        times.insert(time);
-    }
-    if (times.size() < begins.size()) return {};
-    std::vector<std::size_t> wet;  // a change between dry and wet recordings is due to the liquid
+    std::ranges::sort(recordings, {}, &Recording::begin);
+    std::vector<std::size_t> wet;
     for (std::size_t k = 0; k < readings.size(); ++k) {
         if (!readings[k].condition.dry()) wet.push_back(k);
     }
     std::vector<std::pair<std::string, std::vector<std::size_t>>> parts;
-    for (const auto& [file, time] : begins) {
-        if (time == *times.begin()) continue;
-        std::vector<std::size_t> later;
-        for (std::size_t k = 0; k < readings.size(); ++k) {
-            if (begins.at(readings[k].origin.file) >= time) later.push_back(k);
-        }
+    std::vector<std::size_t> later;
+    for (std::size_t k = recordings.size(); k-- > 1;) {
+        if (recordings[k].begin <= recordings[k - 1].end) return {};
+        const auto& [file, members] = *recordings[k].file;
+        later.insert(later.end(), members.begin(), members.end());
+        std::ranges::sort(later);
         if (later == wet) continue;
         const std::string name = std::filesystem::path(file).filename().string();
-        parts.emplace_back(fmt::format("the readings of {} and later files", name),
-                           std::move(later));
+        parts.emplace_back(fmt::format("the readings of {} and later files", name), later);
     }
     return parts;
 }
@@ -304,7 +309,7 @@ Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatte
     evidence.errors = knowledge_of(readings, scatter, evidence.measured.value.size());
     evidence.conditions = entries_by_condition(readings);
     const auto groups = replicate_groups(readings);
-    std::map<std::string, std::vector<std::size_t>> files;
+    ReadingsOfFiles files;
     for (std::size_t k = 0; k < readings.size(); ++k) {
         files[readings[k].origin.file].push_back(k);
     }
@@ -323,7 +328,7 @@ Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatte
                         "files", members, evidence.measured.value));
         }
     }
-    for (auto& [name, later] : parts_since(readings)) {
+    for (auto& [name, later] : parts_since(files, readings)) {
         if (suspected.insert(later).second) {
             evidence.suspects.push_back(
                 suspect(std::move(name), "changes in time", later, evidence.measured.value));

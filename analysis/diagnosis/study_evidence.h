@@ -13,8 +13,10 @@ namespace pendular {
 /// replicates (readings at the same condition), separately for shear stress and solid fraction.
 /// Errors of direct measurements are stated in the study. The suspect measurements (parts of the
 /// measurement that may be wrong) are the readings of each condition, the readings of each file,
-/// and the direct measurements of each parameter. An error of suspect readings is one factor on all
-/// their shear stresses and another factor on all their solid fractions.
+/// the readings of each file but the first together with those of all later files (if the files
+/// follow one another in time), and the direct measurements of each parameter. An error of suspect
+/// readings is one factor on all their shear stresses and another factor on all their solid
+/// fractions.
 /// @param scatter scatter of the replicates
 Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                      const std::vector<DirectMeasurement>& direct = {});

@@ -10,8 +10,8 @@
 
 namespace pendular {
 
-/// Group of readings that deviate together from a model: the readings of one condition or of one
-/// file, or the direct measurements of one parameter.
+/// Group of readings that deviate together from a model: the readings of one condition, of one
+/// file, or of one file and all later files, or the direct measurements of one parameter.
 struct Offending {
     /// Name of the group of readings, as in "the readings of dry_1.csv".
     std::string readings;
@@ -30,7 +30,8 @@ struct WhereItFails {
 };
 
 /// Finds where a fitted model fails to describe the readings of a study, by checks of the residuals
-/// (`check_fit`) and by tests of the readings of each condition and each file.
+/// (`check_fit`) and by tests of each suspect measurement of `evidence_of`, such as the readings of
+/// one condition.
 /// @param scatter scatter of the replicates (readings at the same condition)
 /// @param prediction prediction of the readings, followed by the direct measurements, at the fitted
 ///        parameters, with derivatives and with the covariance of the simulation's errors

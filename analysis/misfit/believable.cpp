@@ -82,10 +82,11 @@ std::string error_basis(const Measurements& measurements) {
         return "Standard errors are those stated in [scatter] of study.toml.";
     const auto repeated = std::ranges::count_if(measurements.readings,
                                                 [](const Reading& r) { return r.replicates > 1; });
-    return repeated > 0
-               ? fmt::format("The standard errors of the readings are estimated from the scatter of {} repeated readings.",
-                             repeated)
-               : "Standard errors are those given with the readings.";
+    return repeated > 0 ? fmt::format(
+                              "The standard errors of the readings are estimated from the scatter "
+                              "of {} repeated readings.",
+                              repeated)
+                        : "Standard errors are those given with the readings.";
 }
 
 }  // namespace pendular

@@ -45,8 +45,8 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
 /// import of the measurement excluded readings or data points of recordings.
 std::size_t doubts_that_set_aside(const Measurements& measurements);
 
-/// Returns a sentence that states the source of the readings' standard errors, as in "Standard
-/// errors come from the scatter of 22 repeated readings."
+/// Returns a sentence that states the source of the readings' standard errors, as in "The standard
+/// errors of the readings are estimated from the scatter of 22 repeated readings."
 std::string error_basis(const Measurements& measurements);
 
 }  // namespace pendular

@@ -88,8 +88,8 @@ struct EntryKinds {
 ///   covariate x_i is at most x, for one parameter (y: measured values, f: predictions, J:
 ///   derivative of f with respect to the parameter, L: Cholesky factor of the covariance). S
 ///   returns to zero at the optimum and fluctuates like a Brownian bridge. The statistic is the
-///   largest distance of S from zero, divided by the standard deviation of S (after Hjort and
-///   Koning 2002).
+///   largest distance of S from zero, divided by |L^-1 J|, the standard deviation that the sum over
+///   all entries would have without the fit (after Hjort and Koning 2002).
 /// - Trend: component of the residuals of one observable along the measured value times the rank of
 ///   the covariate.
 /// - Runs: negative number of changes of sign between successive readings of one observable. The

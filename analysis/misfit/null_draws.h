@@ -33,14 +33,14 @@ struct SharedErrors {
 
 /// Uncertainty of the standard errors of the readings, which are estimated from few replicates
 /// (readings at the same condition). An entry is one observable of one reading, or one direct
-/// measurement. The error of an entry is the sum of an independent error and of errors that several
-/// entries share. Entries whose independent errors have one estimated standard deviation form one
+/// measurement. The error of an entry is the sum of an unshared error and of errors that several
+/// entries share. Entries whose unshared errors follow from one estimate of the scatter form one
 /// kind of error.
 struct ErrorKnowledge {
-    /// Kind of the independent error of each entry, as index into `freedom`.
+    /// Kind of the unshared error of each entry, as index into `freedom`.
     std::vector<std::size_t> kind;
-    /// Degrees of freedom of the estimated standard deviation of each kind of error. Infinite if the
-    /// standard deviation is known exactly.
+    /// Degrees of freedom of the estimate that gives the sizes of the errors of each kind. Infinite
+    /// if the sizes are known exactly.
     std::vector<double> freedom;
     std::vector<SharedErrors> shared;  ///< errors that several readings share
     /// Number of readings. The measured values with the indices 2 k and 2 k + 1 are the shear

@@ -19,9 +19,8 @@ class ScoredShapes {
   public:
     /// Score of one shape (change of unknown cause), or of two shapes together.
     struct Score {
-        /// Indices, in the list of all tested empirical corrections, of the one or two corrections
-        /// to which the score belongs. An empirical correction changes one predicted quantity along
-        /// one coordinate, whatever the physical cause.
+        /// Indices of the one or two shapes (changes of unknown cause) that are scored, as `shape`
+        /// takes them.
         std::vector<std::size_t> shapes;
         /// Predicted reduction of chi2 [1] when the one or two changes are added to the model.
         double reduction = 0;

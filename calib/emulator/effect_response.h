@@ -18,14 +18,14 @@ using ResponsePlace = Eigen::Vector<double, 5>;
 /// Predictor of how an effect on grains changes one observable. The predictor is trained on the
 /// differences between runs with the effect and the emulator's predictions of the states of the
 /// runs without the effect:
-///     change = b y(z, b),
-/// with the coordinates z of the state and the amplitude b of the effect. If the effect acts
-/// through capillary forces, b is the amplitude times 1/P*, with the reduced pressure P*. The
-/// function y is a Gaussian process: the sum of a plane in the coordinates and a process of squared
-/// exponential covariance. The change vanishes at the neutral value of the effect, b = 0, and is
-/// smooth near b = 0. The variances of plane and process are chosen from a grid of values so that
-/// the likelihood is largest.
-/// Source: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), section 2.7.
+///     change = b p y(z, b),
+/// with the coordinates z of the state and the amplitude b of the effect. The factor p is 1/P*,
+/// with the reduced pressure P*, if the effect acts through capillary forces and the observable is
+/// of the kind `Domain::all_flow`; otherwise p = 1. The function y is a Gaussian process: the sum
+/// of a plane in the coordinates and a process of squared exponential covariance. The change
+/// vanishes at the neutral value of the effect, b = 0, and is smooth near b = 0. The variances of
+/// plane and process are chosen from a grid of values so that the likelihood is largest. Source:
+/// Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), section 2.7.
 class EffectResponse {
   public:
     /// Trains the predictor on n observed changes of the observable by the effect.

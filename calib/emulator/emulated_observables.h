@@ -32,7 +32,7 @@ FlowState flow_state_of(const dem::RunParameters& run);
 /// Whether an observable is emulated for wet grains only, since the observable describes liquid
 /// bridges.
 bool of_bridges(dem::Observable which);
-/// Returns all emulated observables, in the order of `dem::Observable`. Four kinds of observables
+/// Returns all emulated observables, in the order of `dem::Observable`. Three kinds of observables
 /// are not emulated: the measured normal stress, the bond order, and the dissipated energies
 /// (`dissipation_friction` and the following observables).
 const std::vector<dem::Observable>& observables();

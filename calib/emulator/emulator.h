@@ -105,7 +105,7 @@ class Emulator {
     /// Returns the variance of the noise of one observable of a run, in the square of the unit of
     /// the observable. The variance is the squared standard error of the run times the fitted noise
     /// factor, plus the squared between-run scatter (standard deviation between runs of equal
-    /// parameters).
+    /// parameters beyond the stated noise).
     double noise_variance(const dem::RunResult& run, dem::Observable which) const {
         return plain_.noise_variance(run, which);
     }
@@ -146,7 +146,7 @@ class Emulator {
     };
     /// Returns the predictor of how the cause `name` (an effect, or the stiffness number) changes
     /// the observable `which`. The first call trains the predictor.
-    /// @throws std::invalid_argument if no run has `name` as its only cause of a change
+    /// @throws std::invalid_argument if there is no training run
     const LearnedResponse& response_to(const std::string& name, dem::Observable which) const;
     /// Trains a predictor of how the cause `name` (an effect, or the stiffness number) changes the
     /// observable `which`. The training runs have `name` as their only effect or, for the stiffness

@@ -193,7 +193,7 @@ class Kernel {
     Basis basis_;
     /// Number of terms of the polynomial of dry flow, which are the first terms of `basis_`.
     Eigen::Index dry_terms_ = 0;
-    /// Whether the terms of the polynomial of wet flow are zero for dry grains, as for
+    /// Whether the polynomial of wet flow jumps to zero at u = 0 (dry grains), as for
     /// `Domain::contacts`.
     bool steps_ = false;
     double coefficient_variance_;

@@ -54,10 +54,10 @@ class KnownRange {
     /// at the state.
     std::string why_unsupported(const FlowState& state) const;
 
-    /// Returns a supported state of steady shear close to the unsupported state `state`. The search
-    /// begins at the point of the convex hull of the runs that is nearest to `state`. If the
-    /// prediction at the nearest point is too uncertain or unphysical, the function returns the
-    /// first supported point on the straight line from the nearest point to the nearest run.
+    /// Returns a supported state of steady shear close to the unsupported state `state`. Returns
+    /// the point of the convex hull of the runs that is nearest to `state`. If the prediction at
+    /// the nearest point is too uncertain or unphysical, returns instead the first supported point
+    /// on the straight line from the nearest point to the nearest run.
     /// @throws std::invalid_argument if the state is wet but no run without effects is wet, or if
     ///         the state is dry but no run without effects is dry
     FlowState nearest_supported(const FlowState& state) const;

@@ -84,7 +84,7 @@ class PlainEmulator {
     /// Returns the variance of the noise of one observable of a run, in the square of the unit of
     /// the observable. The variance is the squared standard error of the run times the fitted noise
     /// factor, plus the squared between-run scatter (standard deviation between runs of equal
-    /// parameters).
+    /// parameters beyond the stated noise).
     double noise_variance(const dem::RunResult& run, dem::Observable which) const;
     /// Returns the covariance of the noise of the stress ratio and the solid fraction of one run
     /// [1], in this order.

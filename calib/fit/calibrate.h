@@ -45,8 +45,9 @@ class LearningModel {
     /// Makes more simulation runs of steady shear and trains the emulator of the model on the runs.
     /// @param parameters parameter values at which the new runs are to improve predictions: the
     ///        result of the last fit or, before any fit, the starting values
-    /// @param excess variance of the fitted parameters due to the noise of the runs, divided by the
-    ///        largest acceptable variance [1]; above 1, the number of runs should grow by about the
+    /// @param excess variance that the noise of the runs causes in the most affected parameter or
+    /// predicted reading of the last fit, divided by the largest acceptable variance [1]
+    /// (`Enlargement::excess`); above 1, the number of runs should grow by about the
     ///        factor `excess`
     virtual void improve(const Eigen::VectorXd& parameters, double excess) = 0;
     /// Whether the simulation runs of the last call of `improve` agree with the predictions that

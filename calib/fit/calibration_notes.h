@@ -10,8 +10,8 @@
 namespace pendular {
 
 /// Returns sentences for the user that qualify the result of a calibration. The sentences name
-/// readings whose predictions the runs do not support, large standard errors that come from the
-/// simulations, wet readings at reduced pressures so low that the grains may shear in bands, and
+/// readings whose predictions the runs do not support, errors to which the simulations contribute
+/// much, wet readings at reduced pressures so low that the grains may shear in bands, and
 /// parameters that are undetermined or at a bound. The notes of `planner` are included.
 /// @param wet_known whether the standard errors of the predicted wet readings are small compared
 ///        with the standard errors of the measured wet readings

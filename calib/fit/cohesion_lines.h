@@ -95,8 +95,8 @@ std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
                                          std::vector<std::string>& notes);
 
 /// Fits a straight line of the predicted stress ratio against the inverse reduced pressure 1/P* to
-/// each group of wet readings of steady shear (`wet_groups`). The groups and the limit of P* are
-/// those of the lines fitted to measured stress ratios.
+/// each group of wet readings of steady shear (`wet_groups`). The groups, the limit of P* and the
+/// smallest difference of P* are those of the lines fitted to measured stress ratios.
 ///
 /// The points are weighted by the covariance of the measured readings. The standard errors of the
 /// lines follow from the full covariance of the predictions. Weights by the covariance of the

@@ -45,7 +45,8 @@ struct Fit {
     Eigen::MatrixXd measurement_part;
     /// Contribution of the noise of the simulation runs to the `covariance` of the parameters.
     /// `covariance` minus `measurement_part` and minus `run_part` is the contribution of the errors
-    /// of corrections of the simulation.
+    /// of corrections of the simulation, of the discrepancy that the study states, and of fitted
+    /// constant cohesions.
     Eigen::MatrixXd run_part;
     /// Minimum of chi2 [1], the sum of the squared whitened residuals.
     double chi2 = 0;
@@ -55,7 +56,8 @@ struct Fit {
     /// Whether the search for the minimum of chi2 converged. In the result of `calibrate`, also
     /// whether the rounds of simulations and fits converged.
     bool converged = false;
-    /// For each parameter, whether the fitted value is at an end of the parameter's range.
+    /// For each parameter, whether the fitted value is at an end of the parameter's range or of the
+    /// range that simulations support.
     std::vector<bool> at_bound;
     /// Prediction of the measured values at the fitted parameters.
     Prediction prediction;
@@ -75,8 +77,9 @@ struct Fit {
     /// few replicates (repeated readings) determine the scatter of the readings.
     double measurement_error(Eigen::Index k) const;
     /// Returns the contribution of the simulation to the standard error of the parameter with index
-    /// `k`, in the unit of the parameter. The contribution comes from the noise of the runs and
-    /// from errors of corrections of the simulation.
+    /// `k`, in the unit of the parameter. The contribution comes from the noise of the runs, from
+    /// errors of corrections of the simulation, from the discrepancy that the study states, and
+    /// from fitted constant cohesions.
     double simulation_error(Eigen::Index k) const;
 };
 

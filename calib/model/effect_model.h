@@ -24,7 +24,7 @@ namespace pendular {
 /// acts on a reading, the prediction equals the prediction of the inner model.
 ///
 /// Derivatives with respect to the parameter of an effect are central differences, with a step of a
-/// thousandth of the smallest effect of interest. The differences contain no noise, since
+/// thousandth of the parameter's `smallest_of_interest`. The differences contain no noise, since
 /// predictions are smooth in the parameters. The covariance of a prediction includes the
 /// discrepancy (expected error of the model) that the study states. Predictions throw
 /// std::domain_error if no true state of the cell gives a condition that the instrument shows.

@@ -40,8 +40,9 @@ struct Prediction {
     /// and a column for each parameter.
     Eigen::MatrixXd jacobian;
     /// Covariance of the errors of `value` that come from the model, a matrix of 2 n + m rows and
-    /// columns. The errors are the noise of the simulation runs and the errors of corrections, such
-    /// as the correction to the stiffness of the study's grains.
+    /// columns. The errors are the noise of the simulation runs, the errors of corrections, such as
+    /// the correction to the stiffness of the study's grains, the discrepancy that the study
+    /// states, and the errors of fitted constant cohesions.
     Eigen::MatrixXd covariance;
     /// Contribution of the noise of the simulation runs to `covariance`, which more runs would
     /// reduce.

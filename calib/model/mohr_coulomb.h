@@ -45,9 +45,9 @@ std::vector<CohesionGroup> cohesion_groups(const ModelSettings& model,
 /// At a liquid content to which no c* was fitted, the c* of the fitted liquid content with the
 /// nearest logarithm applies. `EmulatedSimulation` predicts the shear stresses of dry grains and
 /// all solid fractions. The covariance of a prediction includes the error of c* only at conditions
-/// to which c* was not fitted. Each fitted c* reduces the degrees of freedom of a fit by one
-/// (`fitted_cohesions`).
-/// Source: Badetti et al. (2018), eq:mohrcoulomb2.
+/// to which c* was not fitted. Each fitted c* reduces the degrees of freedom of a misfit by one
+/// (`fitted_cohesions`); `Fit::dof` does not count it. Source: Badetti et al. (2018),
+/// eq:mohrcoulomb2.
 class MohrCoulombModel : public FlowPredictor {
   public:
     /// @param study study with the measured strengths (stress ratios) of the wet readings
@@ -92,7 +92,7 @@ class MohrCoulombModel : public FlowPredictor {
 /// Returns the number of constant cohesions that a study's model fits to the strengths (stress
 /// ratios) of wet readings. With the base model "mohr-coulomb", there is one cohesion for each
 /// liquid content. The number is 0 for all other base models, and if an effect replaces the
-/// cohesions by a formula.
+/// cohesions by a formula or by the simulation.
 int fitted_cohesions(const ModelSettings& model, const GrainProperties& grains,
                      const std::optional<Liquid>& liquid);
 

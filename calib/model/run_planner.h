@@ -115,9 +115,10 @@ class RunPlanner {
     /// only the wet conditions.
     void learn(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                double excess);
-    /// Requests runs at the dry (`wet` is false) or the wet conditions of `conditions`, with the
-    /// friction coefficient `friction` [1]. Only conditions outside the range of the earlier runs
-    /// get a run.
+    /// Finds the dry (`wet` is false) or wet states of `candidates` that lie outside the range of
+    /// the earlier runs at the friction coefficient `friction` [1]. Requests the runs that most
+    /// improve the predictions at these states. The runs may be at these states or at the lower and
+    /// higher friction coefficients of these states.
     void order_beyond(double friction, const std::vector<EffectiveCondition>& conditions, bool wet);
     /// Requests runs near the friction coefficient `friction` [1], the optimum of a fit, for the
     /// dry conditions (`wet` is false) or the wet conditions, and tests whether the runs agree with

@@ -13,8 +13,8 @@ namespace pendular {
 int edit_distance(std::string_view first, std::string_view second);
 
 /// Returns the known name that differs from a misspelt word by the fewest edits (`edit_distance`).
-/// At least one edit is allowed, and at most a third of the number of bytes of the word. The result
-/// is empty if every known name needs more edits.
+/// The number of edits must not exceed a third of the number of bytes of the word; one edit is
+/// always allowed. The result is empty if every known name needs more edits.
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> known);
 
 /// Returns a hint for the end of an error message about an unknown word, such as "did you mean

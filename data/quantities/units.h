@@ -33,8 +33,9 @@ class Unit {
     double offset_ = 0;
 };
 
-/// Returns an error message for a unit whose dimension is not the expected one. If grams were
-/// probably written for gram-force, the message suggests gram-force:
+/// Returns an error message for a unit whose dimension is not the expected one. If grams or
+/// kilograms were probably written for gram-force or kilogram-force, the message suggests the unit
+/// of force:
 ///     'g cm' measures kg m, not kg m^2 s^-2 as 'N m' does; did you mean 'gf cm'?
 std::string wrong_dimension(const Unit& unit, const Unit& expected);
 

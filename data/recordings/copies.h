@@ -56,10 +56,11 @@ class KnownRows {
 };
 
 /// Moves readings that repeat an earlier reading from `measurements.readings` to
-/// `measurements.excluded`. A reading is a repetition if the condition, values, time and covariance
-/// of the reading and of an earlier reading are equal. For two readings from different files, equal
-/// conditions and equal values with more than six digits are enough, since values with so many
-/// digits are hardly equal by chance.
+/// `measurements.excluded`. A reading is a repetition if normal stress, inertial number, liquid
+/// content, volume of grains (if both are known), values, time and covariance equal those of an
+/// earlier reading. For two readings from different files, time and covariance need not be equal if
+/// shear stress and solid fraction have more than six digits, since values with so many digits are
+/// hardly equal by chance.
 void count_readings_once(Measurements& measurements);
 
 }  // namespace pendular

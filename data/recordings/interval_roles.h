@@ -29,8 +29,8 @@ struct IntervalRole {
 /// hardly loaded, or if the lid turns by more than 1 rad.
 /// - "failure", if the file has only the intervals 4, 8, 12 and so on of a powder cell, or if the
 /// preceding sheared interval has a normal stress more than 5 % higher.
-/// - "preshear", if the next sheared interval whose normal stress differs by 5 % has a lower normal
-/// stress.
+/// - "preshear", if the next sheared interval whose normal stress differs by at least 5 % has a
+/// lower normal stress.
 /// - "failure", if the lid turns by less than 0.3 rad, too little for steady shear.
 /// - "steady".
 ///

@@ -59,7 +59,7 @@ const std::vector<std::string>& flow_targets();
 /// Returns the names of the properties of the grains and of their liquid that formulas in a table
 /// [[effect]] of study.toml can set: "friction_difference" and "surface_tension" [N/m]. The
 /// friction difference is the friction coefficient between grains minus the fitted friction
-/// coefficient coefficient of the model [1].
+/// coefficient of the model [1].
 const std::vector<std::string>& condition_targets();
 
 /// Reads the effects that a user defines in the tables [[effect]] of study.toml. Returns the

@@ -35,8 +35,8 @@ struct PageContent {
     /// Ladder: sequence of the study's models, with one effect more or fewer in each step. May be
     /// empty.
     Ladder ladder = {};
-    /// Lines of text on the next measurement to make. The list is empty if no measurement was
-    /// planned.
+    /// Lines of text on the next measurement to make, or one line that says why no measurement is
+    /// planned. Empty if the next measurement was not computed.
     std::vector<std::string> next = {};
     /// Fitted models, one for each combination of the leading effects. The reader of the page
     /// switches these effects on and off.
@@ -45,8 +45,8 @@ struct PageContent {
     std::vector<PagePanel> panels;
     /// Version of the program that made the page.
     std::string version;
-    /// Options with which the results were computed. The page states the fidelity (number of
-    /// grains, stiffness number, strain) and the seed.
+    /// Options with which the results were computed. The page states the name of the fidelity (set
+    /// of simulation settings) and the seed.
     SessionOptions options;
     /// Number of simulations on which the emulator, which interpolates simulations, was trained.
     std::size_t runs = 0;

@@ -9,16 +9,18 @@
 namespace pendular {
 
 /// Direct measurement of an effect's parameter without shearing grains, such as the measurement of
-/// the drag from the torque of the empty cell, or of the contact angle from a drop. A model without
-/// the effect predicts the value of the parameter at which the effect vanishes.
+/// the drag from the torque of the empty cell, or of the contact angle from a drop. A model that
+/// does not list the effect predicts the value `neutral`.
 struct DirectMeasurement {
     /// Name of the measured parameter as "EFFECT.PARAMETER", such as "torque-offset.torque".
     std::string parameter;
     std::string unit;  ///< SI unit of the measured parameter
     /// Instrument or method that measures the parameter, such as "a viscometer"; empty if unknown.
     std::string by = {};
-    /// Value of the parameter at which the effect vanishes, in the parameter's unit, such as 1 for
-    /// a torque gain. A model without the effect predicts this value.
+    /// Value of the parameter, in the parameter's unit, that a model predicts if the model does not
+    /// list the effect (`Effect::unlisted_value`): the value of the study's liquid for a property
+    /// of the liquid, such as the surface tension, otherwise the value at which the effect
+    /// vanishes, such as 1 for a torque gain.
     double neutral = 0;
     /// Measured value of the parameter, in the parameter's unit; 0 if not measured yet.
     double value = 0;

@@ -46,8 +46,9 @@ struct FlowPoint {
     double stress_ratio = 0, solid_fraction = 0;
 };
 
-/// Effect on the predicted flow, without a stated physical mechanism. The user gives formulas for
-/// the stress ratio and the solid fraction at a condition.
+/// Effect on the predicted flow. The function `change` receives the stress ratio and the solid
+/// fraction at a condition without the effect, and returns them with the effect. Effects of this
+/// kind are `peak-strength` and the effects that a user defines by formulas for the flow.
 struct ChangeFlow {
     std::function<FlowPoint(FlowPoint, const Condition&, const Values&)> change;
 };

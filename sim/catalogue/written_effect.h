@@ -18,15 +18,16 @@ namespace pendular {
 ///     the condition   friction_difference, surface_tension (0 for dry grains), normal_stress,
 ///                     inertial_number, liquid_content, height, time
 /// Here friction_difference is the friction coefficient between grains minus the fitted friction
-/// coefficient coefficient of the model. The quantities density and diameter are those of the
-/// grains. Twelve typical states decide on which grains the effect acts. The effect counts as an
-/// effect on dry grains only if its formulas change none of the wet states. The effect counts as an
-/// effect on wet grains only if its formulas change none of the dry states. The returned effect
-/// throws InputError at a formula that gives no finite number.
+/// coefficient of the model. The quantities density and diameter are those of the grains. Twelve
+/// typical states decide on which grains the effect acts. The effect counts as an effect on dry
+/// grains only if its formulas change none of the wet states. The effect counts as an effect on wet
+/// grains only if its formulas change none of the dry states. The returned effect throws InputError
+/// at a formula that gives no finite number.
 /// @throws InputError at a formula that cannot be read, does not contain the parameter, changes a
 ///         quantity although the parameter is at its neutral value, gives no finite number at a
-///         bound of the parameter, or has a unit other than that of its quantity; at a parameter
-///         that has the name of a variable or function
+///         bound of the parameter, or has a unit other than that of its quantity (checked if the
+///         parameter's unit is not 1 and the formula contains no number that may have a dimension);
+///         at a parameter that has the name of a variable or function
 Effect effect_from(const WrittenEffect& written);
 
 }  // namespace pendular

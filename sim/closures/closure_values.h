@@ -49,9 +49,9 @@ struct ClosureValues {
 /// Key, name and axis label of one member of `ClosureValues` (values of analytical formulas for wet
 /// grains), with a pointer to the member.
 struct ClosureQuantity {
-    const char* name;   ///< key of the closure (analytical formula) in JSON and CSV
-    const char* text;   ///< name of the closure (analytical formula) in printed tables
-    const char* label;  ///< label of the closure (analytical formula) at an axis
+    const char* name;   ///< key of the value in JSON and CSV
+    const char* text;   ///< name of the value in printed tables
+    const char* label;  ///< label of the value at an axis
     double ClosureValues::*value;
 };
 

@@ -28,10 +28,11 @@ class GrainEffects {
     GrainEffects() = default;
     explicit GrainEffects(const std::vector<GrainEffect>& on);
 
-    /// Whether any effect of the run changes or adds forces between grains, or lets bridges form
-    /// between grains that do not touch.
+    /// Whether any effect of the run changes or adds forces pair by pair, or lets bridges form
+    /// between grains that do not touch. An effect that changes only the law of the bridges
+    /// (`ChangePairs::bridge_law`) does not count.
     bool changes_forces() const { return changes_forces_; }
-    /// Whether any effect of the run changes the forces between grains or the grain sizes.
+    /// Whether `changes_forces` is true or any effect of the run changes the grain sizes.
     bool changes_pairs() const { return changes_forces_ || !samples_.empty(); }
     /// Returns the number of values that all effects together keep from step to step for each pair
     /// of grains.

@@ -182,7 +182,8 @@ template <Gathered part>
     }
 }
 
-/// Kind of torques that the contact forces of a batch of pairs of grains exert on the grains.
+/// Kind of torques that a batch of pairs of grains exert on their grains, by contact forces and by
+/// effects.
 enum class Torques {
     none,      ///< no torques, for pairs of grains that cannot touch
     shared,    ///< equal torques on both grains of a pair, in `Batch::torque`

@@ -49,7 +49,8 @@ struct PlannedRecording {
     /// Number of the recording, from 1, among the recordings that have its liquid content.
     int replicate = 1;
     std::uint64_t seed = 0;  ///< seed of the random numbers for the noise of the recording
-    /// Requested condition of each step of the recording, with the mean time of the step.
+    /// Requested condition of each step of the recording, with the mean time of the part of the
+    /// step after the start-up transient.
     std::vector<Condition> conditions;
 };
 

@@ -15,7 +15,8 @@ class RunStore;
 struct EnsembleProgress {
     std::size_t runs_done = 0;
     std::size_t runs = 0;  ///< number of simulations in the group
-    /// Completed fraction of the expected computing time of all runs of the group [1].
+    /// Completed fraction of the expected computing time of the runs that are carried out [1]. Runs
+    /// that are read from the store do not count.
     double fraction = 0;
     /// Estimated time until all runs of the group are complete [s], 0 while unknown.
     double seconds_left = 0;

@@ -61,6 +61,11 @@ TEST(SuspectMeasurements, HoldAllRecordingsSinceAChangeOfTheInstrument) {
     const std::vector<std::string> names = suspects_of(readings);
     EXPECT_THAT(names, Contains("the readings of dry_2.csv and later files"));
     EXPECT_THAT(names, Contains(HasSubstr("later")).Times(1));
+    readings[0].condition.time = 150;  // dry_1.csv goes on after dry_2.csv has begun
+    readings[1].condition.time = 120;
+    readings.push_back(readings[0]);
+    readings.back().condition.time = 100;
+    EXPECT_THAT(suspects_of(readings), Each(Not(HasSubstr("later"))));
 }
 
 }  // namespace covariates_test

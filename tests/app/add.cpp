@@ -246,13 +246,11 @@ TEST(StudyChangeAdvice, SaysWhenAnEffectDidNotHelp) {
     const auto added = [&](double chi2, double left_out) {
         return advice(Action::add, before, with_torque(ladder_step(chi2, 40, 3, left_out)));
     };
-    EXPECT_THAT(
-        added(51, 4.3),
-        AllOf(HasSubstr("added, but it does not improve the model: chi2/dof rises"),
-              HasSubstr(
-                  "The fitted friction depends strongly on torque-offset: it changes "
-                  "by 3.3 standard errors."),
-              HasSubstr("pendular drop beads torque-offset")));
+    EXPECT_THAT(added(51, 4.3),
+                AllOf(HasSubstr("added, but it does not improve the model: chi2/dof rises"),
+                      HasSubstr("The fitted friction depends strongly on torque-offset: it changes "
+                                "by 3.3 standard errors."),
+                      HasSubstr("pendular drop beads torque-offset")));
     EXPECT_THAT(added(48, 4.3), AllOf(HasSubstr("added, but the readings do not need it"),
                                       HasSubstr("chi2 is 2.0 lower (48 instead of 50) for a "
                                                 "further parameter, which chance explains"),

@@ -5,8 +5,6 @@
 
 #include <random>
 
-#include "calib/emulator/products_avx2.h"
-
 namespace wide_products_test {
 
 using namespace pendular;
@@ -33,15 +31,5 @@ TEST(WideProducts, AreThoseOfEigen) {
     EXPECT_EQ(transposed_product(random_matrix(3, 0), random_matrix(3, 2)).size(), 0);
     EXPECT_EQ(solve_lower(random_matrix(3, 3), random_matrix(3, 0)).cols(), 0);
 }
-
-#ifdef __x86_64__
-TEST(WideProducts, AreTheSameWithNewerInstructions) {
-    if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) GTEST_SKIP();
-    const Eigen::MatrixXd a = random_matrix(97, 31), b = random_matrix(97, 13);
-    Eigen::MatrixXd product(31, 13);
-    avx2::transposed_product(a.data(), 97, 31, b.data(), 97, 13, product.data());
-    EXPECT_TRUE(product.isApprox(a.transpose() * b, 1e-13));
-}
-#endif
 
 }  // namespace wide_products_test

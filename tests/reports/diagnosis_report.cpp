@@ -58,6 +58,24 @@ TEST(VerdictLine, NamesWhatCouldExplainALargeMisfitOfUntestedErrors) {
     EXPECT_THAT(line(), testing::HasSubstr("the model describes the readings, but 1 effect"));
 }
 
+TEST(VerdictLine, SaysHowWellEachOfSeveralEffectsExplainsTheReadings) {
+    const LinearSpace space(Eigen::MatrixXd::Ones(4, 1),
+                            {{.name = "drag", .values = Eigen::VectorXd::LinSpaced(4, 0, 1)},
+                             {.name = "slip", .values = Eigen::VectorXd::LinSpaced(4, 1, 0)}});
+    Diagnosis diagnosis;
+    diagnosis.verdict = Verdict::indistinguishable;
+    diagnosis.chi2 = 400, diagnosis.dof = 100;
+    diagnosis.confidence_set = {refit(0.1, true), refit(0.1, true)};
+    diagnosis.confidence_set[1].chosen = {1};
+    for (Explanation& each : diagnosis.confidence_set) {
+        each.fit.dof = 100, each.chi2 = 90;
+    }
+    const auto line = [&] { return verdict_line(diagnosis, space, {}); };
+    EXPECT_THAT(line(), testing::HasSubstr("chi2/dof from 4.00 to about 0.90"));
+    diagnosis.confidence_set[1].chi2 = 95;
+    EXPECT_THAT(line(), testing::HasSubstr("chi2/dof from 4.00 to between 0.90 and 0.95"));
+}
+
 TEST(ChangeOfChi2, HasItsSign) {
     EXPECT_EQ(chi2_change(686.74), "-686.7");
     EXPECT_EQ(chi2_change(-12.3), "+12.3");

@@ -61,9 +61,10 @@ struct RecordingFinding {
 std::string_view to_string(RecordingFinding::Kind kind);
 
 /// Returns sentences for the user about findings, the most serious kinds first. Findings that agree
-/// in kind, quantity and, for a wobble, period are combined in a sentence. A sentence has the
+/// in kind, quantity and, for a wobble, period are combined in a sentence. Most sentences have the
 /// number of steps and files, the first position, the usual size with its unit and in per cent, and
-/// the smallest p value.
+/// the smallest p value. The sentence on a saturation has the share of saturated rows and no p
+/// value. The sentence on a level change has the number of recordings.
 /// @param all true: findings are not combined, and each finding has a sentence of its own
 std::vector<std::string> sentences(const std::vector<RecordingFinding>& findings, bool all = false);
 

@@ -9,8 +9,9 @@ namespace pendular {
 
 /// Tests torque and gap for a sudden change between two recordings: from one recording on, in the
 /// order of time, all readings at repeated conditions differ from earlier readings by a common
-/// factor or offset. Returns one entry for torque and one for gap, at the most significant
-/// recording, with the p value. There is no entry if the readings are too few for a test.
+/// factor or offset. Returns one entry for torque and one for gap, each at the most significant
+/// recording of its column, with the p value. There is no entry if the readings are too few for a
+/// test.
 ///
 /// The compared values are the logarithms of stress ratios (torque at the set normal stress) and of
 /// gaps, minus their mean at the condition. The values are averaged over each recording, since all

@@ -21,10 +21,10 @@ struct Saturation {
     double p = 1;
 };
 
-/// Finds the columns of a recording that are cut off at their largest value. The torque (by
-/// magnitude) and the normal force are examined. Rows are saturated if they are within half the
-/// resolution or within 2e-4 of the largest value. A column is saturated in any of three cases, in
-/// the first two at p < 1e-4:
+/// Finds the columns of a recording that are cut off at their largest value. Torque and normal
+/// force are examined by magnitude. Rows are saturated if they are within half the resolution or
+/// within 2e-4 of the largest value. A column is saturated in any of three cases, in the first two
+/// at p < 1e-4:
 /// - More separate runs of rows reach the largest value than reach values just below it. In
 /// ordinary noise, values become rarer towards the largest value, so that fewer runs reach the
 /// largest value. The p value is binomial.
