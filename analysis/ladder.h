@@ -32,8 +32,8 @@ struct LadderStep {
     std::string effect = {};
     /// Names of all effects that the model of this step contains.
     std::vector<std::string> effects;
-    /// Alternatives to the effect that this step added, as sets of names of effects. Each set
-    /// explained the readings as well as the added effect at the time of the addition.
+    /// Sets of effects, by name, any of which could have been added instead: each set explained the
+    /// readings as well as the effect that this step added.
     std::vector<std::vector<std::string>> rivals = {};
     /// Fitted parameters of the model of this step. The first parameter is the friction
     /// coefficient.

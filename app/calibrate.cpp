@@ -35,12 +35,13 @@ std::string basis_of(const Calibration& c) {
     }
     if (ordered == 0) {
         return fmt::format(
-            "The emulator was trained on the {} existing simulations that apply to this model; "
-            "none was made for this study.",
+            "The emulator was trained on {} simulations that existed already; no simulation was "
+            "run "
+            "for this study.",
             c.runs.size());
     }
     return fmt::format(
-        "The emulator was trained on {} simulations; {} of them were made for this study at {} "
+        "The emulator was trained on {} simulations; {} of them were run for this study at {} "
         "fidelity{}.",
         c.runs.size(), ordered, c.fidelity.name, why);
 }

@@ -32,6 +32,7 @@
 #include "workflow/impact_json.h"
 #include "workflow/json.h"
 #include "workflow/json_parts.h"
+#include "workflow/order_of_contents.h"
 #include "workflow/proposed_effects.h"
 #include "workflow/recording_evidence.h"
 #include "workflow/rival_effects.h"
@@ -56,7 +57,7 @@ that describe the readings. Verdicts:
 If no known effect explains the residuals, the command tries empirical corrections, for example a
 torque that depends on the normal stress. Corrections that explain the readings are written to
 proposed.toml as [[effect]] tables; 'pendular add STUDY --proposed 1' adds the first one.
-Decisions on an effect:
+Column 'decision' of the table of effects:
   missing                   adding the effect explains the residuals
   missing, with others      adding the effect explains most of the residuals, but not all
   may be missing            one of several effects that explain the residuals equally well
@@ -164,12 +165,17 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
     for (const std::string& line : advice_on(diagnosis, models, !d.proposals.empty())) {
         console.line(line);
     }
+    if (const std::string order = order_line(d, session.resolved().catalogue()); !order.empty()) {
+        console.line(order);
+    }
     if (diagnosis.verdict != Verdict::unknown) {
         const std::size_t most = console.all() ? diagnosis.effects.size() : most_methods;
         if (const std::string methods =
                 direct_methods(diagnosis.effects, session.resolved().catalogue(), most);
             !methods.empty()) {
-            console.line(fmt::format("Direct measurements: {}.", methods));
+            const bool several = methods.find(';') != std::string::npos;
+            console.line(fmt::format("{} can be measured directly: {}.",
+                                     several ? "These effects" : "This effect", methods));
         }
     }
     if (measurements.doubts.empty() && !d.mistake) {

@@ -128,8 +128,8 @@ int import(const std::vector<std::string>& arguments) {
     if (measurements.weight_note) console.note(*measurements.weight_note);
     if (measurements.readings.empty()) {
         console.note(fmt::format(
-            "No step of the recordings gave a reading. 'pendular import {} --all' lists "
-            "the excluded rows with the reasons.",
+            "No step of the recordings could be averaged to a reading. 'pendular import {} --all' "
+            "lists the excluded rows with the reasons.",
             common->study_word()));
     } else {
         console.next(fmt::format("pendular calibrate {}", common->study_word()));

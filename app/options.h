@@ -131,7 +131,7 @@ class Options {
     }
 
   private:
-    /// Texts and values of the common options (which every command has) as the user gives them.
+    /// Arguments of the common options (which every command has), as the user typed them.
     struct CommonValues {
         std::string json, out, fidelity, store;
         /// Receives the values of the options --threads, --quiet and --all.

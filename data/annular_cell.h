@@ -27,7 +27,7 @@ struct AnnularCell {
 ///     s22 = F_N / (pi (Re^2 - Ri^2))      Ri, Re: inner and outer radius of the annulus [m]
 /// The normal stress does not include the weight of the grains, which the physical effect
 /// `grain-weight` describes.
-/// Source: Badetti et al. (2018), eq:exprheol.
+/// Source: Badetti et al. (2018), Eq. (3).
 double normal_stress(double normal_force, const AnnularCell& cell);
 
 /// Returns the shear stress [Pa], from the torque T [N m] on the lid. The shear stress is assumed
@@ -41,13 +41,13 @@ double shear_stress(double torque, const AnnularCell& cell);
 /// Returns the solid fraction [1] of a sample of height H [m]: volume V_S of the grains divided by
 /// the volume of the sample.
 ///     solid fraction = V_S / (pi H (Re^2 - Ri^2))      Ri, Re: inner and outer radius [m]
-/// Source: Badetti et al. (2018), eq:exprheol.
+/// Source: Badetti et al. (2018), Eq. (3).
 double solid_fraction(double height, const AnnularCell& cell);
 
 /// Returns the shear rate [1/s] at the mean radius of the annulus, from the angular velocity omega
 /// [rad/s] of the lid and the sample height H [m].
 ///     shear rate = omega (Ri + Re)/(2 H)      Ri, Re: inner and outer radius of the annulus [m]
-/// Source: Badetti et al. (2018), eq:exprheol.
+/// Source: Badetti et al. (2018), Eq. (3).
 double shear_rate(double angular_velocity, double height, const AnnularCell& cell);
 
 /// Returns the normal force on the lid [N] at a normal stress under the lid [Pa]: normal stress

@@ -35,7 +35,7 @@ struct Liquid {
 ///     I = shear rate sqrt(m/(a s22))      m, a: mass [kg] and diameter [m] of a grain
 /// A second common definition is shear rate times a sqrt(density/s22). Inertial numbers by the
 /// second definition are sqrt(6/pi) = 1.382 times larger.
-/// Source: Badetti et al. (2018), eq:defI, in its three-dimensional form.
+/// Source: Badetti et al. (2018), Eq. (12), in its three-dimensional form.
 double inertial_number(double shear_rate, double normal_stress, const GrainProperties& grains);
 
 /// Returns the shear rate [1/s] at an inertial number I [1] and a normal stress s22 [Pa]. The
@@ -52,13 +52,13 @@ std::optional<double> stiffness_number(double normal_stress, const GrainProperti
 /// a liquid bridge of any volume.
 ///     F0 = pi a Gamma cos(theta)      a: grain diameter [m], Gamma: surface tension [N/m],
 ///                                     theta: contact angle [rad]
-/// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105; Badetti et al. (2018), eq:Maugis.
+/// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105; Badetti et al. (2018), Eq. (5).
 double pull_off_force(const GrainProperties& grains, const Liquid& liquid);
 
 /// Returns the reduced pressure P* [1] at a normal stress s22 [Pa]. The reduced pressure is
 /// infinite for a liquid without surface tension.
 ///     P* = a^2 s22/F0      a: grain diameter [m], F0: pull-off force of a liquid bridge [N]
-/// Source: Badetti et al. (2018), eq:defPstar.
+/// Source: Badetti et al. (2018), Eq. (13).
 double reduced_pressure(double normal_stress, const GrainProperties& grains, const Liquid& liquid);
 
 }  // namespace pendular

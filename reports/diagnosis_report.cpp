@@ -111,7 +111,7 @@ std::string percent(double share) {
 std::string leading_line(const Diagnosis& d, const ModelSpace& space) {
     const Explanation& model = d.leaders->model;
     return fmt::format(
-        "Missing: {}, and something smaller that no known effect explains. Adding {} brings {}, "
+        "Missing: {}. A smaller misfit remains that no known effect explains. Adding {} brings {}, "
         "which removes {} of the excess of chi2 over its degrees of freedom.",
         with_estimates(model, space), joined(names_of(model, space), "and"), reduction(d, model),
         percent(d.leaders->explained));
@@ -198,8 +198,8 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
                "not tell whether an effect is missing.";
     }
     return fmt::format(
-        "Inconclusive: the model describes the readings, but {} effect{} of the smallest size of "
-        "interest could be present undetected: {}.",
+        "Inconclusive: the model describes the readings, but the readings may not reveal {} "
+        "effect{} of the smallest size of interest: {}.",
         d.effects.size(), d.effects.size() == 1 ? "" : "s", some_of(d.effects));
 }
 

@@ -8,7 +8,7 @@
 namespace pendular {
 
 // Code of the symbols in figures: the shape shows the friction coefficient, colour and filling show
-// the liquid content. Source: Badetti et al. (2018), tab:symbols.
+// the liquid content. Source: Badetti et al. (2018), Table 2.
 
 /// Shape of the symbols in figures for one value of the intergranular friction coefficient.
 struct FrictionCode {

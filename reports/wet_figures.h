@@ -23,7 +23,7 @@ namespace pendular {
 ///   have neither lines nor values from the structure. All axes are normalised with the pull-off
 ///   force F0 of the study's liquid, also if the fit changes the surface tension, so that measured
 ///   points stay in place. The title states a fitted F0 [µN].
-/// Source: Badetti et al. (2018), fig:cexpnum, fig:phiexpnum and fig:cphilphis.
+/// Source: Badetti et al. (2018), Fig. 7, Fig. 9 and Fig. 8.
 /// @param cohesion options with which the cohesion lines of the calibration were fitted
 std::vector<Figure> wet_figures(const StudyModel& model, const Calibration& calibration,
                                 const CohesionOptions& cohesion = {});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -72,9 +73,14 @@ struct Explanation {
     /// that may be wrong) that the model does not contain, corrected for the number of tests. 1 if
     /// no further effect was tested.
     double further_p = 1;
-    /// Whether the refitted model fits the readings: the fit converged, and neither `lack_of_fit_p`
-    /// nor `further_p` is significant.
+    /// Whether the model belongs to the confidence set as far as its own tests are concerned: the
+    /// fit converged, and neither `lack_of_fit_p` nor `further_p` is significant. A model with one
+    /// effect may also be accepted at DiagnosisOptions::least_p (`search_explanations`).
     bool accepted = false;
+
+    /// p value [1] of both tests together, by Bonferroni's inequality: 2 min(lack_of_fit_p,
+    /// further_p), at most 1.
+    double p() const { return std::min(1.0, 2 * std::min(lack_of_fit_p, further_p)); }
 };
 
 /// Result of a diagnosis for one candidate effect (not in the study's model): the score test (test
@@ -114,6 +120,10 @@ struct Finding {
 struct DiagnosisOptions {
     /// Probability [1] that a model which lacks nothing is called incomplete.
     double significance = 0.05;
+    /// Smallest p value [1] at which a model with one further effect may be accepted if all such
+    /// models have p values below `significance`. A test at the 5 % level refuses one right model
+    /// in twenty; without this second limit, an effect too many would then be named.
+    double least_p = 0.01;
     /// Smallest power [1] of the score test (test without a refit) of an effect at which the effect
     /// counts as excluded if the test does not find the effect.
     double wanted_power = 0.8;

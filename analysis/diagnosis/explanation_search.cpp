@@ -23,6 +23,9 @@ constexpr double worth_a_pair = 1;
 constexpr double all_the_same = 10;
 /// Largest relative excess of a refit's reduction of chi2 over the linear estimate [1].
 constexpr double foretelling_error = 0.2;
+/// Difference of Akaike's criterion from which on a pair of effects counts as better than one
+/// effect (Burnham and Anderson, 2002, p. 70: models beyond it have essentially no support).
+constexpr double clearly_better = 10;
 /// Number of candidates that are refitted at a time.
 constexpr std::size_t best_singles = 6;
 
@@ -39,7 +42,8 @@ class Search {
     Found run() {
         search_singles();
         search_suspects();
-        if (found_.fitting.empty() && found_.fitting_suspects.empty()) search_pairs();
+        search_pairs();
+        prefer_one_effect();
         return std::move(found_);
     }
 
@@ -71,6 +75,17 @@ class Search {
     /// `what` names the work for the progress report.
     void try_all(std::string_view what, const std::vector<Trial>& trials);
     void take(Explanation explanation);
+    /// Akaike's criterion of the model, for errors as large as the best refitted model needs.
+    double criterion(const Explanation& model) const {
+        return explanations_.akaike(model, factor_on_variance(found_.tried));
+    }
+    /// Criterion of the best of the models; infinite if there is none.
+    double best_of(const std::vector<Explanation>& models) const;
+    /// chi2 below which a pair may be clearly better than all models that fit; infinite if none
+    /// fits.
+    double chi2_to_beat() const;
+    /// Decides between models with one effect, pairs and suspect measurements that fit.
+    void prefer_one_effect();
     Eigen::VectorXd start_with(const EffectSet& chosen, const Eigen::MatrixXd& columns) const;
 
     const ModelSpace& space_;
@@ -144,6 +159,45 @@ void Search::take(Explanation explanation) {
         (explanation.suspect ? found_.fitting_suspects : found_.fitting).push_back(explanation);
     }
     found_.tried.push_back(std::move(explanation));
+}
+
+double Search::best_of(const std::vector<Explanation>& models) const {
+    double best = INFINITY;
+    for (const Explanation& each : models) {
+        best = std::min(best, criterion(each));
+    }
+    return best;
+}
+
+double Search::chi2_to_beat() const {
+    double best = INFINITY;
+    for (const auto* models : {&found_.fitting, &found_.fitting_suspects}) {
+        for (const Explanation& each : *models)
+            best = std::min(best, each.chi2);
+    }
+    return best - clearly_better * factor_on_variance(found_.tried);
+}
+
+void Search::prefer_one_effect() {
+    std::vector<Explanation> singles, pairs;
+    for (Explanation& each : found_.fitting) {
+        (each.chosen.size() == 1 ? singles : pairs).push_back(std::move(each));
+    }
+    if (singles.empty()) {
+        // Less probable models with one effect, unless others explain the readings better.
+        const double limit =
+            std::min(best_of(found_.fitting_suspects), best_of(pairs) + clearly_better);
+        for (Explanation& each : found_.tried) {
+            if (each.suspect || each.chosen.size() != 1 || !each.fit.converged) continue;
+            if (each.p() < options_.least_p || criterion(each) > limit) continue;
+            each.accepted = true;
+            singles.push_back(each);
+        }
+    }
+    const double limit = best_of(singles) - clearly_better;
+    std::erase_if(pairs, [&](const Explanation& each) { return criterion(each) > limit; });
+    found_.fitting = std::move(singles);
+    found_.fitting.insert(found_.fitting.end(), pairs.begin(), pairs.end());
 }
 
 void Search::search_singles() {
@@ -258,13 +312,15 @@ void Search::search_pairs() {
                 std::min(left_alone[finding.candidate], left_by({finding.candidate}));
         }
     }
+    // Where a model fits already, only pairs that would be clearly better.
+    const double enough = chi2_to_beat();
     std::vector<EffectPair> pairs;
     for (const std::size_t i : seen) {
         for (const std::size_t j : seen) {
             if (i >= j) continue;
             const double left = left_by({i, j});
             // Where one member of a pair adds nothing, the other was not sufficient alone.
-            if (left < std::min(left_alone[i], left_alone[j]) - worth_a_pair &&
+            if (left < std::min({enough, left_alone[i], left_alone[j]}) - worth_a_pair &&
                 may_do_better(scanned_.base.chi2 - left)) {
                 pairs.push_back({{i, j}, left});
             }

@@ -30,9 +30,9 @@ struct Found {
     /// All models that were refitted to explain the residuals, whether the models fit the readings
     /// or not.
     std::vector<Explanation> tried;
-    /// Refitted models with further effects that fit the readings. Each model has one further
-    /// effect. If no single effect or suspect measurement suffices, each model has a pair of
-    /// further effects.
+    /// Refitted models with further effects that fit the readings: models with one further effect,
+    /// and models with a pair of further effects that are clearly better (Akaike's criterion) or
+    /// that are needed because no single effect suffices.
     std::vector<Explanation> fitting;
     /// Refitted models without further effects that fit the readings once an error of one suspect
     /// measurement (part of the measurement that may be wrong) is fitted too.
@@ -45,10 +45,13 @@ bool looks_missing(const Finding& finding);
 
 /// Refits a study's model with each candidate effect (not in the model) whose score test (test
 /// without a refit) is significant, and with an error of each significant suspect measurement (part
-/// of the measurement that may be wrong). If no refitted model fits the readings, the function also
-/// refits the model with pairs of candidate effects. Returns all refitted models and the models
-/// that fit. Refits run in parallel on up to `options.threads` threads. A model is not refitted if
-/// the predicted reduction of chi2 is clearly below that of a model already rejected.
+/// of the measurement that may be wrong). If no refitted model fits the readings, or if the linear
+/// estimate promises a clearly better model, the function also refits the model with pairs of
+/// candidate effects. If no model with one effect fits at DiagnosisOptions::significance, such
+/// models with a p value of at least DiagnosisOptions::least_p are accepted too, unless a suspect
+/// measurement or, clearly, a pair explains the readings better. Returns all refitted models and
+/// the models that fit. Refits run in parallel on up to `options.threads` threads. A model is not
+/// refitted if the predicted reduction of chi2 is clearly below that of a model already rejected.
 /// @param scanned fitted model without further effects, with its score tests
 Found search_explanations(const ModelSpace& space, const Evidence& evidence,
                           const DiagnosisOptions& options, const Explanations& explanations,

@@ -123,8 +123,8 @@ WeightedResiduals Explanations::residuals_of(const Explanation& explanation) con
                                   explanation.fit);
 }
 
-double Explanations::akaike(const Explanation& explanation) const {
-    return explanation.chi2 + residuals_of(explanation).log_determinant() +
+double Explanations::akaike(const Explanation& explanation, double variance_factor) const {
+    return explanation.chi2 / variance_factor + residuals_of(explanation).log_determinant() +
            2.0 * static_cast<double>(explanation.fit.parameters.size());
 }
 
@@ -178,10 +178,18 @@ std::vector<ScoreTest> Explanations::further_tests(const WeightedResiduals& resi
     return tests;
 }
 
+double factor_on_variance(const std::vector<Explanation>& tried) {
+    double least = INFINITY;
+    for (const Explanation& each : tried) {
+        least = std::min(least, each.chi2 / std::max(1, each.fit.dof));
+    }
+    return std::isfinite(least) ? std::max(1.0, least) : 1;
+}
+
 void Explanations::judge(Explanation& explanation) const {
     const WeightedResiduals residuals = residuals_of(explanation);
     explanation.lack_of_fit_p = lack_of_fit_p(residuals, true);
-    if (!explanation.fit.converged || explanation.lack_of_fit_p < half_significance()) {
+    if (!explanation.fit.converged || explanation.lack_of_fit_p < options_.least_p / 2) {
         return;
     }
     const auto tests = further_tests(residuals, explanation);
@@ -190,7 +198,7 @@ void Explanations::judge(Explanation& explanation) const {
         smallest = std::min(smallest, test.p());
     }
     explanation.further_p = FamilyOfTests(tests, residuals, *draws_).p(smallest);
-    explanation.accepted = explanation.further_p >= half_significance();
+    explanation.accepted = explanation.p() >= options_.significance;
 }
 
 }  // namespace pendular

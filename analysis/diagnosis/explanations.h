@@ -20,6 +20,11 @@ inline constexpr FitEffort refit_effort{
 ///        amplitudes of an error of measurement
 WeightedResiduals residuals_of(const Model& model, const Measured& measured, const Fit& fit);
 
+/// Returns the factor by which all variances of errors are probably larger than stated [1]:
+/// chi2/dof of the best refitted model, at least 1. What even the best model leaves is taken as a
+/// sign of larger errors, so that differences of chi2 between models are not overrated.
+double factor_on_variance(const std::vector<Explanation>& tried);
+
 /// Refits of a model with further effects to readings, and tests whether the refitted models fit.
 /// All tests use one set of random draws of errors. Constant functions may be called from several
 /// threads at once.
@@ -60,7 +65,9 @@ class Explanations {
     /// readings share: chi2 + ln det Sigma + 2 (number of parameters), with the covariance Sigma of
     /// measurement and prediction in the units of the readings. Of two models, the one with the
     /// smaller value explains the readings better.
-    double akaike(const Explanation& explanation) const;
+    /// @param variance_factor factor by which all variances of errors are larger than stated;
+    ///        divides chi2 (`factor_on_variance`)
+    double akaike(const Explanation& explanation, double variance_factor = 1) const;
     /// Returns the p value [1] of the test for lack of fit: probability that errors of readings and
     /// predictions alone make the mean residuals of the conditions at least as large as observed.
     /// @param roughly whether to use only the first 600 random draws of errors if the residuals are

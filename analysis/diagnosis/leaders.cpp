@@ -10,14 +10,6 @@ namespace {
 /// Share of repetitions in which an effect must be part of the leading model [1].
 constexpr double sure = 0.95;
 
-double factor_on_variance(const std::vector<Explanation>& tried) {
-    double least = INFINITY;
-    for (const Explanation& each : tried) {
-        least = std::min(least, each.chi2 / std::max(1, each.fit.dof));
-    }
-    return std::max(1.0, least);
-}
-
 /// Criterion of each model in each repetition: draws x models.
 Eigen::MatrixXd criteria(const std::vector<Explanation>& tried, const Explanations& explanations) {
     const double factor = factor_on_variance(tried);

@@ -27,7 +27,7 @@ struct Check {
         /// the scores (derivatives of -chi2/2) of a calibrated parameter.
         score,
         trend,      ///< test for a trend of an observable's residuals with a covariate
-        runs,       ///< test for few changes of sign between successive residuals of an observable
+        runs,       ///< runs test: successive residuals of an observable rarely change their sign
         neighbours  ///< test for correlation between the residuals of neighbouring conditions
     };
     /// Kind of the statistical test.

@@ -30,8 +30,9 @@ class WeightedResiduals {
     /// Returns the number of measured values: two for each reading, one for each direct
     /// measurement.
     Eigen::Index size() const { return residuals_.size(); }
-    /// Returns the whitened residuals [1]: L^-1 (measured - predicted), with the Cholesky factor L
-    /// of the covariance of measurement and simulation.
+    /// Returns the whitened residuals [1]: L^-1 (measured - predicted). L is the Cholesky factor of
+    /// the sum of two covariances, of the errors of measurement and of the errors of the
+    /// predictions.
     const Eigen::VectorXd& residuals() const { return residuals_; }
     /// Returns the measured values in the units of the readings, not whitened: shear stress and
     /// solid fraction of each reading in turn, then the direct measurements.

@@ -15,7 +15,7 @@
 namespace pendular {
 
 /// Friction coefficients between grains [1] in the parameter study of Badetti et al. (2018).
-/// Source: Badetti et al. (2018), tab:symbols.
+/// Source: Badetti et al. (2018), Table 2.
 inline constexpr std::array paper_frictions = {0.05, 0.09, 0.15, 0.20, 0.25};
 
 /// Volume of a liquid bridge in the parameter study of Badetti et al. (2018), with the liquid
@@ -28,7 +28,7 @@ struct PaperContent {
 };
 /// Volumes of a liquid bridge in the parameter study of Badetti et al. (2018), each with its liquid
 /// content.
-/// Source: Badetti et al. (2018), tab:philphis.
+/// Source: Badetti et al. (2018), Table 1.
 inline constexpr std::array<PaperContent, 5> paper_contents = {
     {{5e-4, 0.003}, {1e-3, 0.007}, {2e-3, 0.014}, {4e-3, 0.030}, {8e-3, 0.063}}};
 
@@ -87,7 +87,7 @@ class PaperState {
 /// Straight line mu* = intercept + c*/P* fitted to the stress ratios mu* of states at reduced
 /// pressures P* >= 2.3, weighted by their standard errors. All states of a line have the same
 /// friction coefficient and the same bridge volume. The slope c* is the reduced cohesion.
-/// Source: Badetti et al. (2018), eq:mohrcoulomb2.
+/// Source: Badetti et al. (2018), Eq. (16).
 struct StrengthLine {
     /// Friction coefficient [1] of the states on the line, and bridge volume of the states, divided
     /// by the cubed grain diameter [1].
@@ -198,8 +198,8 @@ class PaperStudy {
 /// enough, and a simulation takes a third of the time of a simulation at 0.001, the inertial number
 /// of Badetti et al. (2018).
 inline constexpr double grid_inertial_number = 0.003;
-/// Reduced pressures at which the states of the parameter study are simulated [1]. Badetti et al.
-/// (2018) state only that the range begins at 0.5.
+/// Reduced pressures [1] at which Pendular repeats the simulations of Badetti et al. (2018). The
+/// paper states only that the range begins at 0.5; the other values were chosen here.
 inline constexpr std::array paper_pressures = {0.5, 1.0, 2.0, 3.0, 5.0, 10.0};
 
 }  // namespace pendular

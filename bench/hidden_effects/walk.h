@@ -40,8 +40,10 @@ struct Outcome {
     struct Added {
         /// The p value [1] of chi2 after the effects are added.
         double p = 0;
-        /// RMS errors of the readings' prediction before and after the hidden effects are added,
-        /// and RMS scatter of replicates about the mean of their condition [%].
+        /// RMS errors [%] with which the model predicts the readings before and after the hidden
+        /// effects are added to the model, and RMS scatter [%] of replicates about the mean of
+        /// their condition. Each array has the value of the shear stress, then the value of the
+        /// solid fraction.
         std::array<double, 2> rms_before{}, rms_after{}, scatter{};
         /// Errors of a model that is the truth (`noise_of`) [%].
         std::array<double, 2> noise{};

@@ -43,9 +43,9 @@ class EffectResponse {
     /// @param b amplitude of the effect at each place, times 1/P* (P*: reduced pressure) if the
     ///        effect acts through capillary forces
     Eigen::VectorXd mean(const std::vector<ResponsePlace>& at, const Eigen::VectorXd& b) const;
-    /// Returns the weights W [1] with which the predictions of `mean` depend on the training
-    /// changes y, the observed changes of the observable by the effect: mean(at, b) = W y. The
-    /// matrix has a row for each place of `at` and a column for each training change.
+    /// Returns the weights W [1] of the linear predictor mean(at, b) = W y, where y contains the
+    /// changes of the observable that the effect caused in the training simulations. The matrix has
+    /// one row for each place of `at` and one column for each element of y.
     Eigen::MatrixXd weights(const std::vector<ResponsePlace>& at, const Eigen::VectorXd& b) const;
     /// Returns the covariance of the errors of the changes that `mean` predicts for the arguments
     /// `at` and `b`, in the square of the unit of the training changes. The matrix has a row and a

@@ -24,7 +24,7 @@ StructureResponse coordination(const Emulator& emulator, const FlowState& state)
 /// for the bridge volume V0, with the grain diameter a and the emulated coordination number Z. The
 /// coordination number is taken as at least 1.
 /// @param liquid_content volume of liquid divided by volume of grains [1]
-/// Source: Badetti et al. (2018), eq:lcont.
+/// Source: Badetti et al. (2018), Eq. (6).
 double bridge_volume_of(const Emulator& emulator, double liquid_content, FlowState state);
 
 }  // namespace pendular

@@ -29,7 +29,7 @@ struct Overestimate {
 /// and the cohesion c. A point of the line is the stress ratio of one reading. The standard errors
 /// follow from the covariance of the points and are not scaled by chi2/dof, where dof is the number
 /// of degrees of freedom.
-/// Source: Badetti et al. (2018), eq:mohrcoulomb2.
+/// Source: Badetti et al. (2018), Eq. (16).
 struct CohesionLine {
     /// Kind of the stress ratios to which the line is fitted: "measured" or "simulated".
     std::string source;

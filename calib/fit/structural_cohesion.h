@@ -19,12 +19,12 @@ struct StructuralCohesion {
     double inertial_number = 0;
     /// Reduced cohesion c* [1] by Rumpf's formula, mu*_0 Phi_S Z*/pi, with the stress ratio mu*_0
     /// of dry grains, the solid fraction Phi_S and the effective coordination number Z*.
-    /// Source: Badetti et al. (2018), eq:cohesion3.
+    /// Source: Badetti et al. (2018), Eq. (24).
     Estimate rumpf;
     /// Reduced cohesion c* [1] that includes the shear stress s12cap of the capillary forces:
     /// `rumpf` - a^2 s12cap/F0, with the grain diameter a and the pull-off force F0 of a liquid
     /// bridge.
-    /// Source: Badetti et al. (2018), eq:cohgen.
+    /// Source: Badetti et al. (2018), Eq. (25).
     Estimate generalised;
 };
 
@@ -40,7 +40,7 @@ struct StructuralCohesion {
 /// errors of the fitted parameters, of the dry stress ratio and of the solid fraction. The standard
 /// errors leave out the errors of the coordination number and of the capillary shear stress, which
 /// are unknown.
-/// Source: Badetti et al. (2018), fig:cphilphis.
+/// Source: Badetti et al. (2018), Fig. 8.
 std::vector<StructuralCohesion> structural_cohesions(const StudyModel& model,
                                                      const Calibration& calibration,
                                                      const CohesionOptions& options = {});

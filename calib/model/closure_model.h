@@ -26,7 +26,7 @@ namespace pendular {
 /// `EmulatedSimulation` predicts the shear stresses of dry grains and all solid fractions. The
 /// covariance of a prediction omits the errors of Z, Z* and the capillary stresses, which are a few
 /// per mille.
-/// Source: Badetti et al. (2018), eq:cohesion3 after Rumpf, eq:strength1 to eq:strength3.
+/// Source: Badetti et al. (2018), Eq. (24) after Rumpf, Eq. (19) to Eq. (23).
 class ClosureModel : public FlowPredictor {
   public:
     /// @param simulation emulated simulation of the study's grains

@@ -15,8 +15,7 @@ namespace pendular {
 struct Candidate {
     std::string name;
     std::vector<EffectParameter> parameters;
-    /// Name of the group to which the candidate belongs in tables, such as "instrument"; may be
-    /// empty.
+    /// Group under which tables list the effect, such as "instrument"; may be empty.
     std::string group = {};
     /// Rank of the candidate in a sequence of candidates of which each includes all previous
     /// candidates, such as ever better formulas for the strength of wet grains. The first rank is

@@ -47,7 +47,7 @@ std::vector<CohesionGroup> cohesion_groups(const ModelSettings& model,
 /// all solid fractions. The covariance of a prediction includes the error of c* only at conditions
 /// to which c* was not fitted. Each fitted c* reduces the degrees of freedom of a misfit by one
 /// (`fitted_cohesions`); `Fit::dof` does not count it. Source: Badetti et al. (2018),
-/// eq:mohrcoulomb2.
+/// Eq. (16).
 class MohrCoulombModel : public FlowPredictor {
   public:
     /// @param study study with the measured strengths (stress ratios) of the wet readings

@@ -18,6 +18,7 @@
 #include "reports/page/page_text.h"
 #include "reports/proposal_report.h"
 #include "reports/with_error.h"
+#include "workflow/order_of_contents.h"
 #include "workflow/rival_effects.h"
 
 namespace pendular {
@@ -169,6 +170,8 @@ PageSection effects_section(const PageContent& content) {
     };
     add(proposal_lines(d.proposals, d.diagnosis.chi2, d.diagnosis.dof));
     add(advice_on(d.diagnosis, *d.models, !d.proposals.empty()));
+    if (std::string order = order_line(d, content.resolved.catalogue()); !order.empty())
+        add({std::move(order)});
     section.tables = {rivals_table(content), scan_table(content)};
     return section;
 }

@@ -21,7 +21,7 @@ constexpr double usual_distant_force = 0.5;
 /// Z_c is the number of contacts per grain, Z_d the number of distant bridges per grain (bridges
 /// between grains that do not touch), F_d the mean force of distant bridges, and F0 the pull-off
 /// force.
-/// Source: Badetti et al. (2018), eq:defzstar.
+/// Source: Badetti et al. (2018), Eq. (21).
 double effective_coordination(const State& state);
 
 /// Returns the approximate effective coordination number [1]: contacts per grain plus half the
@@ -41,7 +41,7 @@ double approximate_coordination(const State& state);
 /// attractions, given as positive numbers, and reduce P. Viscous stress, kinetic stress and the
 /// overlaps of contacts are neglected. Badetti et al. (2018) state no accuracy except that <F h>_d
 /// adds at most 2 %.
-/// Source: Badetti et al. (2018), eq:PvsFN.
+/// Source: Badetti et al. (2018), Eq. (9).
 double mean_stress(const State& state);
 
 /// Returns the mean Pcap of the three normal stresses of the bridge forces, in units of F0/a^2 [1],
@@ -52,7 +52,7 @@ double mean_stress(const State& state);
 /// bridges, and <F h>_d the mean product of force F and gap h of distant bridges. The formula is
 /// exact except for overlaps. The capillary normal stress along the velocity gradient differs from
 /// Pcap by at most 3 %, and by at most 2 % in most states of Badetti et al. (2018).
-/// Source: Badetti et al. (2018), eq:PcapvsFN.
+/// Source: Badetti et al. (2018), Eq. (10).
 double capillary_pressure(const State& state);
 
 /// Returns an estimate of a^2 Pcap/F0 [1], where Pcap is the mean of the three normal stresses of
@@ -61,7 +61,7 @@ double capillary_pressure(const State& state);
 ///     a^2 Pcap/F0 = -Z* Phi/pi      Phi: solid fraction, Z*: effective coordination number
 /// The gaps that bridges span are neglected. Badetti et al. (2018) call the contribution of the
 /// gaps negligible.
-/// Source: Badetti et al. (2018), eq:cest1.
+/// Source: Badetti et al. (2018), Eq. (20).
 double capillary_pressure(double solid_fraction, double effective_coordination);
 
 /// Returns the shear stress of the bridge forces between grains in contact, in units of F0/a^2 [1],
@@ -70,7 +70,7 @@ double capillary_pressure(double solid_fraction, double effective_coordination);
 /// Z_c is the number of contacts per grain, Phi the solid fraction, and F12c the mean of n1 n2 over
 /// contacts with direction n. Direction 1 is the flow, direction 2 the velocity gradient. The
 /// formula is exact except for overlaps.
-/// Source: Badetti et al. (2018), eq:s12capcdecomp.
+/// Source: Badetti et al. (2018), Eq. (28).
 double contact_capillary_shear_stress(const State& state);
 
 /// Returns the shear stress of distant bridges (bridges between grains that do not touch), in units
@@ -86,7 +86,7 @@ double contact_capillary_shear_stress(const State& state);
 /// small, since bridges are most frequent in directions in which their force is small. Simulations
 /// at a stiffness number of 1000 gave magnitudes 3 to 9 % larger than the formula, most at a high
 /// friction coefficient.
-/// Source: Badetti et al. (2018), eq:s12capddecomp.
+/// Source: Badetti et al. (2018), Eq. (30).
 double distant_capillary_shear_stress(const State& state);
 
 /// Returns the shear stress of all bridge forces in units of F0/a^2 [1], with pull-off force F0 and
@@ -101,7 +101,7 @@ double distant_capillary_shear_stress(const State& state);
 /// contacts and of distant bridges nearly cancel. Relative errors are then large, and absolute
 /// errors are more meaningful. Simulations at a stiffness number of 1000 gave values smaller than
 /// the formula by 0.001 to 0.011.
-/// Source: Badetti et al. (2018), eq:estfinals12c.
+/// Source: Badetti et al. (2018), Eq. (31).
 double capillary_shear_stress(const State& state);
 
 }  // namespace pendular::closures

@@ -14,34 +14,34 @@ struct ClosureValues {
     double dry_stress_ratio = 0;
     /// Stress ratio of wet grains from the contact forces alone: shear stress divided by normal
     /// stress, both without the contribution of the bridge forces.
-    /// Source: Badetti et al. (2018), eq:coulombeff.
+    /// Source: Badetti et al. (2018), Eq. (18).
     double contact_stress_ratio = 0;
     /// Effective coordination number Z* = Z_c + Z_d F_d/F0. Z_c is the number of contacts per
     /// grain, Z_d the number of distant bridges per grain (bridges between grains that do not
     /// touch), F_d the mean force of distant bridges, and F0 the pull-off force.
-    /// Source: Badetti et al. (2018), eq:defzstar.
+    /// Source: Badetti et al. (2018), Eq. (21).
     double effective_coordination = 0;
     /// Approximate effective coordination number: contacts per grain plus half the number of
     /// bridges per grain between grains that do not touch.
     double approximate_coordination = 0;
     /// Reduced cohesion a^2 c/F0 from the approximate coordination number, with cohesion c, grain
     /// diameter a and pull-off force F0.
-    /// Source: Badetti et al. (2018), eq:cohesion3.
+    /// Source: Badetti et al. (2018), Eq. (24).
     double rumpf_cohesion = 0;
     /// Reduced cohesion a^2 c/F0 with the capillary shear stress included, with cohesion c, grain
     /// diameter a and pull-off force F0.
-    /// Source: Badetti et al. (2018), eq:cohgen.
+    /// Source: Badetti et al. (2018), Eq. (25).
     double generalised_cohesion = 0;
     /// Stress ratio of wet grains from the measured normal stress and shear stress of the bridge
     /// forces.
-    /// Source: Badetti et al. (2018), eq:strength1.
+    /// Source: Badetti et al. (2018), Eq. (19).
     double strength1 = 0;
     /// Stress ratio of wet grains from the effective coordination number and the shear stress of
     /// the bridge forces.
-    /// Source: Badetti et al. (2018), eq:strength2.
+    /// Source: Badetti et al. (2018), Eq. (22).
     double strength2 = 0;
     /// Stress ratio of wet grains from the effective coordination number alone.
-    /// Source: Badetti et al. (2018), eq:strength3.
+    /// Source: Badetti et al. (2018), Eq. (23).
     double strength3 = 0;
     double saturation = 0;  ///< share of the pore volume between the grains that liquid fills [1]
 };

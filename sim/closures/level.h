@@ -14,23 +14,23 @@ namespace pendular::closures {
 enum class Level {
     /// Stress ratio of dry grains plus c*/P*. P* is the reduced pressure. The constant reduced
     /// cohesion c* is fitted to measured stress ratios.
-    /// Source: Badetti et al. (2018), eq:mohrcoulomb2.
+    /// Source: Badetti et al. (2018), Eq. (16).
     mohr_coulomb,
     /// Stress ratio of wet grains with Rumpf's cohesion, from an approximate coordination number Z:
     ///     mu*_0 [1 + Phi Z/(pi P*)],   Z = Z_c + 0.5 Z_d
-    /// Source: Badetti et al. (2018), eq:cohesion3.
+    /// Source: Badetti et al. (2018), Eq. (24).
     rumpf,
     /// Stress ratio of wet grains from the effective coordination number Z*:
     ///     mu*_0 [1 + Phi Z*/(pi P*)],   Z* = Z_c + Z_d F_d/F0
-    /// Source: Badetti et al. (2018), eq:strength3.
+    /// Source: Badetti et al. (2018), Eq. (23).
     strength3,
     /// Stress ratio of level `strength3` minus the ratio of the capillary shear stress to the
     /// normal stress.
-    /// Source: Badetti et al. (2018), eq:strength2.
+    /// Source: Badetti et al. (2018), Eq. (22).
     strength2,
     /// Stress ratio of level `strength2`, with the capillary normal stress itself in place of the
     /// estimate of this stress from the effective coordination number.
-    /// Source: Badetti et al. (2018), eq:strength1.
+    /// Source: Badetti et al. (2018), Eq. (19).
     strength1,
     /// Stress ratio of wet grains from a simulation. In contrast to the formulas, a simulation
     /// allows the stress ratio of the contact forces to differ from the stress ratio of dry grains.

@@ -15,7 +15,7 @@ namespace pendular::closures {
 /// smallest reduced pressure (0.5) for a small friction coefficient and large bridges. They differ
 /// by less elsewhere.
 /// @param stress_ratio total stress ratio of the wet grains [1]
-/// Source: Badetti et al. (2018), eq:coulombeff.
+/// Source: Badetti et al. (2018), Eq. (18).
 double contact_stress_ratio(double stress_ratio, const CapillaryStress& capillary,
                             double reduced_pressure);
 
@@ -26,7 +26,7 @@ double contact_stress_ratio(double stress_ratio, const CapillaryStress& capillar
 /// and large bridges. The error is smaller elsewhere.
 /// @param dry_stress_ratio stress ratio mu*_0 [1] of dry grains that have the friction coefficient
 ///         and the inertial number of the wet grains
-/// Source: Badetti et al. (2018), eq:strength1.
+/// Source: Badetti et al. (2018), Eq. (19).
 double stress_ratio_from_stresses(double dry_stress_ratio, const CapillaryStress& capillary,
                                   double reduced_pressure);
 
@@ -36,7 +36,7 @@ double stress_ratio_from_stresses(double dry_stress_ratio, const CapillaryStress
 ///                               Z*: effective coordination number
 /// At a friction coefficient of 0.09, the formula is accurate for liquid contents of 0.03 and
 /// above. For smaller liquid contents, the formula gives too large cohesions.
-/// Source: Badetti et al. (2018), eq:cohesion3.
+/// Source: Badetti et al. (2018), Eq. (24).
 double reduced_cohesion(double dry_stress_ratio, double solid_fraction,
                         double effective_coordination);
 
@@ -46,7 +46,7 @@ double reduced_cohesion(double dry_stress_ratio, double solid_fraction,
 /// fraction [1], F0 the pull-off force [N], and a the grain diameter [m]. At a friction coefficient
 /// of 0.09, the formula is accurate for liquid contents of 0.03 and above. For smaller liquid
 /// contents, the formula gives too large cohesions.
-/// Source: Badetti et al. (2018), eq:Rumpf.
+/// Source: Badetti et al. (2018), Eq. (2).
 double rumpf_cohesion(double dry_stress_ratio, double solid_fraction, double coordination,
                       double pull_off_force, double diameter);
 
@@ -57,18 +57,18 @@ double rumpf_cohesion(double dry_stress_ratio, double solid_fraction, double coo
 /// coordination number. All arguments are dimensionless. The formula is satisfactory also at small
 /// liquid contents, at which `reduced_cohesion` fails. At larger liquid contents, the formula is as
 /// accurate as `reduced_cohesion`.
-/// Source: Badetti et al. (2018), eq:cohgen.
+/// Source: Badetti et al. (2018), Eq. (25).
 double generalised_cohesion(double dry_stress_ratio, double solid_fraction,
                             double effective_coordination, double capillary_shear_stress);
 
 /// Returns the stress ratio mu* of wet grains [1] from the stress ratio mu*_0 of dry grains, a
 /// reduced cohesion c* and the reduced pressure P*.
 ///     mu* = mu*_0 + c*/P*
-/// With c* from `generalised_cohesion`, mu* is accurate for all P* >= 0.5 (eq:strength2). With c*
+/// With c* from `generalised_cohesion`, mu* is accurate for all P* >= 0.5 (Eq. 22). With c*
 /// from `reduced_cohesion`, mu* is too high by up to 20 to 30 %, most at a small liquid content
-/// (eq:strength3). With c* from a straight-line (Mohr-Coulomb) fit, mu* is too high for P* <= 1
-/// (eq:mohrcoulomb2).
-/// Source: Badetti et al. (2018), eq:strength2, eq:strength3, eq:mohrcoulomb2.
+/// (Eq. 23). With c* from a straight-line (Mohr-Coulomb) fit, mu* is too high for P* <= 1
+/// (Eq. 16).
+/// Source: Badetti et al. (2018), Eq. (22), Eq. (23), Eq. (16).
 double stress_ratio_from_cohesion(double dry_stress_ratio, double reduced_cohesion,
                                   double reduced_pressure);
 

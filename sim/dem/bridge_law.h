@@ -35,7 +35,7 @@ constexpr double typical_coordination = 7.5;
 ///     liquid content = 3 Z (V0/a^3)/pi
 /// @param bridge_volume volume V0 of one liquid bridge divided by the cubed grain diameter a^3 [1]
 /// @param coordination mean number Z of bridges per grain [1]
-/// Source: Badetti et al. (2018), eq:lcont.
+/// Source: Badetti et al. (2018), Eq. (6).
 inline double liquid_content(double bridge_volume, double coordination) {
     return 3 * coordination * bridge_volume / std::numbers::pi;
 }
@@ -54,7 +54,7 @@ inline double bridge_volume(double liquid_content, double coordination) {
 /// Gamma cos(theta) is the force in contact, with surface tension Gamma and contact angle theta. A
 /// bridge forms on contact and breaks if the gap exceeds V0^(1/3).
 /// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105, with the grain radius in c; Badetti et
-/// al. (2018), eq:Maugis, print half of this c (FormulaVariant::as_printed).
+/// al. (2018), Eq. (5), print half of this c (FormulaVariant::as_printed).
 struct BridgeLaw {
     /// Pull-off force F0 of a bridge (its attraction in contact), divided by a^2 s22 [1], with
     /// grain diameter a and imposed normal stress s22. The pull-off force is 0 for dry grains.

@@ -144,7 +144,7 @@ class MotionProfile {
     ///     Delta = 12/(H^3 rate^2) int [v1 - rate x2]^2 dx2
     /// H is the height of the cell [grain diameters], rate the shear rate in reduced units, and v1
     /// the mean velocity along the flow at the height x2.
-    /// Source: Badetti et al. (2018), eq:defdelta.
+    /// Source: Badetti et al. (2018), Eq. (17).
     double localization(double height, double shear_rate) const;
     /// Returns the mean velocity of the grains along the flow, including the imposed flow, in each
     /// bin of height, divided by (shear rate times height of the cell) [1].

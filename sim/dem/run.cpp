@@ -81,7 +81,7 @@ void average_observables(const Series& series, std::size_t from, RunResult& resu
         return b.structure.capillary_shear_stress_contact +
                b.structure.capillary_shear_stress_distant;
     }));
-    // eq:defzstar: Z* F0 = Z_c F0 + Z_d F_d.
+    // Eq. (21): Z* F0 = Z_c F0 + Z_d F_d.
     set(Observable::effective_coordination, series.values(from, [](const Block& b) {
         return b.structure.contact_coordination +
                b.structure.distant_coordination * b.structure.distant_force;

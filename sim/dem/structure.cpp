@@ -144,14 +144,14 @@ Structure structure_of(const Grains& grains, const Cell& cell, const Pairs& near
     });
     const auto per_bead = 2 / static_cast<double>(grains.size());
     s.contact_coordination = per_bead * contacts.count();  // each contact counts for both grains
-    s.fabric_12_contact = contacts.fabric_12();            // eq:defF12
+    s.fabric_12_contact = contacts.fabric_12();            // Eq. (27)
     s.overlap = contacts.mean(s.overlap);
     s.bond_order = order.q6();
     s.contact_force = contacts.force();
     s.force_anisotropy_12_contact = contacts.force_anisotropy_12();
     s.distant_coordination = per_bead * distant.count();
-    s.distant_force = distant.force();                        // eq:deffd
-    s.distant_force_gap = distant.mean(s.distant_force_gap);  // third term of eq:PcapvsFN
+    s.distant_force = distant.force();                        // Eq. (11)
+    s.distant_force_gap = distant.mean(s.distant_force_gap);  // third term of Eq. (10)
     s.distant_length = distant.length();
     s.fabric_12_distant = distant.fabric_12();
     s.force_anisotropy_12_distant = distant.force_anisotropy_12();

@@ -48,7 +48,7 @@ struct Structure {
 ///
 /// The 12 component of the anisotropy of a quantity q(n) that depends on direction is the integral
 /// of q(n) n1 n2 over the sphere, divided by 4 pi and the mean <q> (Badetti et al. (2018),
-/// eq:deffl12). The component is computed from a least-squares fit of spherical harmonics of order
+/// Eq. (29)). The component is computed from a least-squares fit of spherical harmonics of order
 /// 0 and 2 to the q of all pairs.
 /// @param near pairs of the narrow neighbour list, which contains all contacts
 /// @param distant other pairs that a bridge may join

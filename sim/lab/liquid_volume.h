@@ -26,7 +26,7 @@ using MeasureLiquidContents = std::function<std::vector<double>(
 /// only 5 % if V0 doubles, the final relative error of the liquid content is far below 3 %.
 /// @param liquid_contents requested liquid contents [1]: liquid volume divided by grain volume
 /// @param measure function that simulates samples and returns the liquid contents of the samples
-/// Source: Badetti et al. (2018), eq:lcont.
+/// Source: Badetti et al. (2018), Eq. (6).
 std::vector<double> bridge_volumes(std::span<const double> liquid_contents,
                                    const MeasureLiquidContents& measure);
 

@@ -78,7 +78,7 @@ struct Simulated {
     }
 };
 
-/// eq:PvsFN takes contacts as if their centres were a apart. Overlaps make the stress smaller by
+/// Eq. (9) takes contacts as if their centres were a apart. Overlaps make the stress smaller by
 /// <F h>/<F> of the contact part, 5/3 <h> for Hertz contacts whose forces are distributed
 /// exponentially; the overlaps of the capillary part and viscous forces go the other way.
 void expect_mean_stress(const Simulated& s) {
@@ -127,8 +127,8 @@ void expect_coordination_shortcut(const Simulated& s) {
 void expect_effective_stress(const Simulated& s) {
     const double claimed = s.pressure() < 1 ? 0.10 : 0.05;
     EXPECT_NEAR(s.contact_ratio() / s.dry_stress_ratio, 1, claimed + 3 * s.noise());
-    // What is wrong with mu*_0 is multiplied by s22cont/s22 mu*_0/mu* in eq:strength1, 1.2 at
-    // P* = 0.5; eq:strength2 takes Pcap for s22cap, 3 % of mu*_0 s22cap/s22 more.
+    // What is wrong with mu*_0 is multiplied by s22cont/s22 mu*_0/mu* in Eq. (19), 1.2 at
+    // P* = 0.5; Eq. (22) takes Pcap for s22cap, 3 % of mu*_0 s22cap/s22 more.
     const double lever =
         (1 - s.capillary().normal / s.pressure()) * s.dry_stress_ratio / s.stress_ratio();
     const double allowed = lever * (claimed + 3 * s.noise());

@@ -34,7 +34,7 @@ State some_state() {
             .length_anisotropy_12_distant = 0.0015};
 }
 
-/// Pairs of grains, a = 1, F0 = 1, and the sums of eq:stress over them, per volume.
+/// Pairs of grains, a = 1, F0 = 1, and the sums of Eq. (7) over them, per volume.
 struct Pairs {
     int grains = 100;
     double solid_fraction = 0.6;
@@ -141,7 +141,7 @@ TEST(Closures, DistantShearStressMissesTheProductOfItsAnisotropies) {
 
 TEST(Closures, LeaveOutWhatTheySay) {
     const State state = some_state();
-    // eq:cest1 lacks the gaps, eq:estfinals12c the length anisotropy; nothing else.
+    // Eq. (20) lacks the gaps, Eq. (31) the length anisotropy; nothing else.
     EXPECT_NEAR(capillary_pressure(state) -
                     capillary_pressure(state.solid_fraction, effective_coordination(state)),
                 -0.61 * 1.6 * 0.0105 / pi, 1e-12);
@@ -162,7 +162,7 @@ TEST(Closures, HaveTheSignsOfShearedGrains) {
 }
 
 TEST(Strength, IsTheEffectiveStressConditionSolved) {
-    // eq:strength1 is eq:coulombeff solved for the stress ratio.
+    // Eq. (19) is Eq. (18) solved for the stress ratio.
     const CapillaryStress capillary{.normal = -1.25, .shear = 0.09};
     for (const double pressure : {0.5, 3.0, 50.0}) {
         const double wet = stress_ratio_from_stresses(0.26, capillary, pressure);
@@ -173,7 +173,7 @@ TEST(Strength, IsTheEffectiveStressConditionSolved) {
 }
 
 TEST(Strength, FromCohesionIsThatFromTheEstimatedStresses) {
-    // eq:strength2 is eq:strength1 with s22cap from eq:cest1, and eq:strength3 the same without
+    // Eq. (22) is Eq. (19) with s22cap from Eq. (20), and Eq. (23) the same without
     // s12cap.
     const State state = some_state();
     const double coordination = effective_coordination(state), pressure = 3, dry = 0.26;
