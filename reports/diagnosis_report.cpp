@@ -213,6 +213,11 @@ const Explanation* refit_with(const Diagnosis& d, std::size_t candidate) {
 
 }  // namespace
 
+std::string power_text(const Finding& finding) {
+    constexpr double significant = 0.05;
+    return finding.p < significant ? "-" : fmt::format("{:.2f}", finding.power);
+}
+
 std::string estimate_of(const Diagnosis& d, const Finding& finding, const ModelSpace& space) {
     const Candidate& candidate = space.candidates()[finding.candidate];
     if (candidate.is_switch()) return "switch";
@@ -243,11 +248,12 @@ std::string finding_line(const Diagnosis& d, const Finding& finding, const Model
                            candidate.name, "-", "-", "-", 100 * finding.test.share_imitated, "-",
                            "-", finding.decision);
     }
-    return fmt::format(
-        "  {:<24} {:>26} {:>11} {:>9} {:>8.0f} % {:>6.2f} {:>8}   {}", candidate.name,
-        estimate_of(d, finding, space), chi2_change(finding.test.predicted_reduction),
-        finding.refitted_reduction ? chi2_change(*finding.refitted_reduction) : "",
-        100 * finding.test.share_imitated, finding.power, p_text(finding.p, ""), finding.decision);
+    return fmt::format("  {:<24} {:>26} {:>11} {:>9} {:>8.0f} % {:>6} {:>8}   {}", candidate.name,
+                       estimate_of(d, finding, space),
+                       chi2_change(finding.test.predicted_reduction),
+                       finding.refitted_reduction ? chi2_change(*finding.refitted_reduction) : "",
+                       100 * finding.test.share_imitated, power_text(finding),
+                       p_text(finding.p, ""), finding.decision);
 }
 
 /// Sentence on how alike the effects of the verdict change the readings, beyond what the calibrated
@@ -308,7 +314,8 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
         "  (chi2 change: change of chi2 when the effect is added, predicted; refitted: that change "
         "in a refit; imitated: share of the effect that a change of the fitted parameters can "
         "reproduce; power: probability that these readings detect the effect at its smallest size "
-        "of interest; p: probability, if no effect is present, that the most significant of all "
+        "of interest, where they show no sign of it; p: probability, if no effect is present, that "
+        "the most significant of all "
         "tested effects is at least this significant)");
     if (std::ranges::any_of(
             d.scan, [](const Finding& f) { return f.refitted_reduction.value_or(0) < 0; })) {

@@ -16,6 +16,11 @@ namespace pendular {
 /// @param checks tests of the residuals of the study's model
 std::string verdict_line(const Diagnosis& diagnosis, const ModelSpace& space, const Checks& checks);
 
+/// Returns the text of the power of an effect's score test (test without a refit), as in "0.83".
+/// The text is "-" where the test is significant (p < 0.05), since the power answers what a test
+/// that finds nothing could have found.
+std::string power_text(const Finding& finding);
+
 /// Returns the text of the first parameter of an effect as a diagnosis estimates the parameter,
 /// with standard error and unit. The estimate comes from a refit with the effect if a refit
 /// converged and determines the parameter, else from the score test (test without a refit). An

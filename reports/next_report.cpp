@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 #include "analysis/diagnosis/study_evidence.h"
 #include "data/quantities/number.h"
+#include "data/study/set_point.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
 #include "reports/joined.h"
@@ -16,11 +18,22 @@
 namespace pendular {
 namespace {
 
-/// Text of a condition: "300 Pa, I = 0.03 (shear rate 1.2 1/s), dry, 60 g of beads".
+/// Text of the set points of the rheometer: ", set 0.98 N and about 2.9 rpm"; empty without a cell.
+std::string set_points(const Condition& c, const Study& study) {
+    constexpr double rpm = 2 * std::numbers::pi / 60;
+    const auto set = set_point_of(c, study);
+    return set ? fmt::format(", set {:.3g} N and about {:.2g} rpm", set->normal_force,
+                             set->angular_velocity / rpm)
+               : "";
+}
+
+/// Text of a condition: "300 Pa, I = 0.03 (shear rate 1.2 1/s, set 0.98 N and about 2.9 rpm), dry,
+/// 60 g of beads".
 std::string where(const Condition& c, const Study& study) {
-    std::string text = fmt::format("{} Pa, I = {:.2g} (shear rate {:.3g} 1/s)",
+    std::string text = fmt::format("{} Pa, I = {:.2g} (shear rate {:.3g} 1/s{})",
                                    short_text(c.normal_stress), c.inertial_number,
-                                   shear_rate_at(c.inertial_number, c.normal_stress, study.grains));
+                                   shear_rate_at(c.inertial_number, c.normal_stress, study.grains),
+                                   set_points(c, study));
     text += c.dry() ? ", dry" : fmt::format(", liquid content {:.3g}", c.liquid_content);
     return c.bead_volume ? text + fmt::format(", {:.3g} g of beads", 1e3 * mass_of(c, study))
                          : text;

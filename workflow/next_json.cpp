@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/diagnosis/study_evidence.h"
+#include "data/study/set_point.h"
 #include "workflow/run_json.h"
 
 namespace pendular {
@@ -25,6 +26,10 @@ Json point_json(const Point& point, const Study& study) {
                  {"liquid_content", c.liquid_content}};
     if (c.bead_volume) {
         json["bead_mass"] = mass_of(c, study);
+    }
+    if (const auto set = set_point_of(c, study)) {
+        json["normal_force"] = set->normal_force;
+        json["angular_velocity"] = set->angular_velocity;
     }
     json["time"] = c.time;
     json["wait"] = point.wait;

@@ -130,7 +130,7 @@ PageTable scan_table(const PageContent& content) {
              estimate_of(content.diagnosis.diagnosis, finding, *content.diagnosis.models),
              chi2_change(finding.test.predicted_reduction),
              finding.refitted_reduction ? chi2_change(*finding.refitted_reduction) : "",
-             p_text(finding.p, ""), fmt::format("{:.2f}", finding.power), finding.decision});
+             p_text(finding.p, ""), power_text(finding), finding.decision});
     }
     return table;
 }
