@@ -114,8 +114,8 @@ std::string on_fitted_readings(const ChangedStudy& changed, bool earlier_dry) {
     if (changed.after_to_all) {
         const Calibration& c = changed.after.calibration;
         return fmt::format(
-            "The fits before and after the change use all readings, dry and wet. 'pendular "
-            "calibrate' without {} fits the dry readings alone: {} = {}.",
+            "The fits with and without {} use all readings, dry and wet. A fit to the dry readings "
+            "alone ('pendular calibrate'), without it, gives {} = {}.",
             changed.change.effect, c.parameters[0].name,
             with_error(c.fit.parameters(0), c.fit.standard_error(0), c.parameters[0].unit));
     }

@@ -83,10 +83,15 @@ int next(const std::vector<std::string>& arguments) {
     }
     if (const std::string& assumed = next.rivals.front().name;
         next.plans.empty() && assumed != present_model && orders) {
+        console.line(fmt::format(
+            "The plan assumes a model with {}, which the diagnosis found missing. Add it "
+            "to study.toml before you take the readings.",
+            assumed));
+    }
+    if (d.diagnosis.verdict == Verdict::inconclusive && next.plans.empty()) {
         console.line(
-            fmt::format("The plan assumes that {} is part of the model, as the diagnosis says. "
-                        "study.toml does not list this effect yet: add it first.",
-                        assumed));
+            "These readings do not rule out the effects that 'pendular diagnose' lists as "
+            "undetected.");
     }
     if (!orders) {
         if (const std::string methods =

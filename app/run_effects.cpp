@@ -48,10 +48,11 @@ RunEffects::RunEffects(Options& options, const std::vector<std::string>& argumen
                       "mN/m); the normal stress on wet grains is computed from it. If the liquid "
                       "has another surface tension, state that one with "
                       "--capillary-bridges.surface_tension");
-          return {options, arguments,
-                  "Effects on grains and liquid (values with their unit, \"3 uN\"; a number "
-                  "without a unit is in SI units)",
-                  why_no_run_has};
+          return {
+              options, arguments,
+              "Physical effects of grains and liquid (values with their unit, \"3 uN\"; a number "
+              "without a unit is in SI units)",
+              why_no_run_has};
       }()) {}
 
 void RunEffects::read_scale(const dem::RunParameters& run, const Options& options) {

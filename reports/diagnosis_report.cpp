@@ -76,8 +76,8 @@ std::string strongest_trend(const Checks& checks) {
     }
     return strongest == nullptr
                ? "."
-               : fmt::format(". The measured {} {} the model as {} grows.", strongest->of,
-                             strongest->statistic > 0 ? "rises above" : "falls below",
+               : fmt::format(": the residual of the {} (measured minus model) {} with the {}.",
+                             strongest->of, strongest->statistic > 0 ? "increases" : "decreases",
                              strongest->covariate);
 }
 
@@ -349,8 +349,9 @@ std::string discrepancy_line(double size) {
     if (size == 0) return "";
     return fmt::format(
         "A systematic error of the model of about {:.1f} % of the shear stress would explain the "
-        "remaining misfit. If you accept this error, write discrepancy = {:.2g} into section "
-        "[model] of study.toml: standard errors grow, and no value is corrected.",
+        "remaining misfit. Look for its cause first. If you accept the error, write discrepancy = "
+        "{:.2g} into section [model] of study.toml: standard errors grow, and no value is "
+        "corrected.",
         100 * size, size);
 }
 
@@ -397,8 +398,8 @@ std::string unseen_line(const Finding& finding, const EffectParameter& p,
         p.neutral != 0 ? fmt::format("a change of the {} ({}) by", spoken_parameter(p.name),
                                      with_unit(p.neutral, p.unit))
                        : fmt::format("{}{}", spoken_parameter(p.name), both_ways ? " +-" : "");
-    return fmt::format("  {}: {}{} is detectable; smallest size of interest {}.", effect,
-                       both_ways ? what : what + " ", shown, matters);
+    return fmt::format("  {}: {}{} or more would be detected; smallest size of interest {}.",
+                       effect, both_ways ? what : what + " ", shown, matters);
 }
 
 /// Line that names the effects that no size within bounds makes detectable; empty for none.

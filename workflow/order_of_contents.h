@@ -7,7 +7,7 @@
 
 namespace pendular {
 
-/// Correlation [1] of the liquid contents with the times at which wet readings were taken: 1 if the
+/// Returns the rank correlation [1] of the liquid contents with the times at which wet readings were taken: 1 if the
 /// content never decreases with time, -1 if it never increases, 0 if there are fewer than two
 /// contents or no times. Pairs of readings with equal contents or equal times do not count.
 /// Source: Goodman and Kruskal, J. Am. Stat. Assoc. 49 (1954) 732: gamma, a rank correlation.

@@ -35,8 +35,8 @@ Eigen::Vector2d relative_errors(const std::vector<Reading>& readings);
 /// rival models is right, with the expected result.
 struct Plan {
     std::size_t point = 0;  ///< index of the point in the list of points that were compared
-    /// Prediction of each rival model for a measurement at the point, with its errors, in the order
-    /// of the list of rival models.
+    /// Predictions of the rival models for a measurement at the point, with standard errors, in the
+    /// order of the list of rival models.
     std::vector<Forecast> forecasts;
     /// Covariance of the errors of one measurement at the point. A reading has a 2 x 2 matrix,
     /// first for the shear stress [Pa] and second for the solid fraction [1]. A direct measurement

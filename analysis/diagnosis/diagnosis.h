@@ -56,10 +56,10 @@ struct Diagnosis {
     /// p value [1] of the score test of each suspect measurement (part of the measurement that may
     /// be wrong), corrected for the number of tests, in the order of `Evidence::suspects`.
     std::vector<double> suspect_p;
-    /// Similarity [1] of the changes of the readings by each two of `effects`: absolute cosine
-    /// between both changes, in units of the readings' errors and without the parts that a change
-    /// of the calibrated parameters can imitate. At 1, the readings cannot tell the two effects
-    /// apart. Empty unless the verdict is `indistinguishable`.
+    /// Absolute cosine [1] of the angle between the signatures of each pair of `effects`. The
+    /// signature of an effect is the change of the readings that the effect causes, in units of
+    /// their standard errors and orthogonal to all changes by the calibrated parameters. At 1, the
+    /// readings cannot tell the two effects apart. Empty unless the verdict is `indistinguishable`.
     Eigen::MatrixXd cosines;
     Fit fit;  ///< fit of the model without further effects
     /// chi2 [1] of all measured values in the fit of the model without further effects.

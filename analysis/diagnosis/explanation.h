@@ -118,7 +118,7 @@ struct Finding {
 
 /// Options of a diagnosis, which tests whether a study's model lacks physical effects.
 struct DiagnosisOptions {
-    /// Probability [1] that a model which lacks nothing is called incomplete.
+    /// Significance level [1]: probability that a complete model is called incomplete.
     double significance = 0.05;
     /// Smallest p value [1] at which a model with one further effect may be accepted if all such
     /// models have p values below `significance`. A test at the 5 % level refuses one right model

@@ -15,10 +15,10 @@ struct FittedShape {
     ShapeOfChange shape;
     /// The change, defined by formulas as an effect that can be copied to study.toml.
     WrittenEffect effect;
-    /// Fitted change of the quantity, at readings at which the profile of the shape has the size 1
-    /// [unit of the change].
+    /// Fitted amplitude of the change [unit of the quantity that changes, or 1 for a factor]: the
+    /// change at a reading where the profile of the shape equals 1.
     double change = 0;
-    double standard_error = 0;  ///< standard error of `change` [unit of the change]
+    double standard_error = 0;  ///< standard error of `change` [unit of `change`]
 };
 
 /// Proposal for a misfit that no known effect explains: one or two changes of unknown cause which,

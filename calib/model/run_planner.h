@@ -33,10 +33,10 @@ struct SimulatedRuns {
 /// of the predictions.
 class RunPlanner {
   public:
-    /// Trains a first predictor on the earlier runs `known`. If there are no earlier runs and runs
+    /// Trains a first emulator on the earlier runs `known`. If there are no earlier runs and runs
     /// may be requested (`KnownRuns::orders_more`), the constructor first simulates dry runs spread
     /// over friction coefficient and inertial number.
-    /// @param conditions conditions of the study's readings, which are to be predicted
+    /// @param conditions conditions at which the emulator must predict the study's readings
     /// @param fidelity settings of the simulations
     /// @param seed seed from which the seeds of the runs follow
     /// @param budget time limit of all simulations

@@ -15,8 +15,8 @@ namespace pendular {
 /// one value in twenty would be a spike.
 std::vector<std::size_t> spikes(std::span<const double> series);
 
-/// Replaces each value of a spike in torque, normal force and height of a step by the median of the
-/// 11 data points centred on the value.
+/// Removes spikes from torque, normal force and height of a step: replaces each value in a spike by
+/// the median of the 11 data points centred on the value.
 /// @return indices of the data points that changed, in ascending order
 std::vector<std::size_t> take_out_spikes(StepSeries& series);
 

@@ -18,7 +18,7 @@ struct PageRecording {
     /// Shear stress [Pa] or normal stress [Pa] against the number of the row, from 1. If the file
     /// has no stresses, torque [N m] or normal force [N] takes the place of the stress.
     struct Course {
-        /// Name of the quantity that is shown against the row, with its unit.
+        /// Axis label: name and unit of the quantity that is plotted against the number of the row.
         std::string label;
         std::vector<std::pair<std::size_t, double>> points;
         /// Mean of the recorded quantity over each averaging window in `windows`, in the unit of

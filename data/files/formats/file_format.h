@@ -17,7 +17,8 @@ struct FileFormat {
     /// Decimal mark of the file's numbers, "." or ","; empty: determined from the file.
     std::string decimal;
     std::string sheet;  ///< name of the sheet of a workbook; empty: the first sheet of the workbook
-    /// Header cells `name [unit]` of all columns, for a file that has no header or no units.
+    /// Names and units of all columns, each as `name [unit]`, which replace the header of a file
+    /// that has no header or no units.
     std::vector<std::string> columns;
     /// Intervals whose role the user states. The key is a role such as "failure". The value is the
     /// list of the numbers or names of the intervals, such as "4".
