@@ -36,8 +36,7 @@ std::string basis_of(const Calibration& c) {
     if (ordered == 0) {
         return fmt::format(
             "The emulator was trained on {} simulations that existed already; no simulation was "
-            "run "
-            "for this study.",
+            "run for this study.",
             c.runs.size());
     }
     return fmt::format(

@@ -315,8 +315,7 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
         "in a refit; imitated: share of the effect that a change of the fitted parameters can "
         "reproduce; power: probability that these readings detect the effect at its smallest size "
         "of interest, where they show no sign of it; p: probability, if no effect is present, that "
-        "the most significant of all "
-        "tested effects is at least this significant)");
+        "the most significant of all tested effects is at least this significant)");
     if (std::ranges::any_of(
             d.scan, [](const Finding& f) { return f.refitted_reduction.value_or(0) < 0; })) {
         lines.push_back(

@@ -194,8 +194,10 @@ void Search::prefer_one_effect() {
             singles.push_back(each);
         }
     }
-    const double limit = best_of(singles) - clearly_better;
-    std::erase_if(pairs, [&](const Explanation& each) { return criterion(each) > limit; });
+    if (!pairs.empty()) {
+        const double limit = best_of(singles) - clearly_better;
+        std::erase_if(pairs, [&](const Explanation& each) { return criterion(each) > limit; });
+    }
     found_.fitting = std::move(singles);
     found_.fitting.insert(found_.fitting.end(), pairs.begin(), pairs.end());
 }

@@ -145,7 +145,8 @@ class JsonOutput : public testing::Test {
         "[[effect]]\nname = \"lost-stress\"\nparameter = \"stress\"\nunit = \"Pa\"\n"
         "lower = -200.0\nupper = 200.0\nmatters = 10.0\n"
         "stress_ratio = \"stress_ratio - stress/normal_stress\"\n";
-    const std::string rig_ =
+    const std::string cell_and_rig_ =
+        "[cell]\ninner_radius = \"20 mm\"\nouter_radius = \"45 mm\"\nbead_mass = \"60 g\"\n"
         "[rig]\nnormal_stress = [\"0.1 kPa\", \"5 kPa\"]\ninertial_number = [0.003, 0.05]\n"
         "repeats = 5\n";
 
@@ -226,12 +227,14 @@ TEST_F(JsonOutput, OfAServerIsAsTheSchemaSays) {
 }
 
 TEST_F(JsonOutput, OfADiagnosisAndItsChangesIsAsTheSchemasSay) {
-    const std::string study = dry_study(effect_ + rig_), out = study + "/out/";
+    const std::string study = dry_study(effect_ + cell_and_rig_), out = study + "/out/";
     const std::string diagnosis = expect_output("diagnose " + study, "diagnosis");
     EXPECT_EQ(content_of(out + "diagnosis.json"), diagnosis);
     expect_output("diagnose " + study + " --confirm 0", "diagnosis");
     const std::string next = expect_output("next " + study, "next");
     EXPECT_EQ(content_of(out + "next.json"), next);
+    EXPECT_THAT(next,
+                testing::AllOf(HasSubstr("\"normal_force\""), HasSubstr("\"angular_velocity\"")));
     for (const char* change : {"add ", "drop "}) {
         expect_output(change + study + " lost-stress", "change");
         expect_valid(content_of(out + "fit.json"), "fit");
