@@ -38,17 +38,17 @@ struct LadderStep {
     /// Fitted parameters of the model of this step. The first parameter is the friction
     /// coefficient.
     std::vector<LadderParameter> parameters;
-    /// chi2 [1] of all readings, fitted or only predicted, and all direct measurements in the model
-    /// of this step.
+    /// chi2 [1] of the model of this step, for all readings (fitted or only predicted) and all
+    /// direct measurements of effects' parameters.
     double chi2 = 0;
     /// Degrees of freedom of `chi2`: number of measured values minus number of fitted values.
     int dof = 0;
-    /// Relative RMS errors of the predictions for all readings [%]: first that of the shear stress,
-    /// second that of the solid fraction. Each is 100 sqrt(mean((predicted/measured - 1)^2)).
+    /// Relative RMS errors [%] of the predicted shear stress (first) and solid fraction (second)
+    /// for all readings: 100 sqrt(mean((predicted/measured - 1)^2)).
     std::array<double, 2> rms_percent{};
-    /// Relative RMS errors of the predictions in cross-validation [%]: first that of the shear
-    /// stress, second that of the solid fraction. Cross-validation predicts the readings of each
-    /// fitted condition by a fit to the other conditions. Empty if no cross-validation was made.
+    /// Relative RMS errors [%] of the predicted shear stress (first) and solid fraction (second) in
+    /// cross-validation, which predicts the readings of each fitted condition by a fit to the other
+    /// conditions. Empty if no cross-validation was made.
     std::optional<std::array<double, 2>> left_out_percent;
 
     double chi2_per_dof() const { return chi2 / dof; }

@@ -13,8 +13,8 @@ namespace pendular {
 /// Cross-validation errors of a study's model. Cross-validation predicts the readings of each
 /// fitted condition by the model fitted to the other conditions.
 struct LeftOut {
-    /// Relative RMS errors of the predictions for all readings [%]: first that of the shear stress,
-    /// second that of the solid fraction. Each is
+    /// Relative RMS errors [%] of the predicted shear stress (first) and solid fraction (second)
+    /// for all readings:
     ///     100 sqrt(mean((predicted/measured - 1)^2)).
     std::array<double, 2> rms_percent{};
     /// Number of fitted conditions, each of which was left out of one refit.

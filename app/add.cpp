@@ -27,7 +27,7 @@ namespace pendular::app {
 namespace {
 
 const char* const about_add =
-    R"(Adds an effect to the model (the list 'effects' in study.toml, whose comments and layout are kept)
+    R"(Adds an effect to the list 'effects' of the model in study.toml, keeps comments and layout of the file,
 and fits the model again. Prints the error before and after the change: chi2, the RMS error of the
 readings, and the RMS error in cross-validation, in which a fit to the other conditions predicts each
 condition. An effect that is truly missing should lower all three. Prints the fitted parameters before
@@ -35,8 +35,8 @@ and after the change.
 )";
 
 const char* const about_drop =
-    R"(Removes an effect from the model (the list 'effects' in study.toml, whose comments and layout are
-kept) and fits the model again. Prints the error and the fitted parameters before and after the
+    R"(Removes an effect from the list 'effects' of the model in study.toml, keeps comments and layout of the
+file, and fits the model again. Prints the error and the fitted parameters before and after the
 change.
 )";
 
@@ -114,14 +114,15 @@ std::string on_fitted_readings(const ChangedStudy& changed, bool earlier_dry) {
     if (changed.after_to_all) {
         const Calibration& c = changed.after.calibration;
         return fmt::format(
-            "The fits with and without {} use all readings, dry and wet. A fit to the dry readings "
-            "alone ('pendular calibrate'), without it, gives {} = {}.",
+            "The fits with and without {0} use all readings, dry and wet. Without {0}, a fit to "
+            "the "
+            "dry readings alone ('pendular calibrate') gives {1} = {2}.",
             changed.change.effect, c.parameters[0].name,
             with_error(c.fit.parameters(0), c.fit.standard_error(0), c.parameters[0].unit));
     }
     return earlier_dry ? fmt::format(
-                             "The fits before and after the change use all readings, dry and "
-                             "wet: a study with {} is always fitted to all readings.",
+                             "The fits with and without {0} use all readings, dry and wet: a "
+                             "model with {0} is always fitted to all readings.",
                              changed.change.effect)
                        : "";
 }

@@ -14,8 +14,8 @@ namespace pendular::app {
 std::string warning_on(const Belief& belief, const std::string& what);
 
 /// Prints the reasons not to believe a fit, one reason per line.
-/// @param named_already number of reasons that the command has printed before; this number of
-///        reasons, from the first on, is left out
+/// @param named_already number of reasons, from the first on, that the command has already printed
+///        and that are therefore left out
 /// @param heading text before each reason
 void print_doubts(Console& console, const Belief& belief, std::size_t named_already = 0,
                   const std::string& heading = "Warning: ");

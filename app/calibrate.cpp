@@ -71,10 +71,10 @@ std::string estimate_text(const Calibration& c, std::size_t k) {
     const std::string& unit = c.parameters[k].unit;
     const std::string value = with_error(c.fit.parameters(i), c.fit.standard_error(i), unit);
     if (!(c.fit.standard_error(i) > 0)) return value;
-    return fmt::format("{} ({} from the readings, {} from the {})", value,
-                       with_unit(c.fit.measurement_error(i), unit),
-                       with_unit(c.fit.simulation_error(i), unit),
-                       stated ? "simulations and the stated discrepancy" : "simulations");
+    return fmt::format(
+        "{} ({} from the readings, {} from the {})", value,
+        with_unit(c.fit.measurement_error(i), unit), with_unit(c.fit.simulation_error(i), unit),
+        stated ? "simulations and the model discrepancy in study.toml" : "simulations");
 }
 
 void print_result(Console& console, const Calibration& c, const Comparison& comparison,

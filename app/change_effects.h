@@ -12,8 +12,8 @@ namespace pendular::app {
 /// results folder: fit.json, fit_runs.csv, ladder.json and figures.
 std::vector<std::filesystem::path> outputs_of_change();
 
-/// Adds an effect to the study of a session or drops an effect from the study, and fits the study
-/// before and after the change.
+/// Adds an effect to the study of a session or drops an effect from the study, and fits the study's
+/// model before and after the change.
 /// @param action whether to add or to drop the effect
 /// @param effect name of the effect
 /// @param fit options of the fits

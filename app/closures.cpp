@@ -9,8 +9,8 @@ namespace pendular::app {
 
 void print_closures(const closures::ClosureValues& values, double stress_ratio, Console& console) {
     console.line(fmt::format(
-        "Formulas of Badetti et al. (2018), evaluated with the values above (errors are "
-        "not propagated; the stress ratio above is {:.4g}):",
+        "Formulas of Badetti et al. (2018), evaluated with the values above, without standard "
+        "errors (for comparison: the stress ratio above is {:.4g}):",
         stress_ratio));
     for (const auto& each : closures::closure_quantities) {
         console.line(fmt::format("  {:<52} {:.4g}", each.text, values.*each.value));

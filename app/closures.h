@@ -11,7 +11,8 @@ namespace pendular::app {
 
 /// Prints the values that the closures (analytical formulas) of Badetti et al. (2018) give for a
 /// wet state, one value per line. All values are dimensionless.
-/// @param stress_ratio stress ratio of the state itself [1], printed for comparison
+/// @param stress_ratio simulated or predicted stress ratio of the wet state [1], printed for
+///        comparison with the values from the closures
 void print_closures(const closures::ClosureValues& values, double stress_ratio, Console& console);
 
 /// Computes and prints the values that the closures (analytical formulas) of Badetti et al. (2018)

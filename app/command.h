@@ -54,7 +54,7 @@ const std::vector<CommandGroup>& command_groups();
 struct ProgramTexts {
     /// Text that says what the program does.
     const char* about;
-    /// Text with the commands of a first session with the program.
+    /// Part of the help text that shows a new user the commands of a first session.
     const char* session;
     /// Text on the exit codes of the program and their meaning.
     const char* exit_codes;

@@ -120,9 +120,8 @@ void Console::figures(const std::filesystem::path& folder, const std::vector<std
     if (names.size() == 1) {
         line(fmt::format("Figure: {}", (folder / (names.front() + ".png")).string()));
     } else {
-        line(fmt::format("Figures: {}, and in the same folder {} (each as PNG, SVG, PDF and CSV).",
-                         (folder / (names.front() + ".png")).string(),
-                         fmt::join(names.begin() + 1, names.end(), ", ")));
+        line(fmt::format("Figures in {}, each as PNG, SVG, PDF and CSV: {}.", folder.string(),
+                         fmt::join(names, ", ")));
     }
 }
 

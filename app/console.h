@@ -35,8 +35,8 @@ class Console {
     void table(const std::vector<std::string>& heading_and_rows, std::size_t most_rows);
     /// Stores a remark for the user, which is printed as "Note: ..." before the figures and the
     /// next command. Without --all, at most three notes are printed, then the number of hidden
-    /// notes. Without --all, only the first of several notes that differ only in words with digits
-    /// is printed, with the number of notes left out.
+    /// notes. Notes that differ only in words with digits then count as one: only the first of
+    /// these notes is printed, with the number of further notes.
     void note(const std::string& text);
     /// Prints the stored notes, then one line with the names of the figure files in `folder`.
     /// @param names names of the figures, without extension; if the list is empty, only the notes
@@ -63,8 +63,8 @@ class Console {
     void print_notes();
 
     /// Note for the user, with the pattern of the note. The pattern is the text with "#" in place
-    /// of each word that contains a digit, such as a number or file name. Of the notes with equal
-    /// patterns, one is printed.
+    /// of each word that contains a digit, such as a number or file name. Without --all, only one
+    /// of the notes with equal patterns is printed.
     struct Note {
         std::string text, pattern;
         /// Number of stored notes that have this pattern.

@@ -57,7 +57,7 @@ that describe the readings. Verdicts:
 If no known effect explains the residuals, the command tries empirical corrections, for example a
 torque that depends on the normal stress. Corrections that explain the readings are written to
 proposed.toml as [[effect]] tables; 'pendular add STUDY --proposed 1' adds the first one.
-Column 'decision' of the table of effects:
+Entries in the column 'decision' of the table of effects:
   missing                   adding the effect explains the residuals
   missing, with others      adding the effect explains most of the residuals, but not all
   may be missing            one of several effects that explain the residuals equally well
@@ -97,7 +97,8 @@ std::string caution(const StudyDiagnosis& d, const Measurements& measurements) {
 /// Sentence on the simulations that confirmed the verdict.
 std::string confirmation_line(const Confirmation& confirmed) {
     if (confirmed.runs == 0) {
-        return "The verdict is not confirmed by simulations: none would have ended within the time "
+        return "The verdict is not confirmed by simulations: none was begun that could end in the "
+               "time "
                "given.";
     }
     const std::string done =
@@ -123,7 +124,7 @@ std::string repeated_line(const Repeated& repeated) {
 
 /// Prints the evidence for the verdict and the advice that follows from it.
 void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& checks,
-                    const Session& session) {
+                    const std::optional<ImpactTable>& impacts, const Session& session) {
     const Diagnosis& diagnosis = d.diagnosis;
     const StudyModels& models = *d.models;
     const Measurements& measurements = session.measurements();
@@ -161,7 +162,12 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
     for (const std::string& line : proposal_lines(d.proposals, diagnosis.chi2, diagnosis.dof)) {
         console.line(line);
     }
-    console.table(unseen_table(diagnosis, models), 3);
+    const std::vector<std::string> effects =
+        impacts ? by_impact(*impacts, diagnosis.effects) : diagnosis.effects;
+    console.table(unseen_table(diagnosis, models, effects), 3);
+    if (const std::string line = undetectable_line(diagnosis, models); !line.empty()) {
+        console.line(line);
+    }
     for (const std::string& line : advice_on(diagnosis, models, !d.proposals.empty())) {
         console.line(line);
     }
@@ -169,9 +175,9 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
         console.line(order);
     }
     if (diagnosis.verdict != Verdict::unknown) {
-        const std::size_t most = console.all() ? diagnosis.effects.size() : most_methods;
+        const std::size_t most = console.all() ? effects.size() : most_methods;
         if (const std::string methods =
-                direct_methods(diagnosis.effects, session.resolved().catalogue(), most);
+                direct_methods(effects, session.resolved().catalogue(), most);
             !methods.empty()) {
             const bool several = methods.find(';') != std::string::npos;
             console.line(fmt::format("{} can be measured directly: {}.",
@@ -356,7 +362,7 @@ int diagnose(const std::vector<std::string>& arguments) {
         if (k != belief.misfit_reason) console.line("Warning: " + belief.reasons[k]);
     }
     if (impacts) print_impacts(console, *impacts, diagnosis);
-    print_evidence(console, d, checks, *session.operator->());
+    print_evidence(console, d, checks, impacts, *session.operator->());
     print_notes(console, d, measurements, common->study_word());
     note_bounds(console, d, session->study());
     const auto figures = common->out_folder() / "figures";

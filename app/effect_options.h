@@ -48,8 +48,8 @@ class EffectOptions {
 std::vector<std::string> names_of_effects();
 
 /// Returns an option for the examples in a help text, "--EFFECT.PARAMETER VALUE". The option sets
-/// the first parameter of one effect to the smallest value of interest. Returns an empty text if no
-/// effect qualifies.
+/// the first parameter of one effect to the value at which the effect has its smallest size of
+/// interest. Returns an empty text if `wanted` returns false for every effect.
 /// @param wanted function that returns whether an effect may be the example; the first effect for
 ///        which the function returns true is used
 std::string example_of(const std::function<bool(const Effect&)>& wanted);

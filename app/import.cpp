@@ -74,7 +74,8 @@ int import(const std::vector<std::string>& arguments) {
         "to the\n"
         "results folder; excluded.csv lists each range of rows that was not averaged, with the "
         "reason.\n"
-        "Reports faults that show in the rows, such as a saturated torque or a tilted lid.\n\n"
+        "Reports faults that the recorded values show, such as a saturated torque or a tilted "
+        "lid.\n\n"
         "For a single FILE that an instrument exported, prints how the file is understood: layout, "
         "encoding,\n"
         "columns with units, intervals and what each is used for, checks, and peaks (failure "
@@ -127,10 +128,10 @@ int import(const std::vector<std::string>& arguments) {
     }
     if (measurements.weight_note) console.note(*measurements.weight_note);
     if (measurements.readings.empty()) {
-        console.note(fmt::format(
-            "No step of the recordings could be averaged to a reading. 'pendular import {} --all' "
-            "lists the excluded rows with the reasons.",
-            common->study_word()));
+        console.note(
+            fmt::format("No step of the recordings gave a reading. 'pendular import {} --all' "
+                        "lists the excluded rows with the reasons.",
+                        common->study_word()));
     } else {
         console.next(fmt::format("pendular calibrate {}", common->study_word()));
     }

@@ -27,8 +27,8 @@ struct ImportFileOptions {
 
     /// Adds the options to the command line of `pendular import`.
     void declare(Options& options);
-    /// Checks that the user gave none of the options that only a single file can have when
-    /// importing a study. The option --figures is allowed.
+    /// Checks, for the import of a study, that the user gave no option that applies to a single
+    /// file only, such as --layout. The option --figures is allowed.
     /// @throws InputError where an option for a single file was given; the message says that
     ///         study.toml must state the setting instead
     void refuse_for_studies(const Options& options) const;

@@ -77,21 +77,21 @@ int next(const std::vector<std::string>& arguments) {
     write_json(common->out_folder() / "next.json", json);
     const std::vector<std::string> lines = next_lines(next, d.diagnosis);
     const bool orders = orders_readings(next, d.diagnosis);
+    const std::string& assumed = next.rivals.front().name;
+    if (next.plans.empty() && assumed != present_model && orders) {
+        console.answer(fmt::format(
+            "The diagnosis found {} missing. Add it to the model before you take readings.",
+            assumed));
+        console.line(fmt::format("The plan for a model with {}:", assumed));
+    }
     console.answer(lines.front());
     for (std::size_t k = 1; k < lines.size(); ++k) {
         console.line(lines[k]);
     }
-    if (const std::string& assumed = next.rivals.front().name;
-        next.plans.empty() && assumed != present_model && orders) {
-        console.line(fmt::format(
-            "The plan assumes a model with {}, which the diagnosis found missing. Add it "
-            "to study.toml before you take the readings.",
-            assumed));
-    }
     if (d.diagnosis.verdict == Verdict::inconclusive && next.plans.empty()) {
         console.line(
-            "These readings do not rule out the effects that 'pendular diagnose' lists as "
-            "undetected.");
+            "These readings are not planned to rule out the effects that, according to 'pendular "
+            "diagnose', could go undetected.");
     }
     if (!orders) {
         if (const std::string methods =

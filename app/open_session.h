@@ -25,8 +25,8 @@ OutputPlaces places_of(const CommonOptions& options, std::vector<std::filesystem
 void set_confirmation(const std::optional<double>& seconds, FitOptions& fit);
 
 /// Session in which one command works on a study. The session opens the user's store (SQLite file
-/// that keeps simulations). Progress appears on the console, or goes to a listener. Ctrl-C, or a
-/// stop request, ends long computations without half-written files.
+/// that keeps simulations). Progress appears on the console, or is passed to a callback. Ctrl-C, or
+/// a stop request, ends long computations without half-written files.
 class OpenSession {
   public:
     enum class Access { reads, changes };

@@ -67,7 +67,7 @@ class Options {
     Options(std::string usage, std::string about, std::string examples, bool takes_study);
 
     /// Adds the option --NAME of this command. `parse` stores the value of the option in `value`.
-    /// The description for the help text says in which unit the value is.
+    /// The text `description`, for the help text, must state the unit of the value.
     template <typename T>
     void add(const char* name, T* value, const std::string& description,
              const ValueKind& kind = {}) {
@@ -86,8 +86,9 @@ class Options {
     void set_threads(int by_default, std::string meaning) {
         default_threads_ = by_default, threads_meaning_ = std::move(meaning);
     }
-    /// Sets the beginning of the error message for a missing first word: the name and the meaning
-    /// of the first word, such as "OUT, the folder for the new study,".
+    /// Sets the beginning of the error message that appears if no word follows the command's name.
+    /// The beginning is the name and the meaning of the missing word, such as "OUT, the folder for
+    /// the new study,".
     void set_first_word(std::string name_and_meaning) {
         missing_word_ = std::move(name_and_meaning);
     }
@@ -138,8 +139,8 @@ class Options {
         CommonOptions options;
     };
     /// Declares the common options (which every command has), whose values go to `values`.
-    /// @param shown true: options that the help text lists; false: options that the help text
-    ///        leaves out
+    /// @param shown true: only the common options that the help text lists are declared; false:
+    ///        only the common options that the help text leaves out
     boost::program_options::options_description common_options(CommonValues& values,
                                                                bool shown) const;
     void print_help(const boost::program_options::options_description& common) const;

@@ -18,8 +18,8 @@ std::string duration(double seconds);
 
 /// Returns a sentence on the progress of a computation, from an event that reports progress. The
 /// sentence states the stage that begins, the share of simulations done, the fitted friction
-/// coefficient at the end of a round, or the number of refits to do. Returns an empty text for
-/// notes and for a single refit.
+/// coefficient at the end of a round (new simulations, then a fit), or the number of refits to do.
+/// Returns an empty text for notes and for a single refit.
 std::string progress_sentence(const Event& event);
 
 /// Returns the share of the running computation that is done [1], from an event that reports

@@ -34,7 +34,8 @@ double positive(const std::string& words, const char* unit, const std::string& o
 RunEffects::RunEffects(Options& options, const std::vector<std::string>& arguments)
     : options_([&]() -> EffectOptions {
           options.begin_section(
-              "Scale of the sample (needed for effects whose parameters have units)");
+              "Physical size and stress of the sample (needed for effects whose parameters have "
+              "units)");
           options.add("diameter", &diameter_,
                       "diameter of the grains, with its unit (default 500 um)");
           options.add("density", &density_,
@@ -48,11 +49,11 @@ RunEffects::RunEffects(Options& options, const std::vector<std::string>& argumen
                       "mN/m); the normal stress on wet grains is computed from it. If the liquid "
                       "has another surface tension, state that one with "
                       "--capillary-bridges.surface_tension");
-          return {
-              options, arguments,
-              "Physical effects of grains and liquid (values with their unit, \"3 uN\"; a number "
-              "without a unit is in SI units)",
-              why_no_run_has};
+          return {options, arguments,
+                  "Physical effects of grains and liquid (values with their unit, as in \"3 uN\"; "
+                  "a number "
+                  "without a unit is in SI units)",
+                  why_no_run_has};
       }()) {}
 
 void RunEffects::read_scale(const dem::RunParameters& run, const Options& options) {

@@ -24,8 +24,9 @@ class RunEffects {
     RunEffects(Options& options, const std::vector<std::string>& arguments);
 
     /// Returns the parameters of a simulation with the effects of the parsed options applied.
-    /// @throws InputError for an option's value that is malformed or out of bounds, for a scale
-    ///         that contradicts the simulation, and for an effect that cannot change this
+    /// @throws InputError where an option's value is malformed or out of bounds, where the user
+    ///         gave a normal stress for wet grains (whose reduced pressure gives the normal stress)
+    ///         or a surface tension for dry grains, and for an effect that cannot change this
     ///         simulation, such as an effect of the liquid for dry grains
     dem::RunParameters changed(const dem::RunParameters& run, const Options& options);
 
@@ -55,8 +56,8 @@ class RunEffects {
 };
 
 /// Returns an option for the examples in a help text, "--EFFECT.PARAMETER VALUE". The option sets
-/// the first parameter of an effect to the smallest value of interest. The effect is the first
-/// built-in effect on grains that is not a switch (on or off).
+/// the first parameter of an effect to the value at which the effect has its smallest size of
+/// interest. The effect is the first built-in effect on grains that is not a switch (on or off).
 std::string example_of_run();
 
 }  // namespace pendular::app

@@ -17,8 +17,8 @@ namespace pendular::app {
 /// @throws std::runtime_error where a store that the user named cannot be written
 std::unique_ptr<RunStore> open_store(const CommonOptions& options);
 
-/// Returns the number of a stored simulation that the user typed. Does not check that the store
-/// (the user's file of simulations) has a simulation with this number.
+/// Converts a word of the command line to the number of a stored simulation. Does not check that
+/// the store (the user's file of simulations) has a simulation with this number.
 /// @throws InputError where the word is not a whole number
 std::int64_t run_number(const std::string& word);
 

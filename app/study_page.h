@@ -22,8 +22,8 @@ struct StudyPage {
     std::string next;
     /// Text that says which measurement to make next, or why no measurement can be suggested.
     std::string measure;
-    std::vector<std::string> switches;  ///< names of the effects that the page switches on and off
-    /// Number of combinations of the switched effects for which a fitted model exists.
+    std::vector<std::string> switches;  ///< names of effects that a reader can switch on and off
+    /// Number of combinations of the effects in `switches` for which a fitted model exists.
     std::size_t models = 0;
     /// Number of readings (measured states) that the diagnosis tested.
     std::size_t readings = 0;
@@ -31,8 +31,8 @@ struct StudyPage {
     std::vector<std::string> notes;
 };
 
-/// Makes the page of a study: diagnoses the study, plans the next measurement, and fits all
-/// combinations of the leading effects. Nothing is simulated, and no file is written.
+/// Makes the page of a study: diagnoses the study, plans the next measurement, and fits the model
+/// with each combination of the leading effects. Nothing is simulated, and no file is written.
 /// @param switches largest number of effects that a reader of the page can switch on and off
 /// @param version version number of the page, by which a browser finds out that `pendular serve`
 ///        has a newer page; empty: a page that needs no server

@@ -22,22 +22,24 @@ struct EffectParameter {
     double smallest_of_interest = 1;
     std::string meaning;  ///< meaning of the effect's parameter in a few words, for the user
     /// Function that returns the amplitude A of the effect at a value of the parameter. The change
-    /// of the observables is assumed to be proportional to A(value) - A(neutral), where `neutral`
-    /// is the value at which the effect vanishes. The function is needed if the derivative of the
-    /// change with respect to the parameter is zero at the neutral value, like the derivative of 1
-    /// - cos(angle) at angle 0. If the function is null, A(value) = value.
+    /// that the effect causes in the stress ratio, the solid fraction and other results is assumed
+    /// to be proportional to A(value) - A(neutral), where `neutral` is the value at which the
+    /// effect vanishes. The function is needed if the derivative of the change with respect to the
+    /// parameter is zero at the neutral value, like the derivative of 1 - cos(angle) at angle 0. If
+    /// the function is null, A(value) = value.
     double (*amplitude)(double value) = nullptr;
     /// Function that returns the effective amplitude of the effect at a value of the parameter and
-    /// a friction coefficient between grains [1]. The function is needed for effects that sliding
-    /// limits, such as rolling resistance. The emulator (Gaussian processes trained on simulations)
-    /// assumes that the change of the observables is proportional to the effective amplitude. The
-    /// effective amplitude is 0 at the neutral value of the parameter and largest at the upper
-    /// bound of the parameter. If the function is null, the function `amplitude` is used.
+    /// a friction coefficient between grains [1]. The emulator (Gaussian processes trained on
+    /// simulations) assumes that the change that the effect causes in a simulation is proportional
+    /// to the effective amplitude. The function is needed for effects that are limited by sliding
+    /// between grains, such as rolling resistance. The effective amplitude is 0 at the neutral
+    /// value of the parameter and largest at the upper bound of the parameter. If the function is
+    /// null, the function `amplitude` is used.
     double (*effective_amplitude)(double value, double friction) = nullptr;
 
-    /// Whether the parameter can differ from its neutral value only in simulations for which the
-    /// user states the value of the parameter. Models of studies do not fit the parameter, since
-    /// measured data can hardly separate the parameter from the effect's other parameters.
+    /// Whether models of studies never fit the parameter, since measured data can hardly separate
+    /// the parameter from the effect's other parameters. The parameter then keeps its neutral
+    /// value, except in simulations for which the user states another value.
     bool only_simulated = false;
 
     /// Whether the effect can only be switched on or off, so that its parameter has the name "on".

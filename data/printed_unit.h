@@ -13,10 +13,10 @@ struct PrintedUnit {
 };
 
 /// Returns the unit in which all values of an effect's parameter are printed. An angle is printed
-/// in degrees. Every other parameter is printed in its SI unit, with the prefix m if both bounds of
-/// the parameter are below 1 in magnitude, or u if both are below 0.001. An example is "mN m" for
-/// torques up to 0.1 N m. Dimensionless parameters and units that take no prefix, such as "kg" and
-/// "m^2", have none.
+/// in degrees. Every other parameter is printed in its SI unit, with the prefix m (milli) if both
+/// bounds of the parameter are below 1 in magnitude, or u (micro) if both bounds are below 0.001.
+/// An example is "mN m" for torques up to 0.1 N m. Numbers without dimension, and units that take
+/// no prefix, such as "kg" and "m^2", are printed without a prefix.
 PrintedUnit printed_unit(const EffectParameter& parameter);
 
 /// Returns a value [SI unit] of an effect's parameter as text in the printed unit (`printed_unit`),
@@ -24,8 +24,8 @@ PrintedUnit printed_unit(const EffectParameter& parameter);
 /// parameter is dimensionless.
 std::string printed_value(double value, const EffectParameter& parameter);
 
-/// Returns a value [SI unit] of an effect's parameter as the text that `printed_value` returns, for
-/// use as one argument of a command. The text is in quotes if it contains a unit.
+/// Returns a value [SI unit] of an effect's parameter as one argument of a shell command, in the
+/// printed unit (`printed_unit`). The text is in quotes if the value has a unit, as in "10 deg".
 std::string printed_word(double value, const EffectParameter& parameter);
 
 /// Returns the lower and upper bound of an effect's parameter as text in the printed unit

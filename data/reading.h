@@ -71,8 +71,9 @@ struct Reading {
     /// the solid fraction [1]. The contribution of the scatter between replicates (repeated
     /// readings at one condition) is increased if the replicates are few.
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-    /// Amount by which the reading's `covariance` was increased because the scatter between
-    /// replicates (repeated readings at one condition) was estimated from few replicates.
+    /// Part of the reading's `covariance` that was added because the scatter between replicates
+    /// (repeated readings at one condition) was estimated from few replicates: first of the shear
+    /// stress [Pa], second of the solid fraction [1].
     Eigen::Matrix2d widened_by = Eigen::Matrix2d::Zero();
     /// Errors that the reading has in common with other readings, such as the error of one filling
     /// of the cell. The shared errors are contained in `covariance`.
@@ -90,9 +91,9 @@ struct Reading {
     Eigen::Vector2d resolution = Eigen::Vector2d::Zero();
     /// Duration of the steady shear over which the reading was averaged [s]; 0: unknown.
     double sampled_seconds = 0;
-    /// Whether the errors that were estimated for the reading itself come only from the scatter
-    /// within one run of the rheometer, and not from the scatter between runs or fillings of the
-    /// cell.
+    /// Whether the reading was made from a recording (raw time series), so that the error of the
+    /// single reading follows only from the scatter within one run of the rheometer. The scatter
+    /// between runs and between fillings of the cell must then be added (`pool_replicates`).
     bool within_run_only = false;
     /// Whether the standard error of the reading's shear stress or solid fraction was unknown, so
     /// that a standard error of 2 % of the value was assumed.
@@ -110,7 +111,7 @@ struct Reading {
     double stress_ratio() const { return value(0) / condition.normal_stress; }
 };
 
-/// Rows of a file that were not used for a reading, with the reason.
+/// Rows of a file, or a whole reading, that were left out, with the reason.
 struct Excluded {
     /// Kind of the data that were left out. `rows` are single rows, such as a spike.
     /// `beside_plateau` are rows of a step outside of the steady part of the step, such as a
@@ -165,12 +166,15 @@ struct ReplicateScatter {
     /// stress: first for the stress ratio, second for the solid fraction.
     ///     standard deviation ~ (normal stress/reference_stress)^-exponent
     Eigen::Vector2d load_exponent = Eigen::Vector2d::Zero();
-    /// Standard errors of the exponents `load_exponent` [1]; 0 if the exponents were not estimated.
+    /// Standard errors [1] of the exponents with which the scatter depends on the normal stress
+    /// (`load_exponent`): first for the stress ratio, second for the solid fraction; 0 if the
+    /// exponents were not estimated.
     Eigen::Vector2d load_exponent_error = Eigen::Vector2d::Zero();
     /// Degrees of freedom of the correlation between the deviations of stress ratio and of solid
     /// fraction; infinite if the correlation is known.
     double correlation_freedom = INFINITY;
-    /// Normal stress to which the excess scatter `Group::excess` refers [Pa].
+    /// Normal stress [Pa] at which the scatter between repeated steps has the covariance matrix
+    /// `Group::excess`: geometric mean of the normal stresses of all readings.
     double reference_stress = 0;
 
     /// Error that all steps of one filling of the cell have in common, in stress ratio or in solid
@@ -181,12 +185,15 @@ struct ReplicateScatter {
         /// Variance [1] of the filling error of the stress ratio or the solid fraction, divided by
         /// the squared value. The variance is increased if there are few fillings.
         double variance = 0;
-        /// Mean square of the relative deviations between files (fillings) [1].
+        /// Mean square of the relative deviations between files (fillings) [1]. The mean square
+        /// includes a prior, which counts like one difference between files.
         double between = 0;
         /// Mean square of the relative deviations between the steps of one file [1].
         double within = 0;
-        /// Degrees of freedom of the mean square `between`. The degrees of freedom are 0 if no two
-        /// files have a condition in common, and infinite if `variance` counts as known.
+        /// Degrees of freedom of the mean square `between`, one for the prior included. The degrees
+        /// of freedom are 0 if no two files have a condition in common. The degrees of freedom are
+        /// infinite if `variance` counts as known: the user stated the scatter, or the files do not
+        /// differ significantly.
         double freedom_between = 0;
         double freedom_within = 0;  ///< degrees of freedom of the mean square `within`
         /// Effective number of conditions that two files (fillings) have in common.

@@ -115,7 +115,7 @@ std::string reason_for(Outcome outcome, const std::string& effect, const LadderS
                        const LadderStep& with) {
     if (outcome == Outcome::by_chance) {
         return fmt::format(
-            "With {}, chi2 is {:.1f} lower ({} instead of {}) for a further parameter, which "
+            "{} adds a parameter and lowers chi2 by {:.1f} only ({} instead of {}), no more than "
             "chance explains.",
             effect, without.chi2 - with.chi2, number(with.chi2), number(without.chi2));
     }

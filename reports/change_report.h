@@ -7,11 +7,11 @@
 
 namespace pendular {
 
-/// Returns a sentence that says by how much a study's model improved when an effect was added or
-/// dropped. The sentence states chi2 per degree of freedom and the relative RMS error of the
-/// predicted shear stress [%], each before and after the change.
-/// @param before misfit of the model before the change
-/// @param after misfit of the model after the change
+/// Returns a sentence that says whether the readings need an effect that was added to a study's
+/// model or dropped from the model. The sentence states chi2 per degree of freedom and the relative
+/// RMS error of the predicted shear stress [%], each before and after the change.
+/// @param before model before the change, with its misfit
+/// @param after model after the change, with its misfit
 std::string verdict_of(const StudyChange& change, const LadderStep& before,
                        const LadderStep& after);
 
@@ -27,17 +27,17 @@ std::vector<std::string> error_changes(const LadderStep& before, const LadderSte
 /// the parameter.
 std::vector<std::string> parameter_changes(const LadderStep& before, const LadderStep& after);
 
-/// Returns sentences on the effect that was added to a study's model or dropped from the model. The
-/// first sentence says that chance explains the reduction of chi2 by the effect, or that conditions
-/// left out of the fit are predicted worse with the effect; if neither is true, the sentence is
-/// missing. One sentence follows for each fitted parameter that changed by more than three standard
-/// errors.
+/// Returns sentences on the effect that was added to a study's model or dropped from the model. If
+/// chance explains the reduction of chi2 by the effect, or if conditions left out of the fit are
+/// predicted worse with the effect, the first sentence says so. One sentence follows for each
+/// fitted parameter that changed by more than three standard errors.
 std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& before,
                                    const LadderStep& after);
 
 /// Returns the command to run after an effect was added to a study's model or dropped from the
-/// model. The command is `pendular drop` if an added effect does not improve the model, else
-/// `pendular compare` if the fit can be believed, else `pendular diagnose`.
+/// model. The command is `pendular drop` if an added effect does not lower chi2 by more than chance
+/// explains, or if conditions left out of the fit are predicted worse with the effect. Otherwise,
+/// the command is `pendular compare` if the fit can be believed, and `pendular diagnose` if not.
 /// @param believable whether the fit after the change can be believed
 /// @param study the study's name as the user gave it
 std::string next_after(const StudyChange& change, const LadderStep& before, const LadderStep& after,

@@ -111,8 +111,8 @@ std::string percent(double share) {
 std::string leading_line(const Diagnosis& d, const ModelSpace& space) {
     const Explanation& model = d.leaders->model;
     return fmt::format(
-        "Missing: {}. A smaller misfit remains that no known effect explains. Adding {} brings {}, "
-        "which removes {} of the excess of chi2 over its degrees of freedom.",
+        "Missing: {}. Adding {} brings {}, which removes {} of the excess of chi2 over its degrees "
+        "of freedom. No known effect explains the misfit that remains.",
         with_estimates(model, space), joined(names_of(model, space), "and"), reduction(d, model),
         percent(d.leaders->explained));
 }
@@ -198,9 +198,10 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
                "not tell whether an effect is missing.";
     }
     return fmt::format(
-        "Inconclusive: the model describes the readings, but the readings may not reveal {} "
-        "effect{} of the smallest size of interest: {}.",
-        d.effects.size(), d.effects.size() == 1 ? "" : "s", some_of(d.effects));
+        "Inconclusive: the model describes the readings, but {} effect{} could go undetected at {} "
+        "smallest size of interest: {}.",
+        d.effects.size(), d.effects.size() == 1 ? "" : "s", d.effects.size() == 1 ? "its" : "their",
+        some_of(d.effects));
 }
 
 /// Refitted model with one candidate alone; null where there is none that converged.
@@ -311,11 +312,11 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
         lines.push_back(finding_line(d, finding, space));
     }
     lines.push_back(
-        "  (chi2 change: change of chi2 when the effect is added, predicted; refitted: that change "
-        "in a refit; imitated: share of the effect that a change of the fitted parameters can "
-        "reproduce; power: probability that these readings detect the effect at its smallest size "
-        "of interest, where they show no sign of it; p: probability, if no effect is present, that "
-        "the most significant of all tested effects is at least this significant)");
+        "  (chi2 change: predicted change of chi2 when the effect is added. Refitted: that change "
+        "after a refit. Imitated: share of the effect that a change of the fitted parameters can "
+        "reproduce. Power: probability that these readings detect the effect at its smallest size "
+        "of interest. p: probability that chance alone makes the most significant effect of the "
+        "table at least this significant.)");
     if (std::ranges::any_of(
             d.scan, [](const Finding& f) { return f.refitted_reduction.value_or(0) < 0; })) {
         lines.push_back(
@@ -336,9 +337,13 @@ std::vector<std::string> incomplete_lines(const Diagnosis& d, const std::array<d
                     "fraction from {:.2f} % to {:.2f} %.",
                     effects, before[0], after[0], before[1], after[1])};
     lines.push_back(
-        fmt::format("The diagnosis names {} as the leading effect in {:.1f} % of simulated "
-                    "repetitions of the experiment.",
-                    effects, 100 * (1 - d.leaders->rival_share)));
+        fmt::format("The diagnosis names {} as the leading effect in {} simulated repetitions of "
+                    "the experiment. The repetitions allow for the scatter of the readings, not "
+                    "for effects that Pendular does not know.",
+                    effects,
+                    d.leaders->rival_share == 0
+                        ? "all"
+                        : fmt::format("{:.1f} % of", 100 * (1 - d.leaders->rival_share))));
     const std::string trend = strongest_trend(remaining);
     lines.push_back("A misfit remains with " + effects + " in the model" + trend);
     return lines;
@@ -348,9 +353,9 @@ std::string discrepancy_line(double size) {
     if (size == 0) return "";
     return fmt::format(
         "A systematic error of the model of about {:.1f} % of the shear stress would explain the "
-        "remaining misfit. Look for its cause first. If you accept the error, write discrepancy = "
-        "{:.2g} into section [model] of study.toml: standard errors grow, and no value is "
-        "corrected.",
+        "remaining misfit. Look for the cause before you accept this error. To "
+        "accept the error, write discrepancy = {:.2g} into section [model] of study.toml, which "
+        "enlarges the standard errors and corrects no value.",
         100 * size, size);
 }
 
@@ -401,30 +406,33 @@ std::string unseen_line(const Finding& finding, const EffectParameter& p,
                        effect, both_ways ? what : what + " ", shown, matters);
 }
 
-/// Line that names the effects that no size within bounds makes detectable; empty for none.
-std::string invisible_line(const Diagnosis& d, const ModelSpace& space) {
-    std::vector<std::string> names;
-    for (const Finding& finding : d.scan) {
-        if (!finding.identifiable) names.push_back(space.candidates()[finding.candidate].name);
-    }
-    return names.empty() ? ""
-                         : fmt::format(
-                               "  {} cannot be detected in these readings within the bounds of "
-                               "their parameters.",
-                               joined(names, "and"));
-}
-
 }  // namespace
 
-std::vector<std::string> unseen_table(const Diagnosis& d, const ModelSpace& space) {
-    if (d.verdict != Verdict::inconclusive || d.effects.empty()) return {};
-    std::vector<std::string> lines = {"Effects of interest that these readings may not detect:"};
-    if (const std::string line = invisible_line(d, space); !line.empty()) lines.push_back(line);
-    for (const std::string& effect : d.effects) {
+std::vector<std::string> unseen_table(const Diagnosis& d, const ModelSpace& space,
+                                      const std::vector<std::string>& effects) {
+    if (d.verdict != Verdict::inconclusive || effects.empty()) return {};
+    std::vector<std::string> lines = {fmt::format(
+        "Effects that could go undetected in these readings, each at its smallest size of "
+        "interest:")};
+    for (const std::string& effect : effects) {
         const Finding& finding = finding_of(d, space, effect);
         lines.push_back(unseen_line(finding, parameter_of(space, finding), effect));
     }
     return lines;
+}
+
+std::string undetectable_line(const Diagnosis& d, const ModelSpace& space) {
+    if (d.verdict != Verdict::inconclusive) return "";
+    std::vector<std::string> names;
+    for (const Finding& finding : d.scan) {
+        if (!finding.identifiable) names.push_back(space.candidates()[finding.candidate].name);
+    }
+    if (names.empty()) return "";
+    return fmt::format(
+        "Besides, {} {} these readings too little to be detected at any size within the bounds of "
+        "{}.",
+        joined(names, "and"), names.size() == 1 ? "changes" : "change",
+        names.size() == 1 ? "its parameter" : "their parameters");
 }
 
 std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space, bool proposes) {
@@ -433,9 +441,9 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space, 
     if (d.verdict == Verdict::inconclusive) {
         lines.push_back(
             "To rule out an effect, measure the effect directly or add readings at conditions "
-            "where "
-            "the effect is larger. 'pendular next' plans readings that reduce the standard errors "
-            "of the fitted parameters; such readings do not rule out effects.");
+            "where the effect is larger. The readings that 'pendular next' plans reduce the "
+            "standard "
+            "errors of the fitted parameters; they are not planned to rule out effects.");
     }
     if (d.verdict == Verdict::unknown) {
         if (const Explanation* best = best_of(d.tried); best && !best->suspect) {

@@ -9,23 +9,24 @@
 
 namespace pendular {
 
-/// Returns one or two sentences that say which effect the study's model lacks: "Missing:
-/// torque-offset (torque 0.410 +- 0.030 mN m). Adding it brings chi2/dof from 9.80 to about 1.10."
-/// If no known effect explains the misfit, the sentence names the strongest significant trend of
-/// the residuals.
+/// Returns the verdict of a diagnosis in one to three sentences, such as which effect the study's
+/// model lacks: "Missing: torque-offset (torque 0.410 +- 0.030 mN m). Adding it brings chi2/dof
+/// from 9.80 to about 1.10." If no known effect explains the misfit, the text names the strongest
+/// significant trend of the residuals.
 /// @param checks tests of the residuals of the study's model
 std::string verdict_line(const Diagnosis& diagnosis, const ModelSpace& space, const Checks& checks);
 
-/// Returns the text of the power of an effect's score test (test without a refit), as in "0.83".
-/// The text is "-" where the test is significant (p < 0.05), since the power answers what a test
-/// that finds nothing could have found.
+/// Returns the power of an effect's score test (test without a refit) as text, such as "0.83". The
+/// power is the probability [1] that the readings show an effect of the smallest size of interest.
+/// The text is "-" where the test is significant (p < 0.05), since the power matters only for a
+/// test that found no effect.
 std::string power_text(const Finding& finding);
 
-/// Returns the text of the first parameter of an effect as a diagnosis estimates the parameter,
-/// with standard error and unit. The estimate comes from a refit with the effect if a refit
-/// converged and determines the parameter, else from the score test (test without a refit). An
-/// estimate at a bound of the parameter has no standard error. For an effect that is on or off, the
-/// text is "switch".
+/// Returns a diagnosis's estimate of the first parameter of an effect as text, with standard error
+/// and unit. The estimate comes from a refit with the effect. If no refit converged and determines
+/// the parameter, the estimate comes from the score test (test without a refit). An estimate at a
+/// bound of the parameter has no standard error. For an effect that is on or off, the text is
+/// "switch".
 /// @param finding result for the effect, an element of `diagnosis.scan`
 std::string estimate_of(const Diagnosis& diagnosis, const Finding& finding,
                         const ModelSpace& space);
@@ -41,8 +42,9 @@ std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const Model
 
 /// Returns sentences on the fit of the study's model without further effects. The sentences state
 /// chi2, the degrees of freedom and the p values of two tests. The first test compares the mean
-/// reading of each condition with the model (lack of fit). The second test asks whether the model
-/// lacks a known effect or the readings contain an error of a suspect measurement.
+/// reading of each condition with the model (lack of fit). The second test asks whether a known
+/// effect that the model lacks, or an error in one part of the measurement (such as all readings of
+/// one file), explains the residuals.
 std::string fit_line(const Diagnosis& diagnosis);
 
 /// Returns sentences on a diagnosis that found effects which explain most of the misfit but not all
@@ -61,8 +63,8 @@ std::vector<std::string> incomplete_lines(const Diagnosis& diagnosis,
                                           const Checks& remaining);
 
 /// Returns a sentence on a systematic error of the model that varies smoothly with the conditions
-/// and would explain the misfit which known effects leave. The sentence also says how study.toml
-/// can allow for the systematic error. Returns an empty text if `size` is 0.
+/// and would explain the misfit that no known effect explains. The sentence also says which setting
+/// in study.toml takes the systematic error into account. Returns an empty text if `size` is 0.
 /// @param size standard deviation of the systematic error divided by the shear stress [1]
 std::string discrepancy_line(double size);
 
@@ -75,25 +77,32 @@ std::string suspects_line(const Diagnosis& diagnosis, const Evidence& evidence);
 
 /// Returns a table of the effects that the study's readings cannot exclude: an effect of the
 /// smallest size of interest could be present and remain undetected. The first line is the heading.
-/// One line names the effects that these readings could not detect at any size within the bounds of
-/// the parameters. One line follows for each further effect, with the smallest size that these
-/// readings could detect or, for an effect that is on or off, the percentage of repetitions of the
-/// study that would detect the effect. Returns an empty list unless the verdict of the diagnosis is
-/// inconclusive.
-std::vector<std::string> unseen_table(const Diagnosis& diagnosis, const ModelSpace& space);
+/// One line follows for each effect, with the smallest size that these readings could detect or,
+/// for an effect that is on or off, the percentage of repetitions of the study that would detect
+/// the effect. Returns an empty list unless the verdict of the diagnosis is inconclusive.
+/// @param effects names of the effects in the table, in the order of its lines: all names in
+///        `diagnosis.effects`
+std::vector<std::string> unseen_table(const Diagnosis& diagnosis, const ModelSpace& space,
+                                      const std::vector<std::string>& effects);
 
-/// Returns sentences of advice after a diagnosis. The sentences say how similarly indistinguishable
-/// effects change the readings, which readings to repeat or to add, and whether standard errors of
-/// readings are assumed rather than measured.
-/// @param proposes whether the diagnosis proposes changes of the model of unknown cause
+/// Returns a sentence that names the effects that the study's readings could not detect at any size
+/// within the bounds of the effect's parameter. Returns an empty text if there is no such effect,
+/// or if the verdict of the diagnosis is not inconclusive.
+std::string undetectable_line(const Diagnosis& diagnosis, const ModelSpace& space);
+
+/// Returns sentences of advice after a diagnosis, such as which readings to repeat or to add. If
+/// the readings do not tell which of several effects is missing, a sentence says how similarly
+/// these effects change the readings. A further sentence says if the standard errors of readings
+/// are assumed rather than measured.
+/// @param proposes whether the diagnosis proposes a change of the model, of unknown physical cause
 std::vector<std::string> advice_on(const Diagnosis& diagnosis, const ModelSpace& space,
                                    bool proposes = false);
 
-/// Returns the text that says what to do after a diagnosis: the `pendular` command to give next or,
-/// for the verdict suspect-measurement, to repeat the suspect readings and then which command to
-/// give.
+/// Returns a text that says what to do after a diagnosis: the `pendular` command to give next. For
+/// the verdict suspect-measurement (an error in some readings would explain the misfit), the text
+/// says to repeat these readings before the command.
 /// @param study the study's name as the user gave it
-/// @param proposes whether the diagnosis proposes changes of the model of unknown cause
+/// @param proposes whether the diagnosis proposes a change of the model, of unknown physical cause
 std::string next_step(const Diagnosis& diagnosis, const std::string& study, bool proposes = false);
 
 }  // namespace pendular

@@ -12,10 +12,10 @@ namespace pendular {
 /// readings. A reading is the measured shear stress and solid fraction at one condition.
 /// - `calibration`: stress ratio and solid fraction against the friction coefficient, for the
 ///   readings at the lowest inertial number. The curve is the prediction of the fitted model
-///   without effects on the instrument (such as a torque offset). The band is the measured value
-///   with its standard error. The change by effects on the instrument, as the fitted model predicts
-///   this change for each reading, has been removed from the measured value. Curve and band cross
-///   at the friction coefficient that these readings alone would give.
+///   without effects on the instrument (such as a torque offset). The band is the mean of these
+///   readings with its standard error. Each reading has been corrected to one condition and for
+///   effects on the instrument, by the difference that the fitted model predicts. Curve and band
+///   cross at the friction coefficient that these readings alone would give.
 /// Source: Badetti et al. (2018), the calibration figure.
 /// - `inertial_number`: stress ratio and solid fraction against the inertial number, as measured
 ///   and as predicted by the fitted model with all effects of the study. Where the predictions

@@ -10,25 +10,26 @@
 
 namespace pendular {
 
-/// Returns the study for which the signature figures are computed. A signature is the change of the
-/// readings by an effect. Grains, liquid and cell are the defaults of `pendular virtual-lab`. The
-/// study lists `effects`, so that the emulator of the study (which interpolates between
-/// simulations) also uses simulations with these effects.
+/// Returns the study for which the figures of effects' signatures are drawn. The signature of an
+/// effect is the change of the readings by the effect. Grains, liquid and cell are the defaults of
+/// `pendular virtual-lab`. The study lists `effects`, so that the emulator of the study (which
+/// interpolates between simulations) also uses simulations with these effects.
 Study signature_study(const std::vector<Effect>& effects);
 
-/// Returns the dry and the wet condition (normal stress, inertial number, liquid content) from
-/// which the signature figures start. Each curve of a signature figure varies one quantity of the
-/// dry or of the wet condition.
+/// Returns the dry and the wet condition (normal stress, inertial number, liquid content) at which
+/// figures show the change of the readings by an effect (signature of the effect). Along each curve
+/// of a figure, one quantity varies, and all others are those of the dry or of the wet condition.
 std::vector<Condition> signature_conditions(const Study& study);
 
 /// Returns a figure of how an effect of the smallest size of interest changes the predicted
 /// readings. The reference is the model without the effect or, for a property of the liquid, with
-/// the value of the study's liquid. For an effect on the closure, the reference is the model with
-/// the level of closure below or, for the lowest level, the base model `mohr-coulomb`. The upper
-/// row of panels shows the change of the shear stress
-/// [%]. The lower row shows 1000 times the change of the solid fraction [1]. The four columns show
-/// the changes against reduced pressure [1], liquid content [1], inertial number [1] and height of
-/// the sample [mm]. For effects on grains, a band shows one standard error of the change.
+/// the value of the study's liquid. For an effect that makes the model compute the strength of wet
+/// grains more accurately, the reference is the model with the next simpler formula or, if there is
+/// none, the base model `mohr-coulomb`. The upper row of panels shows the change of the shear
+/// stress [%]. The lower row shows 1000 times the change of the solid fraction [1]. The four
+/// columns show the changes against reduced pressure [1], liquid content [1], inertial number [1]
+/// and height of the sample [mm]. For effects on grains, a band shows one standard error of the
+/// change.
 /// @param simulation emulator, which interpolates between the simulations known for the study
 /// @throws std::invalid_argument where the emulator has no simulation with the effect
 /// @throws std::domain_error where, with the effect, no possible state of the grains gives the

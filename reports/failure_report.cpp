@@ -16,16 +16,16 @@ std::string sentence(const Check& check) {
     switch (check.kind) {
         case Check::Kind::lack_of_fit:
             return fmt::format(
-                "At one condition or more, the mean of the readings differs from the model (lack "
-                "of fit, {}).",
+                "At some conditions, the mean of the readings differs from the model by more than "
+                "its standard error explains (lack of fit, {}).",
                 p);
         case Check::Kind::trend:
             return fmt::format("The residual of the {} (measured minus model) {} with the {} ({}).",
                                check.of, check.statistic > 0 ? "increases" : "decreases",
                                check.covariate, p);
         case Check::Kind::score:
-            return fmt::format("The fitted {} depends on {} ({}): it should be constant.", check.of,
-                               check.covariate, p);
+            return fmt::format("The fitted {} depends on the {} ({}), but should be constant.",
+                               check.of, check.covariate, p);
         case Check::Kind::runs:
             return fmt::format("Neighbouring readings of {} lie on one side of the model ({}).",
                                check.of, p);
@@ -64,7 +64,7 @@ std::vector<std::string> checks_table(const Checks& checks) {
                                     "(together: p {}).",
                                     checks.all.size(), p_text(checks.p))
         : checks.p < significant
-            ? fmt::format("Where the model fails ({} checks of the residuals, together: p {}):",
+            ? fmt::format("How the model fails ({} checks of the residuals, together: p {}):",
                           checks.all.size(), p_text(checks.p))
             : fmt::format("Taken together, the {} checks of the residuals show no significant "
                           "misfit (p {}); taken singly, the following checks have p < {}:",

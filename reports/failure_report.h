@@ -10,7 +10,7 @@ namespace pendular {
 
 /// Returns the text of a p value [1] with two significant digits: "= 0.02", or "< 0.001" for a p
 /// value below 0.001.
-/// @param equals text in place of "= "
+/// @param equals text before a p value of 0.001 or more, such as "" in a column of p values
 std::string p_text(double p, const char* equals = "= ");
 
 /// Returns the tests of a model's residuals that are each significant by themselves (p < 0.05), the
@@ -27,7 +27,7 @@ std::vector<std::string> checks_table(const Checks& checks);
 /// empty text for an empty list. Returns an empty text also for more than eight measurements, since
 /// the model then fails as a whole.
 /// @param measurements names of measurements, each with a p value: the probability [1] that chance
-///        alone makes the deviation of the measurement from the model as large
+///        alone makes the measurement deviate from the model by at least as much as observed
 std::string deviating_line(std::vector<std::pair<std::string, double>> measurements);
 
 /// Returns lines of text that say where a model fails. First come the significant tests of the

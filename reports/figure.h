@@ -12,9 +12,10 @@ namespace pendular {
 /// Series of data in a panel (pair of axes) of a figure, drawn as points, line, band, bars or
 /// cells. A curve without data only adds an entry to the key (legend).
 struct Curve {
-    /// Way in which the data of the curve are drawn. `bars` are vertical and stand on the x axis,
-    /// or at `from`. `bars_across` are horizontal and begin at x = 0. `cells` are squares whose
-    /// side is 1 in the units of the axes. `shade` gives the strength of the colour of `cells`.
+    /// Way in which the data of the curve are drawn. `bars` are vertical and begin at the x axis
+    /// or, if the curve has values `from`, at these values of y. `bars_across` are horizontal and
+    /// begin at x = 0. `cells` are squares whose side is 1 in the units of the axes. `shade` gives
+    /// the strength of the colour of `cells`.
     enum class Style { points, line, dotted_line, dashed_line, band, bars, bars_across, cells };
     std::string label;
     Style style = Style::points;
@@ -79,8 +80,8 @@ struct Panel {
     std::vector<std::string> y_names = {};
     /// Whether the y axis of the panel includes zero. A logarithmic axis never includes zero.
     bool y_from_zero = false;
-    /// Least distance to which the y axis extends on both sides of zero, in the unit of the axis;
-    /// 0: no limit.
+    /// Smallest reach of the y axis, in the unit of the axis: the axis extends at least from
+    /// -`y_least` to `y_least`; 0: no limit.
     double y_least = 0;
     /// Least and greatest value on the y axis, without the headroom. If empty, the range follows
     /// from the data.

@@ -17,7 +17,7 @@ inline const std::string solid_fraction_label = "solid fraction Φ_S";
 inline const std::string measured_colour = "#1b1b1b", model_colour = "#0b62a4",
                          calibrated_colour = "#c0392b", run_colour = "#5b9bd5",
                          explaining_colour =
-                             "#606060";  ///< colour of key entries that explain all series of data
+                             "#606060";  ///< colour of legend entries that hold for all series
 
 /// Values of a reading or prediction as figures draw them, with their standard errors: first the
 /// stress ratio [1], second the solid fraction [1].
@@ -38,8 +38,8 @@ Shown shown(const Prediction& predicted, Eigen::Index place, double normal_stres
 /// error)^2. The standard errors of the means hold if the errors of the values are independent.
 Shown mean_of(const std::vector<Shown>& all);
 
-/// Means of the stress ratio [1] and the solid fraction [1] over some readings, first as measured,
-/// second as the model predicts the readings.
+/// Means of the stress ratio [1] and the solid fraction [1] over some readings: means of the
+/// measured values (`measured`), and of the values that the model predicts (`model`).
 struct MeasuredAndModel {
     Shown measured, model;
 };
@@ -49,14 +49,15 @@ struct MeasuredAndModel {
 /// @param places indices of the readings in the calibration
 MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibration& calibration);
 
-/// Whether a figure may draw one mean prediction for some readings. True if the predicted stress
-/// ratio and solid fraction of each reading differ from the mean predictions for these readings by
-/// at most `same_point` standard errors of the measured values.
+/// Whether a figure may draw one point, the mean prediction, in place of the predictions of several
+/// readings. True if the predicted stress ratio and solid fraction of each reading differ from the
+/// mean predictions for these readings by at most `same_point` standard errors of the measured
+/// values.
 /// @param places indices of the readings in the calibration
 bool mean_suffices(const std::vector<std::size_t>& places, const Calibration& calibration);
 
-/// Largest difference between two predictions that figures draw as one point, divided by the
-/// standard error of the measured value [1].
+/// Largest difference between the prediction of a reading and the mean or curve that a figure draws
+/// in place of the prediction, divided by the standard error of the measured value [1].
 constexpr double same_point = 0.25;
 
 /// Adds a point with an error bar of one standard error to a curve.

@@ -40,10 +40,10 @@ std::vector<std::string> checks_lines(const FileView& view, bool all);
 /// empty list if the file has no yield locus.
 std::vector<std::string> yield_locus_lines(const FileView& view);
 
-/// Returns a sentence on the quantities that readings of steady shear need and that a file of
-/// measurements lacks. The sentence also says that the columns should be exported or, for a file
-/// with yield loci, that points of failure need only the stresses. Returns an empty text if the
-/// file has all these quantities, or if the file is a report of yield loci.
+/// Returns sentences on the quantities that readings of steady shear need and that a file of
+/// measurements lacks. The last sentence asks the user to export these quantities too or, for a
+/// file with yield loci, says that points of failure need only the stresses. Returns an empty text
+/// if the file has all these quantities, or if the file is a report of yield loci.
 std::string missing_sentence(const FileView& view);
 
 }  // namespace pendular

@@ -92,7 +92,8 @@ Panel shift_panel(const ImpactTable& table, const std::vector<const Impact*>& ro
 }
 
 Panel pull_panel(const std::vector<const Impact*>& rows) {
-    Panel panel{.x_label = "pull: estimate / its standard error", .y_label = ""};
+    Panel panel{.x_label = "pull: (estimate - value without effect) / standard error",
+                .y_label = ""};
     Curve pulls{.label = "pull", .colour = measured_colour};
     double reach = 3;
     for (std::size_t k = 0; k < rows.size(); ++k) {

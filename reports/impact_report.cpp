@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "reports/parameter_name.h"
 #include "reports/with_error.h"
@@ -61,7 +62,7 @@ std::string condition_of(const Impact& impact, const Shift& shift, bool at_estim
         return fmt::format("With {} in the model", impact.name);
     std::string parameter = impact.quantity;
     std::ranges::replace(parameter, '_', ' ');
-    return fmt::format("With {} in the model at {} {}", impact.name, parameter,
+    return fmt::format("With {} in the model ({} = {})", impact.name, parameter,
                        size_text(impact, shift.size));
 }
 
@@ -139,6 +140,19 @@ std::vector<std::string> impact_lines(const ImpactTable& table, const Diagnosis&
         }
     }
     return lines;
+}
+
+std::vector<std::string> by_impact(const ImpactTable& table,
+                                   const std::vector<std::string>& effects) {
+    const auto shift = [&](const std::string& effect) {
+        const auto found = std::ranges::find_if(table.impacts, [&](const Impact& impact) {
+            return !impact.measurement && impact.name == effect;
+        });
+        return found == table.impacts.end() ? 0 : std::abs(found->at_interest.best()(0));
+    };
+    std::vector<std::string> sorted = effects;
+    std::ranges::stable_sort(sorted, std::greater<>(), shift);
+    return sorted;
 }
 
 std::vector<std::string> impact_table(const ImpactTable& table) {

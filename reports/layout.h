@@ -28,8 +28,8 @@ struct PanelPlace {
 /// Height of one line of the names that an x axis shows in place of numbers [inch].
 constexpr double name_line = 0.19;
 
-/// Layout of the page of a figure, in inches. The layout is known before the figure is drawn, so
-/// that symbols and key keep their shape.
+/// Layout of the page of a figure, in inches. The program computes the layout before gnuplot draws
+/// the figure. Symbols and key can therefore be placed in inches and keep their shape.
 struct Page {
     /// Width and height of the figure's page [inch].
     double width = 0, height = 0;

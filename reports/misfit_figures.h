@@ -7,7 +7,7 @@
 
 namespace pendular {
 
-/// Returns figures that show how a model misses the readings (measured states). `qq` shows the
+/// Returns figures of the deviations of the readings (measured states) from a model. `qq` shows the
 /// ordered residuals against the quantiles of a normal distribution. `chi2_ledger` shows
 /// contributions to chi2, each divided by the number of contributing measured values [1], beside
 /// the value 1 that is expected for a correct model. The contributions come from shear stress and

@@ -19,7 +19,7 @@ namespace pendular {
 struct Coordinate {
     /// Function that returns the value of the quantity at a condition.
     double (*of)(const Condition&);
-    /// Function that changes a condition: the quantity receives the value.
+    /// Function that sets the quantity of a condition to a value.
     void (*set)(Condition&, double);
 };
 extern const Coordinate along_inertial_number;        ///< inertial number of a condition [1]

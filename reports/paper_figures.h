@@ -11,7 +11,7 @@ namespace pendular {
 /// states of the parameter study in the paper. The figures of dry grains also show the emulator,
 /// which interpolates simulations. The axes, normalisations, symbols and the name of each figure
 /// are as in the paper. States that have not been simulated are left out. P* is the reduced
-/// pressure.
+/// pressure. Distant bridges join grains that do not touch.
 /// - mustarphimu, muphinertial: stress ratio and solid fraction of dry grains, the first figure
 ///   against the friction coefficient, the second against the inertial number
 /// - philphis: liquid content against P*

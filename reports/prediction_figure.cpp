@@ -21,6 +21,7 @@ struct Variable {
     const char* label;
     bool log;
     double (*of)(const FlowState&);
+    bool wet = false;  ///< whether only wet grains have the quantity
 };
 
 constexpr Variable variables[] = {
@@ -28,10 +29,10 @@ constexpr Variable variables[] = {
     {"inertial_number", "inertial number I", true,
      [](const FlowState& s) { return s.inertial_number; }},
     {"reduced_pressure", "reduced pressure P*", true,
-     [](const FlowState& s) { return 1 / s.inverse_pressure; }},
+     [](const FlowState& s) { return 1 / s.inverse_pressure; }, true},
     {"bridge_volume", "bridge volume V_0/a^3", true,
-     [](const FlowState& s) { return s.bridge_volume; }},
-    {"liquid_content", "liquid content Φ_L/Φ_S", true, nullptr}};
+     [](const FlowState& s) { return s.bridge_volume; }, true},
+    {"liquid_content", "liquid content Φ_L/Φ_S", true, nullptr, true}};
 
 const Variable& variable_named(const std::string& name) {
     return *std::ranges::find(variables, name, &Variable::name);
@@ -50,11 +51,8 @@ bool beside(const dem::RunResult& run, const PredictionCurve& curve, const Varia
         return false;
     }
     return std::ranges::all_of(variables, [&](const Variable& other) {
-        const bool smallest_of_interest =
-            other.of && (!line.dry() || other.of(line) == line.friction ||
-                         other.of(line) == line.inertial_number);
-        return !smallest_of_interest || other.name == variable.name ||
-               close(other.of(state), other.of(line));
+        const bool compared = other.of && other.name != variable.name && !(other.wet && line.dry());
+        return !compared || close(other.of(state), other.of(line));
     });
 }
 

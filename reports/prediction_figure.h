@@ -12,15 +12,14 @@ namespace pendular {
 /// or a closure (analytical formula).
 /// @param name name of the quantity, as in the JSON output of the program
 /// @throws InputError if the curve has no values of the quantity; the message suggests the known
-///         name of the most similar spelling
+///         name with the most similar spelling
 void check_drawable(const std::string& name, const PredictionCurve& curve);
 
-/// Returns a figure of predictions along a curve of flow states, one panel for each quantity. An
-/// observable is shown with its standard error as the emulator, which interpolates between
-/// simulations, predicts the observable. A closure (analytical formula) is computed from the
-/// predicted observables. Panels of observables also show simulations near the curve. The stiffness
-/// number of these simulations, and all quantities that do not vary along the curve, agree within 5
-/// % with the values on the curve.
+/// Returns a figure of predictions along a curve of flow states, one panel for each quantity. The
+/// emulator, which interpolates between simulations, predicts observables with their standard
+/// errors. A closure (analytical formula) is computed from the predicted observables. Panels of
+/// observables also show simulations near the curve. The stiffness number of these simulations, and
+/// all quantities that do not vary along the curve, agree within 5 % with the values on the curve.
 /// @param drawn names of the quantities, which `check_drawable` accepts
 Figure prediction_figure(const PredictionCurve& curve, const Emulator& emulator,
                          const std::vector<std::string>& drawn);

@@ -11,16 +11,16 @@
 
 namespace pendular {
 
-/// Range of rows of a recording that are averaged, with the statement whether the mean of the rows
-/// is used as a reading (measured state of a study).
+/// Range of rows of a recording that are averaged. `kind` states whether the mean of the rows is
+/// used as a reading (measured state of a study).
 struct AveragedWindow {
     enum class Kind { used, no_plateau, set_aside };
     /// First row of the range in the recording, counted from 0 (`begin`), and the row after the
     /// last row of the range (`end`).
     std::size_t begin = 0, end = 0;
     Kind kind = Kind::used;
-    /// Number of the first line in the file of the reading that averages the range; 0: no reading
-    /// averages the range.
+    /// Line of the recording's file at which the range begins, by which the reading that averages
+    /// the range is found; 0: no reading averages the range.
     int line = 0;
 };
 
@@ -53,10 +53,10 @@ class RecordingCourse {
     /// Returns the number of rows of the recording.
     std::size_t size() const { return values_.size(); }
 
-    /// Returns the known values of the quantity with the numbers of their rows, from 1, in the
-    /// order of the rows. If more than `most` values are known, divides these values into most/2
-    /// equal parts and returns the least and the greatest value of each part, so that no peak is
-    /// lost.
+    /// Returns the points of a plot of the quantity: pairs of row number, counted from 1, and
+    /// value, in the order of the rows, without rows in which the value is missing. If there are
+    /// more than `most` values, the values are divided into most/2 equal parts, and the least and
+    /// the greatest value of each part are returned, so that no peak is lost.
     std::vector<std::pair<std::size_t, double>> points(std::size_t most) const;
 
     /// Returns the mean of the known values in a range of rows, in the unit of the quantity.

@@ -8,10 +8,10 @@
 
 namespace pendular {
 
-/// Returns the figures of a file of measurements, without a study: shear stress and normal stress
-/// against the row (`recording_figure`), and the yield loci (`yield_locus_figures`).
-/// `recording_figure` is left out for a file that contains only results, with at most one row per
-/// interval.
+/// Returns the figures of a file of measurements that belongs to no study: shear stress and normal
+/// stress against the number of the row (`recording_figure`), and the yield loci
+/// (`yield_locus_figures`). `recording_figure` is left out for a file that contains only results,
+/// with at most one row per interval.
 std::vector<Figure> file_figures(const FileView& view);
 
 /// Returns a figure of a recording with two panels, one above the other: shear stress and normal

@@ -7,8 +7,8 @@
 
 namespace pendular {
 
-/// Returns a sentence that says how many numbers of Badetti et al. (2018) the simulations
-/// reproduce, and which simulations were used.
+/// Returns a sentence that says how many of the numbers published by Badetti et al. (2018) the
+/// simulations reproduce, and which simulations were used.
 std::string verdict_of(const Reproduction& reproduction);
 
 /// Returns a table of published and simulated numbers, one line per number below a heading. The

@@ -15,8 +15,8 @@ Figure trace_figure(const StoredRun& run);
 
 /// Returns a figure of one quantity of simulations against another quantity, one point per
 /// successful simulation, with standard errors of `y` where the simulations have standard errors.
-/// Dry simulations, and wet simulations by range of reduced pressure, differ in colour. Simulations
-/// with physical effects on the grains differ in symbol.
+/// Colours distinguish dry simulations and three ranges of the reduced pressure of wet simulations.
+/// Symbols distinguish simulations without and with physical effects on the grains.
 /// @param x column of the table of simulations (`run_columns`) along the x axis
 /// @param y column of the table of simulations along the y axis
 /// @throws InputError where a column does not exist or contains no numbers, and where no successful

@@ -4,8 +4,9 @@
 
 namespace pendular {
 
-/// Point of a drawing. The coordinates are in inches for a point on a page, or in units of
-/// sqrt(area) for a point of a symbol of area 1. The coordinate y grows upwards.
+/// Point of a drawing: a point on a page [inch], or a point of a symbol of area 1, whose
+/// coordinates are divided by the square root of the drawn symbol's area [1]. The coordinate y
+/// grows upwards.
 struct PaperPoint {
     double x = 0, y = 0;
 };

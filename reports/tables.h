@@ -24,7 +24,8 @@ std::vector<std::string> excluded_table(const Measurements& measurements);
 /// readings". The text is empty if no rows were left out.
 std::string excluded_text(const Measurements& measurements);
 
-/// Whether import left out rows other than the transients of steps.
+/// Whether import left out rows other than transients, the rows of a step outside of the steady
+/// part of the step.
 bool beyond_transients(const Measurements& measurements);
 
 /// Returns a table of the scatter of shear stress and solid fraction between repeated readings [%
@@ -34,7 +35,7 @@ bool beyond_transients(const Measurements& measurements);
 std::vector<std::string> scatter_table(const Measurements& measurements);
 
 /// Returns a table of measured and predicted shear stresses [Pa] and solid fractions [1], one line
-/// per reading (measured state), then one line per direct measurement of a parameter.
+/// per reading (measured state), then one line per direct measurement of an effect's parameter.
 /// @param worst_first true: the reading with the largest contribution to chi2 comes first; false:
 ///        the lines are in the order of the readings
 std::vector<std::string> predictions_table(const Comparison& comparison, bool worst_first = false);

@@ -9,8 +9,8 @@ namespace pendular {
 int decimals_for(double standard_error);
 
 /// Returns the text of a value with its standard error. Both numbers are rounded to the second
-/// significant digit of the standard error, or to whole numbers if this digit is coarser: "0.097 +-
-/// 0.011", "(1.032 +- 0.012)e-6".
+/// significant digit of the standard error, but to whole numbers if the standard error is 10 or
+/// more: "0.097 +- 0.011", "(1.032 +- 0.012)e-6".
 std::string with_error(double value, double error);
 
 /// Returns the text of a value with its standard error and unit. Lengths, forces, torques,

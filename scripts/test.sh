@@ -2,7 +2,8 @@
 # Installs what is missing, builds, and runs the tests.
 #   scripts/test.sh        everything that is decided in seconds
 #   scripts/test.sh --all  simulations and physics too, and unit and law tests again under the
-#                          sanitizers; never those of ctest label "long", which take hours
+#                          sanitizers, and clang-tidy on what reads input; never those of ctest
+#                          label "long", which take hours
 # Ends with what took how long.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -33,5 +34,6 @@ if [ "${1:-}" = --all ]; then
     data_tests sim_tests calib_tests analysis_tests workflow_tests reports_tests app_tests laws_tests \
     properties_tests fuzz_corpus pendular
   part "tests under sanitizers" ctest --preset asan --parallel "$jobs"
+  part "static checks of what reads input" bash scripts/tidy.sh --input
 fi
 printf '\nAll passed. What took how long:\n%s%6d s  in all\n' "$times" "$SECONDS"

@@ -8,12 +8,12 @@
 
 namespace pendular {
 
-/// Returns the files of a new study that is made from one file of measurements. The key of the map
-/// is the name of a file, the value is its text. The files are study.toml, a copy of the file of
-/// measurements if it contains steady shear, steady.csv with the states at the end of the preshears
-/// of a shear test, and failure.csv with the points of failure. Values that the file of
-/// measurements does not state, such as the density of the grains, are guessed. study.toml marks
-/// guessed values with "GUESS" in a comment.
+/// Returns the files of a new study that is made from one file of measurements, as a map from the
+/// name of each file to its text. The files are study.toml, a copy of the file of measurements if
+/// it contains steady shear, steady.csv with the states at the end of the preshears of a shear
+/// test, and failure.csv with the points of failure. Values that the file of measurements does not
+/// state, such as the density of the grains, are guessed. study.toml marks guessed values with
+/// "GUESS" in a comment.
 ///
 /// In steady.csv, each row is the mean over the last tenth of the data points of a preshear. Only
 /// preshears that reached a plateau are used if there are any. In failure.csv, each row is a

@@ -14,9 +14,9 @@ namespace pendular {
 // in the atlas (the simulations supplied with Pendular). The other runs are in the table
 // fit_runs.csv beside the fit file.
 
-/// Returns a JSON array with one name for each of `runs`, the simulations on which an emulator is
-/// trained, in their order. The name of a run is its fingerprint, a hash of the run's inputs and
-/// results. The order must be kept, since the emulator's rounding errors depend on it.
+/// Returns a JSON array with the names of `runs`, the simulations on which an emulator is trained,
+/// in the order of `runs`. The name of a run is its fingerprint, a hash of the run's inputs and
+/// results. The order must be kept, since the emulator's rounding errors depend on the order.
 nlohmann::ordered_json run_names(const std::vector<dem::RunResult>& runs);
 
 /// Writes the training runs of a fit (simulations on which its emulator is trained) that are not in

@@ -20,7 +20,8 @@ nlohmann::ordered_json to_json(const Measurements& measurements);
 /// out/compare.json.
 /// @param lines cohesion lines: Mohr-Coulomb lines fitted to measured and to predicted stress
 ///        ratios of wet readings
-/// @param where tests of the residuals, and the groups of readings that deviate most from the model
+/// @param where tests of the residuals, and the groups of readings that deviate significantly from
+///        the model
 nlohmann::ordered_json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
                                const WhereItFails& where);
 

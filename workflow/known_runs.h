@@ -13,7 +13,8 @@ namespace pendular {
 /// Returns the earlier simulation runs that can train an emulator for a study: first the runs of
 /// the atlas (the simulations supplied with Pendular), then the runs of the store (the user's file
 /// of simulations), latest first. A run can train the emulator if it has no effects other than
-/// those that the study lists, enough grains, a similar Poisson ratio and, if wet, the study's
+/// those that the study lists, at least 1000 grains (or the number of grains of `fidelity`, if
+/// smaller), a Poisson ratio within 0.1 of that of the study's grains and, if wet, the study's
 /// bridge force law (`runs_serving`). If more than `most_known` runs can train the emulator, the
 /// oldest runs of the store are left out and the listener receives a note. Empty where fewer than
 /// 20 runs can train the emulator.

@@ -24,8 +24,8 @@ struct Event {
     std::string text = {};
     /// Progress of the simulations. Used for an event of the kind `runs`.
     EnsembleProgress runs = {};
-    /// Number of the round in an event of the kind `round`. In an event of the kind `refits`,
-    /// `number` is the number of refits that are done, and `total` the number of all refits.
+    /// Number of the round (`number`) in an event of the kind `round`. In an event of the kind
+    /// `refits`, number of refits that are done (`number`) and of all refits (`total`).
     std::size_t number = 0, total = 0;
     /// Fit at the end of a round, in an event of the kind `round`. Valid only while the listener is
     /// called.

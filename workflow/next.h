@@ -30,9 +30,9 @@ struct NextMeasurement {
     /// Largest number of readings that the instrument allows at one point (`most_repeats`) and in
     /// total (`most_readings`).
     int most_repeats = 1, most_readings = 1;
-    /// Number of possible measurements that the instrument can make but whose results cannot be
-    /// predicted, since no earlier simulation run is near the conditions of the measurement.
-    /// `points` does not contain the measurements without predicted results.
+    /// Number of possible measurements that the instrument can make but that are not in `points`:
+    /// no earlier simulation run is near their conditions, so that their results cannot be
+    /// predicted.
     std::size_t unsupported = 0;
 };
 
@@ -51,8 +51,8 @@ double mass_of(const Condition& c, const Study& study);
 
 /// Returns the standard errors of the values that a model predicts at a point (possible
 /// measurement). A reading has two values, first the shear stress [Pa] and second the solid
-/// fraction [1]. A direct measurement has one value [its unit]. The standard errors include the
-/// errors of the fitted parameters and of the simulation.
+/// fraction [1]. A direct measurement of an effect's parameter has one value [its unit]. The
+/// standard errors include the errors of the fitted parameters and of the simulation.
 Eigen::VectorXd error_of(const Forecast& forecast);
 
 /// Chooses the next measurement of a study among the measurements that the instrument can make. If

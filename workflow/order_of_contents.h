@@ -7,15 +7,17 @@
 
 namespace pendular {
 
-/// Returns the rank correlation [1] of the liquid contents with the times at which wet readings were taken: 1 if the
-/// content never decreases with time, -1 if it never increases, 0 if there are fewer than two
-/// contents or no times. Pairs of readings with equal contents or equal times do not count.
+/// Returns the rank correlation [1] between the liquid contents of the wet readings and the times
+/// at which the readings were taken: 1 if the content never decreases with time, -1 if the content
+/// never increases, 0 if there are fewer than two contents or no times. Pairs of readings with
+/// equal contents or equal times do not count.
 /// Source: Goodman and Kruskal, J. Am. Stat. Assoc. 49 (1954) 732: gamma, a rank correlation.
 double order_of_contents(const std::vector<Reading>& readings);
 
-/// Returns a sentence if the diagnosis names an effect that changes with time while the liquid
-/// contents were measured in increasing or decreasing order. An unknown change with the liquid
-/// content then looks the same as the effect. Empty otherwise.
+/// Returns a warning for the user if the diagnosis may have confused a change with the liquid
+/// content with a change in time: the diagnosis names an effect that changes with time, and the
+/// liquid contents were measured in increasing or decreasing order. An unknown change with the
+/// liquid content then looks the same as the effect. The warning is a sentence, empty otherwise.
 /// @param catalogue catalogue of effects, with the effects that the study defines
 std::string order_line(const StudyDiagnosis& diagnosis, const EffectCatalogue& catalogue);
 

@@ -21,7 +21,8 @@ struct RecordingEvidence {
     /// not computed, since no affected reading was tested or the diagnosis found no misfit.
     double explains = -1;
     /// Whether multiplying the affected readings by one fitted factor would reduce chi2
-    /// significantly (p < 0.01), and by more than any effect that the model may lack.
+    /// significantly (p < 0.01), and by more than the score test (test without a refit) predicts
+    /// for any effect that the model may lack.
     bool beats_effects = false;
 
     /// Whether the fault explains at least half of the misfit, or more of the misfit than any

@@ -35,8 +35,8 @@ struct RequestedState {
     /// @throws InputError for a wet state where no earlier run is wet, and for a dry state where no
     ///         earlier run is dry
     FlowState state(const Emulator& emulator, const KnownRange& known) const;
-    /// Returns a request for the state `state`. The returned request gives a liquid content if the
-    /// present request gives a liquid content, else a bridge volume.
+    /// Returns a request for the state `state` that gives the amount of liquid in the same way as
+    /// the present request: as a liquid content or, otherwise, as a bridge volume.
     RequestedState with(const FlowState& state, const Emulator& emulator) const;
 
     /// Returns a text that describes the requested state, as in "friction 0.3, inertial number

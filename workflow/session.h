@@ -32,7 +32,8 @@ struct ComparedStudy {
     /// Model of the study whose parameters were fitted.
     StudyModel model;
     Comparison comparison;
-    /// Tests of the residuals, and the groups of readings that deviate most from the model.
+    /// Tests of the residuals, and the groups of readings that deviate significantly from the
+    /// model.
     WhereItFails where;
     Belief belief;  ///< judgement whether the fit can be believed
 };

@@ -23,9 +23,9 @@ struct StatePrediction {
     /// Stiffness number of the grains for which the predictions hold [1].
     double stiffness_number = 1000;
     /// Text that names each quantity of the state (friction coefficient, inertial number, reduced
-    /// pressure, bridge volume) outside its range in the simulation runs on which the emulator is
-    /// trained, as in "friction 0.9 is above 0.6". Empty where all quantities are within their
-    /// ranges.
+    /// pressure, bridge volume) that is outside the range of this quantity in the simulation runs
+    /// on which the emulator is trained, as in "friction 0.9 is above 0.6". Empty where all
+    /// quantities are within their ranges.
     std::string beyond;
     /// Number of simulation runs on which the emulator is trained.
     std::size_t runs = 0;
@@ -126,9 +126,9 @@ class StatePredictor {
     /// Returns the values of the closures (analytical formulas) of Badetti et al. (2018) for the
     /// state of a wet simulation run. The values are computed from the observables of the run and
     /// the stress ratio that the emulator predicts for dry grains that have the friction
-    /// coefficient and the inertial number of the run. Empty for a dry run, where no earlier runs
-    /// are near the dry state, and where the run has a damping other than the default damping or an
-    /// effect that also changes dry flow.
+    /// coefficient and the inertial number of the run. Empty for a run of dry grains, where no
+    /// earlier runs are near the dry state, and where the run has a damping of contacts other than
+    /// the default damping or an effect that also changes dry flow.
     std::optional<closures::ClosureValues> closures_of(const dem::RunResult& run) const;
 
     /// Returns the parameters of the run that simulates a requested state which cannot be predicted

@@ -26,8 +26,8 @@ struct StudyChange {
 };
 
 /// Checks a change of the effects that a study lists, and prepares the changed study. Nothing is
-/// written. An effect to add that the study's catalogue lacks may be among `proposed`. The table
-/// [[effect]] of a proposed effect is then added to study.toml too.
+/// written. If the study's catalogue lacks an effect to add, the effect is taken from `proposed`,
+/// and its table [[effect]] is added to the new text of study.toml too.
 /// @throws InputError where an effect to add is unknown (the message names the nearest known
 ///         effect), does not apply to the study or is listed already, and where an effect to drop
 ///         is not listed
@@ -79,8 +79,8 @@ void apply_change(const StudyChange& change, const LadderStep& before, LadderSte
 /// Result of adding or dropping an effect of a study: the fits before and after the change.
 struct ChangedStudy {
     StudyChange change;
-    /// Fit of the study before the change. If the study is fitted to the dry readings only before
-    /// the change but to all readings after the change, `before` is a fit to all readings.
+    /// Fit of the study before the change. If the study's own fit uses only the dry readings before
+    /// the change but all readings after the change, `before` is a fit to all readings.
     Fitted before;
     /// Fit of the study after the change, which fit.json contains if `written` is true.
     Fitted after;

@@ -29,7 +29,8 @@ struct RivalModel {
     std::vector<std::string> effects;
     /// Rival model as a predictor of readings, with its fitted parameters.
     Rival fitted;
-    /// chi2 of all readings and direct measurements in the rival model [1].
+    /// chi2 [1] of the rival model, for all readings and all direct measurements of effects'
+    /// parameters.
     double chi2 = 0;
 };
 
@@ -39,7 +40,8 @@ struct Confirmation {
     std::size_t runs = 0;
     double seconds = 0;  ///< time that the simulations and the diagnoses took together [s]
     /// Whether the verdict is firm: the last runs did not change the verdict and agreed with the
-    /// emulator's predictions, and the noise of all runs is small compared with the other errors.
+    /// emulator's predictions, and the noise of all runs hardly enlarges the standard errors of
+    /// fitted parameters and predicted readings.
     bool settled = false;
     /// Reason why the verdict is not firm. Empty where the verdict is firm.
     std::string open = {};
@@ -60,21 +62,22 @@ struct StudyDiagnosis {
     std::size_t measured = 0;
     /// Models that were tested: the study's model with any set of candidate effects added.
     std::unique_ptr<StudyModels> models;
-    /// Tested readings and direct measurements, as one vector of values with its covariance.
+    /// Tested readings and direct measurements of effects' parameters, as one vector of values with
+    /// its covariance.
     Evidence evidence;
     Diagnosis diagnosis;  ///< result of the diagnosis: verdict, tests and refitted models
     /// Column of the recordings that was probably read in a wrong unit, which would explain the
     /// misfit. Empty if no column was found.
     std::optional<UnitMistake> mistake = {};
-    /// Whether the verdict is `suspect_measurement` regardless of the tests, since a column may be
+    /// Whether the verdict is `suspect_measurement` whatever the tests say, since a column may be
     /// in a wrong unit or implausible readings were kept.
     bool overruled = false;
     /// Rival models that the readings do not rule out, with other effects in place of one effect
     /// that the study lists.
     std::vector<RivalModel> rivals = {};
-    /// Changes of the predictions by formulas, not by known physical effects, that would explain
-    /// the readings. Empty where known effects explain all of the misfit, or where leading effects
-    /// explain most of the misfit and no proposal is clearly better.
+    /// Proposed changes of the predictions, defined by formulas and not by known physical effects,
+    /// that would explain the readings. Empty where known effects explain all of the misfit, or
+    /// where leading effects explain most of the misfit and no proposal is clearly better.
     std::vector<Proposal> proposals = {};
     /// Simulations that tested the verdict. Empty if no simulations were requested.
     std::optional<Confirmation> confirmed = {};
@@ -122,8 +125,8 @@ Checks checks_of(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 /// @param seed seed of the random errors from which the p values are computed
 std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
-/// Computes the shifts of the fitted parameters of a study's model by each effect and each error of
-/// measurement. Empty where a column is in a wrong unit, since the fitted numbers are then
+/// Computes by how much each effect and each error of measurement shifts the fitted parameters of a
+/// study's model. Empty where a column is in a wrong unit, since the fitted numbers are then
 /// meaningless.
 /// @param threads largest number of threads
 std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size_t threads);
@@ -136,12 +139,12 @@ std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size
 std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& diagnosis,
                                          const SessionOptions& session, std::size_t count);
 
-/// Returns the standard deviation of a discrepancy (error of the predicted shear stress that varies
-/// smoothly between conditions), relative to the shear stress [1], that would account for the
-/// remaining misfit. The remaining misfit is that of the model with the leading effects (effects
-/// that explain most of the misfit) or, if there are none, of the best refitted model. Returns 0
-/// where a model fits, no discrepancy is significant, or the misfit varies too quickly with the
-/// conditions.
+/// Returns the standard deviation of a discrepancy, relative to the shear stress [1], that would
+/// account for the remaining misfit if study.toml stated the discrepancy. A discrepancy is an error
+/// of the predicted shear stress that varies smoothly between conditions. The remaining misfit is
+/// that of the model with the leading effects (effects that explain most of the misfit) or, if
+/// there are none, of the best refitted model. Returns 0 where a model fits, no discrepancy is
+/// significant, or the misfit varies too quickly with the conditions.
 /// @param stated discrepancy that study.toml already states, relative to the shear stress [1]; the
 ///        result is the root of the sum of the squares of both discrepancies
 double remaining_discrepancy(const StudyDiagnosis& diagnosis, double stated);

@@ -39,10 +39,10 @@ struct OutputPlaces {
     std::optional<std::string> json;
 };
 
-/// Checks, before a long computation, that the output of a command does no harm to a study. Output
+/// Checks, before a long computation, that the output of a command will not damage a study. Output
 /// must replace none of the files from which the study was read (study.toml, the recordings, and
 /// links to these files). No link may lead output out of the results folder. No `file` pattern of
-/// the study may match output, which the study would then read as a measurement.
+/// the study may match an output file, since the study would then read this file as a measurement.
 /// @throws InputError where output would replace an input, leave the folder or match a pattern; the
 ///         message says what to do
 void protect_inputs(const Study& study, const OutputPlaces& outputs);

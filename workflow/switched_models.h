@@ -26,13 +26,15 @@ struct SwitchedModel {
     /// Comparison of all readings of the study with the predictions of the fitted model.
     Comparison comparison;
     /// Second-order expansions of the predictions about the fitted parameters: `response` for all
-    /// readings and direct measurements, `along` for the conditions of `SwitchOptions::along`.
+    /// readings and direct measurements of effects' parameters, `along` for the conditions of
+    /// `SwitchOptions::along`.
     Response response, along;
     /// Range of each parameter around its fitted value in which `response` differs from the model's
     /// predictions by at most a tenth of the standard error of each reading.
     ParameterBounds trusted;
-    /// Coefficients of chi2 of all readings and direct measurements as a polynomial in the shifts
-    /// of the parameters from their fitted values (see `chi2_form`).
+    /// Matrix that gives chi2 of all readings and direct measurements of effects' parameters
+    /// quickly at shifted parameters: the coefficients of chi2 as a polynomial in the shifts of the
+    /// parameters from their fitted values (see `chi2_form`).
     Eigen::MatrixXd chi2_form;
     /// Change of the fit when one fitted reading is left out: a row for each fitted reading, with
     /// the reduction of chi2 [1], then the shift of each parameter [its unit].
@@ -71,9 +73,9 @@ struct SwitchedModels {
 
 /// Fits a study with each combination of its leading effects. The leading effects are first the
 /// effects that the study lists, then the effects that the verdict of the diagnosis names (unless
-/// it is inconclusive), the effects of all models that fit, the effects whose refits reduce chi2
-/// most, and finally the other candidate effects in the order of their score tests. Nothing is
-/// simulated.
+/// the verdict is inconclusive), the effects of all models that fit, the effects whose refits
+/// reduce chi2 most, and finally the other candidate effects in the order of their score tests.
+/// Nothing is simulated.
 /// @throws dem::Interrupted where the user requests a stop
 SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis& diagnosis,
                                const SessionOptions& session, const SwitchOptions& options = {});

@@ -11,10 +11,10 @@
 namespace pendular {
 
 /// Returns the measurements that a rig (the user's instrument) can make: first readings of steady
-/// shear at a grid of conditions, then the direct measurements of the rig. The grid combines each
-/// normal stress and each shear rate (or inertial number) with every liquid content, every filling
-/// (volume of beads in the cell) and every waiting time. Normal stresses and shear rates (or
-/// inertial numbers) are evenly spaced in the logarithm.
+/// shear at a grid of conditions, then the rig's direct measurements of effects' parameters
+/// (without shearing grains). The grid combines each normal stress and each shear rate (or inertial
+/// number) with every liquid content, every filling (volume of beads in the cell) and every waiting
+/// time. Normal stresses and shear rates (or inertial numbers) are evenly spaced in the logarithm.
 /// @param time time of the study's last reading [s], at which the waiting times begin
 /// @throws InputError if a direct measurement names an effect that is unknown, has no parameter or
 ///         does not apply to the study, or if the direct measurement has a wrong unit
@@ -26,37 +26,39 @@ std::vector<Point> points_of(const Rig& rig, const ResolvedStudy& study, double 
 /// inertial number 0.
 Rig rig_of(const std::vector<Reading>& readings);
 
-/// Returns typical relative standard errors of one reading [1]: first that of the shear stress,
-/// second that of the solid fraction. Each is the root mean square, over `readings`, of the
-/// standard error divided by the measured value.
+/// Returns typical relative standard errors [1] of one reading: of the shear stress (first) and of
+/// the solid fraction (second). Each is the root mean square, over `readings`, of the standard
+/// error divided by the measured value.
 Eigen::Vector2d relative_errors(const std::vector<Reading>& readings);
 
-/// Readings at one point (possible next measurement) that are made to find out which of several
-/// rival models is right, with the expected result.
+/// Plan of a next measurement that is to show which of several rival models is right: readings at
+/// one point (possible measurement), with the result that each model predicts.
 struct Plan {
     std::size_t point = 0;  ///< index of the point in the list of points that were compared
-    /// Predictions of the rival models for a measurement at the point, with standard errors, in the
-    /// order of the list of rival models.
+    /// Predictions of the rival models for a measurement at the point, with the covariances of
+    /// their errors, in the order of the list of rival models.
     std::vector<Forecast> forecasts;
-    /// Covariance of the errors of one measurement at the point. A reading has a 2 x 2 matrix,
-    /// first for the shear stress [Pa] and second for the solid fraction [1]. A direct measurement
-    /// has the variance of its one value.
+    /// Covariance of the errors of one measurement at the point, in products of the units of the
+    /// measured values. A reading has a 2 x 2 matrix, in the order shear stress [Pa], solid
+    /// fraction [1]. A direct measurement of an effect's parameter has one value and therefore one
+    /// variance.
     Eigen::MatrixXd noise;
     /// Number of readings to make at the point: the smallest number that tells as many pairs of
-    /// rival models apart as the largest number allowed. 0 if not even the largest number allowed
-    /// tells a pair apart.
+    /// rival models apart as the largest allowed number does. 0 if not even the largest allowed
+    /// number tells a pair apart.
     int repeats = 0;
     /// Pairs of rival models that `repeats` readings tell apart, as indices into the list of rival
-    /// models. A test at 5 % significance tells both models of a pair apart with a probability of
-    /// at least 0.8.
+    /// models. A test at 5 % significance tells the two models of each pair apart with a
+    /// probability of at least 0.8.
     std::vector<std::pair<std::size_t, std::size_t>> separated;
-    /// Criterion T of Buzzi-Ferraris and Forzatti for telling rival models apart [1], summed over
-    /// all pairs of rival models, at the largest number of readings allowed (see
-    /// `separating_plans`).
+    /// How well readings at the point tell the rival models apart [1], the larger the better:
+    /// criterion T of Buzzi-Ferraris and Forzatti, summed over all pairs of rival models, at the
+    /// largest allowed number of readings (see `separating_plans`).
     double separation = 0;
     /// Noncentrality D' S_1^-1 D of the chi2 test that tells two rival models apart [1], summed
-    /// over all pairs of rival models, at the largest number of readings allowed (see
-    /// `separating_plans`).
+    /// over all pairs of rival models, at the largest allowed number of readings (see
+    /// `separating_plans`). The noncentrality ranks the points if no allowed number of readings
+    /// tells a pair of models apart.
     double noncentrality = 0;
     /// Cost of `repeats` readings at the point, including refilling of the cell and waiting time
     /// [cost of a dry reading]. If `repeats` is 0, the cost of one reading.
@@ -75,20 +77,20 @@ struct Plan {
 /// D' S_1^-1 D is at least `telling_noncentrality`, or `telling_directly` for a direct measurement.
 /// S_1 contains V/n and C_f once instead of twice, since both models are compared with one
 /// measurement.
-/// @param relative_noise relative standard errors of one reading [1]: first that of the shear
-///        stress, second that of the solid fraction
+/// @param relative_noise relative standard errors [1] of the shear stress (first) and of the solid
+///        fraction (second) of one reading
 /// @param most_repeats largest number of readings at one point
 /// Source: Buzzi-Ferraris and Forzatti, Chem. Eng. Sci. 38 (1983) 225.
 std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
                                    const std::vector<Point>& points,
                                    const Eigen::Vector2d& relative_noise, int most_repeats);
 
-/// Returns the readings to make next in order to tell rival models apart. The readings are those of
-/// the first of `plans`. If a series of readings at several points (`separating_series`) tells more
-/// pairs of models apart, the readings are those of that series.
+/// Returns the readings to make next in order to tell rival models apart. The function returns the
+/// readings of the first of `plans` or, if a series of readings at several points
+/// (`separating_series`) tells more pairs of models apart, that series.
 /// @param plans plans for `points` as `separating_plans` sorts the plans, at least one
-/// @param relative_noise relative standard errors of one reading [1]: first that of the shear
-///        stress, second that of the solid fraction
+/// @param relative_noise relative standard errors [1] of the shear stress (first) and of the solid
+///        fraction (second) of one reading
 /// @param rig instrument, which limits the number of readings at one point and in total
 Series next_series(const std::vector<Plan>& plans, const std::vector<Rival>& rivals,
                    const std::vector<Point>& points, const Eigen::Vector2d& relative_noise,
@@ -104,9 +106,9 @@ struct Sharpening {
     /// Standard errors of the model's parameters that are expected after the readings at the point,
     /// in the order and units of the parameters.
     Eigen::VectorXd standard_errors;
-    /// Gain in precision for the cost [1/cost of a dry reading]: sum over the parameters of
-    /// ln(standard error before the readings/standard error after the readings), divided by the
-    /// cost of the readings.
+    /// Gain in precision for the cost of the readings [1/cost of a dry reading]: sum over the
+    /// parameters of ln(standard error before the readings/standard error after the readings),
+    /// divided by the cost of the readings.
     double gain = 0;
 };
 
@@ -117,8 +119,8 @@ struct Sharpening {
 /// with the number n of readings, the covariance V of one reading, the covariance C_f of the
 /// simulation's errors and the derivatives J of the predicted values with respect to the
 /// parameters.
-/// @param relative_noise relative standard errors of one reading [1]: first that of the shear
-///        stress, second that of the solid fraction
+/// @param relative_noise relative standard errors [1] of the shear stress (first) and of the solid
+///        fraction (second) of one reading
 std::vector<Sharpening> sharpening_plans(const Rival& model, const std::vector<Point>& points,
                                          const Eigen::Vector2d& relative_noise, int repeats);
 

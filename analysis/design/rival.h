@@ -18,7 +18,8 @@ struct Rival {
     /// Name of the rival model: names of the effects that the model adds to the study's model, or
     /// `present_model` if the model adds no effect.
     std::string name;
-    /// Rival model, as a predictor of readings at any values of its parameters.
+    /// Predictor that gives the readings according to the rival model, at any values of the model's
+    /// parameters.
     std::shared_ptr<const Predictor> model;
     /// Fitted values of the rival model's parameters, in the order and units of
     /// `model->parameters()`.
@@ -29,13 +30,13 @@ struct Rival {
 };
 
 /// Possible next measurement with its cost. A point is either a reading of steady shear at one
-/// condition or a direct measurement of one parameter without shearing grains. The unit of costs is
-/// the cost of one dry reading.
+/// condition or a direct measurement of one effect's parameter, without shearing grains. The unit
+/// of costs is the cost of one dry reading.
 struct Point {
     /// Condition of the reading. Unused if `direct` has a value.
     Condition condition = {};
-    /// Direct measurement of a parameter without shearing grains. Empty if the point is a reading
-    /// of steady shear.
+    /// Direct measurement of an effect's parameter, without shearing grains. Empty if the point is
+    /// a reading of steady shear.
     std::optional<DirectMeasurement> direct = {};
     /// Cost of refilling the cell before the first reading at the point [cost of a dry reading]. 0
     /// if the volume of beads at the point is that of the study.

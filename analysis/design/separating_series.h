@@ -21,8 +21,8 @@ struct Series {
     /// the largest number of readings allowed tells no pair of rival models apart.
     std::vector<Step> steps;
     /// Pairs of rival models that the series tells apart, as indices into the list of rival models.
-    /// A test at 5 % significance tells both models of a pair apart with a probability of at least
-    /// 0.8.
+    /// A test at 5 % significance tells the two models of each pair apart with a probability of at
+    /// least 0.8.
     std::vector<std::pair<std::size_t, std::size_t>> separated;
     /// Cost of all readings of the series, including refilling of the cell and waiting time [cost
     /// of a dry reading].
@@ -32,8 +32,8 @@ struct Series {
     int readings() const;
 };
 
-/// Returns a cheap series of readings that tells as many pairs of rival models apart as a greedy
-/// search finds. The models i and j are told apart if D' S^-1 D, for all points of the series
+/// Returns a series of readings that tells apart, at low cost, as many pairs of rival models as a
+/// greedy search can. The models i and j are told apart if D' S^-1 D, for all points of the series
 /// together, is at least `telling_noncentrality`. D is the difference between the predictions of
 /// both models, and
 ///     S = V/n + J_i C_i J_i' + J_j C_j J_j' + C_f,
@@ -43,8 +43,8 @@ struct Series {
 /// point with the same error as the first adds little. The search adds one reading at a time. Each
 /// reading is added at the point where the reading most increases, for its cost, D' S^-1 D of the
 /// pairs not yet told apart. Finally the search removes readings that turned out to be unnecessary.
-/// @param relative_noise relative standard errors of one reading [1]: first that of the shear
-///        stress, second that of the solid fraction
+/// @param relative_noise relative standard errors [1] of the shear stress (first) and of the solid
+///        fraction (second) of one reading
 /// @param most_repeats largest number of readings at one point
 /// @param most_readings largest number of readings in total
 Series separating_series(const std::vector<Rival>& rivals, const std::vector<Point>& points,

@@ -30,19 +30,19 @@ std::string_view to_string(Verdict verdict);
 /// explain the residuals.
 struct Diagnosis {
     Verdict verdict = Verdict::inconclusive;
-    /// Names of the effects that the verdict is about, which are missing or may be missing. With
-    /// the verdict `inconclusive`, the names of the effects that the readings cannot exclude at
-    /// their smallest sizes of interest.
+    /// Names of the effects that, according to the verdict, are missing or may be missing. If the
+    /// verdict is `inconclusive`, names of the effects that the readings cannot exclude at their
+    /// smallest sizes of interest.
     std::vector<std::string> effects;
     /// Whether the study's model or a refitted model fits the readings.
     bool complete = true;
-    /// Leading effects, which explain most of the misfit but not all of the misfit, with the model
-    /// refitted with the leading effects. Empty unless the verdict is `missing` and `complete` is
-    /// false.
+    /// Leading effects, which explain most of the misfit but not all of it, with the study's model
+    /// refitted with these effects. Empty unless the verdict is `missing` and `complete` is false.
     std::optional<Leaders> leaders;
     /// Names of the suspect measurements (parts of the measurement) whose error alone would explain
-    /// the misfit, such as "the readings of dry_1.csv". If effects explain the misfit, only suspect
-    /// measurements that explain the readings at least as well (`Explanations::akaike`).
+    /// the misfit, such as "the readings of dry_1.csv". If effects explain the misfit too, the list
+    /// contains only suspect measurements that explain the readings at least as well
+    /// (`Explanations::akaike`).
     std::vector<std::string> suspects;
     /// Models that fit the readings with the fewest further effects: the study's model alone, if it
     /// fits, or else refitted models.
@@ -50,8 +50,8 @@ struct Diagnosis {
     /// All models that were refitted, whether they fit the readings or not.
     std::vector<Explanation> tried;
     /// Result of the score test (test without a refit) of each candidate effect (not in the model),
-    /// sorted by the reduction of chi2, the largest first. The reduction is that of the refit with
-    /// the effect alone or, without a refit, the reduction that the score test predicts.
+    /// sorted by the reduction of chi2, the largest first. The reduction is measured by a refit
+    /// with the effect alone or, if there was no refit, predicted by the score test.
     std::vector<Finding> scan;
     /// p value [1] of the score test of each suspect measurement (part of the measurement that may
     /// be wrong), corrected for the number of tests, in the order of `Evidence::suspects`.
@@ -67,15 +67,14 @@ struct Diagnosis {
     /// Degrees of freedom of the chi2 of all measured values in the fit of the model without
     /// further effects.
     int dof = 0;
-    /// p values [1] of the tests of the model without further effects. `lack_of_fit_p` tests the
-    /// conditions' means for lack of fit. `further_p` is that of the most significant candidate
-    /// effect (not in the model) or suspect measurement (part of the measurement that may be
-    /// wrong), corrected for the number of tests.
+    /// p values [1] of the tests of the model without further effects. `lack_of_fit_p` is the p
+    /// value of the test for lack of fit of the conditions' means. `further_p` is the p value of
+    /// the most significant candidate effect (not in the model) or suspect measurement (part of the
+    /// measurement that may be wrong), corrected for the number of tests.
     double lack_of_fit_p = 0, further_p = 0;
-    /// Covariances of the errors, in products of the units of the readings, with which the emulator
-    /// (which interpolates simulations) predicts the change of the readings by an effect at the
-    /// smallest size of interest (amplitude 1). One entry for each candidate effect (not in the
-    /// model).
+    /// Covariances of the emulator's errors, in products of the units of the readings, in the
+    /// change of the readings by an effect at its smallest size of interest (amplitude 1). The
+    /// emulator interpolates simulations. One entry for each candidate effect (not in the model).
     std::vector<ModelSpace::ChangeErrors> change_errors;
     bool errors_assumed = false;  ///< whether the errors of some readings are assumed, not measured
 
@@ -90,10 +89,11 @@ struct Diagnosis {
 /// Tests whether a study's model is complete and, if not, which physical effects explain the
 /// residuals. The diagnosis fits the model, tests the residuals for every candidate effect (not in
 /// the model), refits the model with the significant effects, and keeps the models that fit with
-/// the fewest further effects. A model fits if neither the lack of fit nor the most significant
-/// effect that the model lacks is significant, each at half of `options.significance`. All p values
-/// come from one set of random draws of errors. If no model fits, the diagnosis names the effects
-/// that explain most of the misfit, if there are any.
+/// the fewest further effects. A model fits if it passes two tests, each at half of
+/// `options.significance`: the test for lack of fit, and the test for the most significant effect
+/// or suspect measurement that the model does not contain. All p values come from one set of random
+/// draws of errors. If no model fits, the diagnosis names the effects that explain most of the
+/// misfit, if there are any.
 /// @param space study's model and the candidate effects
 /// @param evidence readings with their errors and with parts of the measurement that may be wrong
 /// @throws InputError if the number of measured values does not exceed the number of fitted values

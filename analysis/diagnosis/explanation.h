@@ -36,8 +36,9 @@ struct SuspectMeasurement {
 };
 
 /// Input of a diagnosis (search for effects that a study's model lacks): readings and direct
-/// measurements with their errors, conditions, and suspect measurements (parts of the measurement
-/// that may be wrong). An entry is one observable of one reading, or one direct measurement.
+/// measurements of effects' parameters with their errors, conditions, and suspect measurements
+/// (parts of the measurement that may be wrong). An entry is one observable of one reading, or one
+/// direct measurement.
 struct Evidence {
     Measured measured;  ///< measured values, with the covariance of their errors
     /// Uncertainty of the standard errors of the measured values, which are estimated from few
@@ -45,8 +46,9 @@ struct Evidence {
     ErrorKnowledge errors;
     bool errors_assumed = false;  ///< whether the errors of some readings are assumed, not measured
     /// Groups of entries, as indices into the measured values. An entry is one observable of one
-    /// reading, or one direct measurement. A group contains the entries of one observable at one
-    /// condition, or a single direct measurement. Every entry is in one group.
+    /// reading, or one direct measurement of an effect's parameter. A group contains the entries of
+    /// one observable at one condition, or a single direct measurement. Every entry is in one
+    /// group.
     std::vector<std::vector<Eigen::Index>> conditions;
     /// Suspect measurements: parts of the measurement that may be wrong.
     std::vector<SuspectMeasurement> suspects;
@@ -73,13 +75,13 @@ struct Explanation {
     /// that may be wrong) that the model does not contain, corrected for the number of tests. 1 if
     /// no further effect was tested.
     double further_p = 1;
-    /// Whether the model belongs to the confidence set as far as its own tests are concerned: the
-    /// fit converged, and neither `lack_of_fit_p` nor `further_p` is significant. A model with one
+    /// Whether the model passes its own tests and so may belong to the confidence set: the fit
+    /// converged, and neither `lack_of_fit_p` nor `further_p` is significant. A model with one
     /// effect may also be accepted at DiagnosisOptions::least_p (`search_explanations`).
     bool accepted = false;
 
-    /// p value [1] of both tests together, by Bonferroni's inequality: 2 min(lack_of_fit_p,
-    /// further_p), at most 1.
+    /// Returns the p value [1] of the test for lack of fit and the test for further effects
+    /// together, by Bonferroni's inequality: 2 min(lack_of_fit_p, further_p), at most 1.
     double p() const { return std::min(1.0, 2 * std::min(lack_of_fit_p, further_p)); }
 };
 
@@ -105,8 +107,8 @@ struct Finding {
     /// Smallest difference of the effect's parameter from its neutral value (no effect) that the
     /// score test finds with the probability DiagnosisOptions::wanted_power [unit of `value`].
     double detectable = 0;
-    /// Reduction of chi2 [1] from the study's model to the model refitted with the candidate effect
-    /// alone. Empty if the model was not refitted.
+    /// Reduction of chi2 [1] by a refit of the study's model with the candidate effect alone added.
+    /// Empty if the model was not refitted.
     std::optional<double> refitted_reduction;
     std::string decision;  ///< text with the conclusion on the candidate effect, as in "missing"
     /// Whether the readings can reveal the effect. For an effect with a parameter, the score test
@@ -121,11 +123,12 @@ struct DiagnosisOptions {
     /// Significance level [1]: probability that a complete model is called incomplete.
     double significance = 0.05;
     /// Smallest p value [1] at which a model with one further effect may be accepted if all such
-    /// models have p values below `significance`. A test at the 5 % level refuses one right model
-    /// in twenty; without this second limit, an effect too many would then be named.
+    /// models have p values below `significance`. A test at the 5 % level rejects one true model in
+    /// twenty. Without the second limit `least_p`, the diagnosis would then name an effect too
+    /// many.
     double least_p = 0.01;
-    /// Smallest power [1] of the score test (test without a refit) of an effect at which the effect
-    /// counts as excluded if the test does not find the effect.
+    /// Power [1] that the score test (test without a refit) of an effect must have for the effect
+    /// to count as excluded if the test does not find the effect.
     double wanted_power = 0.8;
     /// Number of random draws of the readings' errors, from which all p values follow. With 6000
     /// draws, a p value of 0.025 has a standard error of 0.002.

@@ -16,7 +16,8 @@ struct Scanned {
     const Explanation& base;
     /// Whitened residuals (in units of their errors) of the readings from the model `base`.
     const WeightedResiduals& residuals;
-    /// Predictions of `base` with one effect added, for each candidate effect (not in the model).
+    /// Predictions of `base` with one effect added, as a function of the effect's amplitude, for
+    /// each candidate effect (not in the model).
     const std::vector<Addition>& additions;
     /// Change of the readings by an effect per unit of the effect's amplitude, for each candidate
     /// effect (not in the model).
@@ -40,7 +41,8 @@ struct Found {
 };
 
 /// Whether the score test (test without a refit) of an effect is significant enough for a refit of
-/// the model with the effect: the p value of the score test alone is below 0.05.
+/// the model with the effect: the p value of the test, not corrected for the number of tests, is
+/// below 0.05.
 bool looks_missing(const Finding& finding);
 
 /// Refits a study's model with each candidate effect (not in the model) whose score test (test
@@ -49,9 +51,10 @@ bool looks_missing(const Finding& finding);
 /// estimate promises a clearly better model, the function also refits the model with pairs of
 /// candidate effects. If no model with one effect fits at DiagnosisOptions::significance, such
 /// models with a p value of at least DiagnosisOptions::least_p are accepted too, unless a suspect
-/// measurement or, clearly, a pair explains the readings better. Returns all refitted models and
-/// the models that fit. Refits run in parallel on up to `options.threads` threads. A model is not
-/// refitted if the predicted reduction of chi2 is clearly below that of a model already rejected.
+/// measurement explains the readings better or a pair of effects explains the readings clearly
+/// better. A model is not refitted if its predicted reduction of chi2 is clearly below that of a
+/// model already rejected. Refits run in parallel on up to `options.threads` threads. Returns all
+/// refitted models and the models that fit.
 /// @param scanned fitted model without further effects, with its score tests
 Found search_explanations(const ModelSpace& space, const Evidence& evidence,
                           const DiagnosisOptions& options, const Explanations& explanations,

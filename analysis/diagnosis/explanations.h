@@ -21,13 +21,13 @@ inline constexpr FitEffort refit_effort{
 WeightedResiduals residuals_of(const Model& model, const Measured& measured, const Fit& fit);
 
 /// Returns the factor by which all variances of errors are probably larger than stated [1]:
-/// chi2/dof of the best refitted model, at least 1. What even the best model leaves is taken as a
-/// sign of larger errors, so that differences of chi2 between models are not overrated.
+/// chi2/dof of the best refitted model, at least 1. A misfit that even the best model leaves is
+/// taken as a sign of larger errors, so that differences of chi2 between models are not overrated.
 double factor_on_variance(const std::vector<Explanation>& tried);
 
 /// Refits of a model with further effects to readings, and tests whether the refitted models fit.
-/// All tests use one set of random draws of errors. Constant functions may be called from several
-/// threads at once.
+/// All tests use one set of random draws of errors. Several threads may call the constant member
+/// functions at once.
 class Explanations {
   public:
     /// Draws the random errors of the readings for all tests. The arguments must outlive this
@@ -53,8 +53,8 @@ class Explanations {
     Explanation refit(const EffectSet& chosen, std::optional<std::size_t> suspect,
                       const Eigen::VectorXd& start) const;
     /// Tests whether a refitted model fits the readings, and sets the p values and `accepted` of
-    /// `explanation`. Further effects are not tested if the fit did not converge or the lack of fit
-    /// is significant.
+    /// `explanation`. Further effects are not tested if the fit did not converge, or if the p value
+    /// of the lack of fit is below half of DiagnosisOptions::least_p.
     void judge(Explanation& explanation) const;
 
     /// Returns the whitened residuals (in units of their errors) of the readings from a refitted
@@ -90,10 +90,10 @@ class Explanations {
     /// for further effects.
     double half_significance() const { return options_.significance / 2; }
 
-    /// Covariances of the errors with which the emulator (which interpolates simulations) predicts
-    /// the change of the readings by an effect at the smallest size of interest (amplitude 1). One
-    /// entry for each candidate effect (not in the study's model). The caller sets the entries
-    /// once, before the tests of refitted models.
+    /// Covariances of the emulator's errors, in products of the units of the readings, in the
+    /// change of the readings by an effect at its smallest size of interest (amplitude 1). The
+    /// emulator interpolates simulations. One entry for each candidate effect (not in the study's
+    /// model). The caller sets the entries once, before the tests of refitted models.
     std::vector<ModelSpace::ChangeErrors> errors;
 
   private:

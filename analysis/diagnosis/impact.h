@@ -66,16 +66,18 @@ struct Impact {
     /// effect's parameter.
     Shift above, below;
 
-    /// Returns the significance of the effect or error [1]: distance of the estimated size from
-    /// `neutral` (no effect or error), divided by the standard error of the size. Not a number if
-    /// the standard error is not known.
+    /// Returns the significance of the effect or error [1]: estimated size minus `neutral` (no
+    /// effect or error), divided by the standard error of the size. Not a number if the standard
+    /// error is not known.
     double pull() const;
-    /// Returns the changes of the calibrated parameters [their units] when the size of the effect
-    /// or error is one standard error above (`up`) or below (`down`) the estimate of the size.
+    /// Returns the further shift of the calibrated parameters [their units] if the size of the
+    /// effect or error is one standard error above (`up`) or below (`down`) its estimate, instead
+    /// of at its estimate.
     Eigen::VectorXd up() const { return difference(above); }
     Eigen::VectorXd down() const { return difference(below); }
-    /// Returns, for each calibrated parameter [its unit], the larger of the absolute values of `up`
-    /// and `down`: the change by one standard error of the size of the effect or error.
+    /// Returns, for each calibrated parameter [its unit], the shift that comes from the standard
+    /// error of the size of the effect or error: the larger of the absolute values of `up` and
+    /// `down`.
     Eigen::VectorXd by_error() const { return up().cwiseAbs().cwiseMax(down().cwiseAbs()); }
 
   private:
@@ -107,8 +109,8 @@ struct ImpactTable {
     Eigen::VectorXd fitted, errors;
     /// Impacts of all effects and errors of measurement. The impacts of the effects or suspect
     /// measurements (parts of the measurement that may be wrong) that the verdict of the diagnosis
-    /// names come first, then all other impacts. Both parts are sorted by the shift of the first
-    /// parameter at the smallest size of interest, the largest first.
+    /// names come first, then all other impacts. Both parts are sorted by the shift of the friction
+    /// coefficient at the smallest size of interest, the largest first.
     std::vector<Impact> impacts;
     /// Impacts of each group of effects or errors together.
     std::vector<GroupImpact> groups;

@@ -7,8 +7,8 @@
 
 namespace pendular {
 
-/// Share of the excess chi2 - dof (chi2 minus degrees of freedom) of a model from which on the
-/// misfit counts as mostly explained [1].
+/// Smallest share [1] of the excess chi2 - dof (chi2 minus degrees of freedom) of a model that a
+/// refitted model must remove for the misfit to count as mostly explained.
 inline constexpr double most_of_misfit = 0.9;
 
 /// Leading effects: effects that a study's model lacks and that explain most of a misfit. Leading
@@ -26,8 +26,8 @@ struct Leaders {
 
 /// Returns the share [1] of the excess chi2 - dof (chi2 minus degrees of freedom) of a model that
 /// the refitted model `by` removes. The share is 1 if the chi2 of `by` is at most the degrees of
-/// freedom of `by`, and 0 if the first model has no excess.
-/// @param chi2, dof chi2 and degrees of freedom of the first model
+/// freedom of `by`, and 0 if the model before the refit has no excess.
+/// @param chi2, dof chi2 and degrees of freedom of the model before the refit
 double share_explained(double chi2, int dof, const Explanation& by);
 
 /// Finds the effects that explain most of a misfit if none of the refitted models `tried` fits the

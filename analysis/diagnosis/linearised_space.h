@@ -9,16 +9,17 @@
 
 namespace pendular {
 
-/// Set of models (a bare model and the models with candidate effects added) whose predictions f are
-/// linear in all parameters theta and in the amplitudes A_k of the candidate effects k:
+/// Set of models (a bare model and the models with candidate effects added) with which a diagnosis
+/// takes little time, since a prediction takes microseconds. The predictions f are linear in all
+/// parameters theta and in the amplitudes A_k of the candidate effects k:
 ///     f = f_0 + J (theta - theta_0) + sum over the added effects k of c_k A_k.
 /// The models are tangent to the models of a diagnosis at a refitted model of the diagnosis, which
 /// has the parameters theta_0. f_0 is the prediction of the bare model at theta_0, J contains the
 /// derivatives of f_0 with respect to theta, and c_k is the change of the predictions by effect k
 /// at amplitude 1. The candidate effects and their bounds are those of the diagnosis. The
 /// parameters of the candidate effects are amplitudes: 0 without the effect, 1 at the smallest size
-/// of interest. A prediction takes microseconds. At the estimates of the refitted model, and of the
-/// refits with one effect, the predictions equal those of the diagnosis.
+/// of interest. At the estimates of the refitted model, and of the refits with one effect, the
+/// predictions equal those of the diagnosis.
 class LinearisedSpace : public ModelSpace {
   public:
     /// Linearises the models of `space` about `about`, one of the models that `diagnosis` refitted.
@@ -33,13 +34,13 @@ class LinearisedSpace : public ModelSpace {
     class Linear;
 
     /// Adds the candidate effect with index `k` of `space` to the candidates, and returns the
-    /// amplitude of the effect in `refit`.
+    /// amplitude of the effect in `refit`, or 1 if `refit` is null.
     /// @param refit refitted model with the effect, at whose estimate the change of the readings by
     ///        the effect is computed; null: the change is computed at the smallest size of interest
     double add(const ModelSpace& space, std::size_t k, const Explanation* refit);
-    /// Returns the prediction of the model with the effect set `chosen`, which contains the
-    /// covariances of its errors, if the diagnosis has refitted that model, else the prediction of
-    /// the bare model.
+    /// Returns the prediction whose covariances of errors are used for the model with the effect
+    /// set `chosen`: the prediction of the diagnosis' refit of that model or, if there is no such
+    /// refit, the prediction of the bare model.
     const Prediction& errors_of(const EffectSet& chosen) const;
 
     std::vector<Parameter> parameters_;  ///< parameters of the bare model

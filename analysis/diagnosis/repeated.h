@@ -10,8 +10,9 @@
 
 namespace pendular {
 
-/// Counts of simulated repetitions of an experiment: number of all repetitions, and number of the
-/// repetitions for which a diagnosis gives the same verdict as for the readings.
+/// Reproducibility of the verdict of a diagnosis: number of all simulated repetitions of an
+/// experiment, and number of the repetitions for which the diagnosis gives the same verdict as for
+/// the readings.
 struct Repeated {
     /// Number of simulated repetitions for which the diagnosis gives the same verdict as for the
     /// readings.
@@ -39,20 +40,20 @@ struct RepetitionOptions {
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
 };
 
-/// Whether `repetition`, the diagnosis of a repeated experiment, gives the same verdict as the
-/// first diagnosis, `verdict`. The verdicts `nothing_missing` and `inconclusive` count as one
-/// verdict. Both verdicts differ in the effects that would stay unseen, which depend on the plan of
-/// the experiment and not on its readings. All other verdicts must name the same effects and
-/// suspect measurements in both diagnoses, and both diagnoses must agree on whether a model fits
-/// (`Diagnosis::complete`).
+/// Whether `repetition`, the diagnosis of a repeated experiment, gives the same verdict as
+/// `verdict`, the diagnosis of the readings. The verdicts `nothing_missing` and `inconclusive`
+/// count as one verdict, since the two verdicts differ only in the effects that the readings could
+/// not have revealed, and these effects depend on the plan of the experiment, not on the readings.
+/// All other verdicts must name the same effects and suspect measurements in both diagnoses, and
+/// both diagnoses must agree on whether a model fits (`Diagnosis::complete`).
 bool comes_again(const Diagnosis& verdict, const Diagnosis& repetition);
 
 /// Repeats an experiment by simulation (parametric bootstrap), and counts the repetitions for which
 /// the diagnosis gives the same verdict as for the readings. The readings of a repetition are the
 /// predictions of a model that fits the readings, at the model's estimates, plus new random errors.
-/// Several models that fit take turns. Each repetition is diagnosed with linearised models
-/// (`LinearisedSpace`). The share of equal verdicts assumes that the estimates are the truth. Empty
-/// if no model fits the readings, or if `options.count` is 0.
+/// If several models fit, each model gives an equal part of the repetitions. Each repetition is
+/// diagnosed with linearised models (`LinearisedSpace`). The share of equal verdicts holds if the
+/// estimates are the true values. Empty if no model fits the readings, or if `options.count` is 0.
 /// Source: Efron and Tibshirani (1993), An Introduction to the Bootstrap, section 6.5.
 std::optional<Repeated> repeat(const ModelSpace& space, const Evidence& evidence,
                                const Diagnosis& diagnosis, const RepetitionOptions& options = {});

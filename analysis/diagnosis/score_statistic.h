@@ -40,9 +40,9 @@ struct ScoreTest {
     /// errors (whitened), without the part that the calibrated parameters imitate. For a change
     /// with several columns, the squared length of the first column.
     double length = 0;
-    /// Squared length v (`length`) minus the part that comes from the emulator's error of the
-    /// change [1]. An effect of the true amplitude A gives the statistic the noncentrality
-    /// A^2 v_c^2/v, with v_c = `information`.
+    /// Squared length v (`length`) of the change of the readings, minus the part that comes from
+    /// the emulator's error of the change [1]. An effect of the true amplitude A gives the
+    /// statistic the noncentrality A^2 v_c^2/v, with v_c = `information`.
     double information = 0;
     /// Share [1] of the squared length of the change of the readings by the effect, in units of the
     /// readings' errors (whitened), that the calibrated parameters imitate.
@@ -54,12 +54,12 @@ struct ScoreTest {
     /// parameters do not imitate the change of the readings completely, and the change exceeds its
     /// error.
     bool seen() const { return basis.cols() > 0; }
-    /// Returns the p value [1] of the score test alone: probability of a statistic at least as
-    /// large as `statistic` if the model lacks nothing and the errors are exactly known. 1 if
-    /// seen() is false.
+    /// Returns the p value [1] of the score test, not corrected for the number of tests:
+    /// probability of a statistic at least as large as `statistic` if the model lacks nothing and
+    /// the errors are exactly known. 1 if seen() is false.
     double p() const;
-    /// Returns the value of the test statistic [1] at which the p value of the score test alone
-    /// equals `p` [1].
+    /// Returns the critical value of `statistic` [1]: the value at which the p value of the score
+    /// test, not corrected for the number of tests, equals `p` [1].
     double critical(double p) const;
     /// Returns the value of `statistic` for each random draw of errors, as if the model lacked
     /// nothing.

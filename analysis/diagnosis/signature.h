@@ -45,10 +45,11 @@ class Addition {
     /// interest.
     /// @param with_errors whether to compute the covariances of the errors of the change
     Signature signature(bool with_errors) const;
-    /// Computes the change of the readings in `signature` again at the amplitude `amplitude` of the
-    /// added effect [1], limited to the bounds of the effect's parameter. `signature` is unchanged
-    /// if the amplitude is zero, or if the model with the effect of that amplitude cannot give the
-    /// conditions that the instrument shows.
+    /// Computes the change of the readings in `signature` again, at the amplitude `amplitude` of
+    /// the added effect [1], limited to the bounds of the effect's parameter. The new change is
+    /// more accurate near that amplitude, since the change need not be proportional to the
+    /// amplitude. `signature` is unchanged if the amplitude is zero, or if the model with the
+    /// effect of that amplitude cannot give the conditions that the instrument shows.
     void retake(Signature& signature, double amplitude) const;
 
     /// Returns the value of the added effect's parameter [its unit] at an amplitude [1], limited to
@@ -70,8 +71,9 @@ class Addition {
     /// Returns the neutral values (no effect) of the parameters of the added effect that are not
     /// switches.
     Eigen::VectorXd neutral() const;
-    /// Whether the added effect's parameter can also move from the neutral value in the opposite
-    /// direction, and then changes the predictions by about the negative of `change`.
+    /// Whether the added effect changes the predictions in opposite ways above and below the
+    /// neutral value (no effect): the effect's parameter can move to both sides, and a move
+    /// opposite to that of `change` changes the predictions by about the negative of `change`.
     bool mirrored(const Eigen::VectorXd& change) const;
     /// Returns the direction, 1 or -1, in which parameter `p` can move from the neutral value by
     /// the smallest amount of interest without leaving its bounds.

@@ -11,7 +11,7 @@
 namespace pendular {
 
 /// Group of readings that deviate together from a model: the readings of one condition, of one
-/// file, or of one file and all later files, or the direct measurements of one parameter.
+/// file, or of one file and all later files, or the direct measurements of one effect's parameter.
 struct Offending {
     /// Name of the group of readings, as in "the readings of dry_1.csv".
     std::string readings;

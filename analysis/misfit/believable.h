@@ -13,18 +13,18 @@ namespace pendular {
 
 /// Judgement whether the fit of a study's model can be believed, with the reasons against the fit.
 struct Belief {
-    /// Reasons against the fit as sentences, the most serious first. Empty if there is no reason
-    /// against the fit.
+    /// Sentences for the user with the reasons not to believe the fit, the most serious first.
+    /// Empty if there is no such reason.
     std::vector<std::string> reasons;
     /// Whether the fitted numbers are meaningless, for one of two reasons. Either the model does
     /// not describe the readings and the friction coefficient is at the end of its range, or the
     /// import of the measurement excluded more readings than it kept.
     bool meaningless = false;
-    /// Index in `reasons` of the reason that chi2 is too large. Empty if the model describes the
-    /// readings.
+    /// Index in `reasons` of the sentence which says that chi2 is too large. Empty if the model
+    /// describes the readings.
     std::optional<std::size_t> misfit_reason = {};
 
-    /// Whether the fit can be believed: `reasons` contains no reason against the fit.
+    /// Whether the fit can be believed: `reasons` is empty.
     bool believable() const { return reasons.empty(); }
 };
 

@@ -23,11 +23,12 @@ struct Covariate {
 struct Check {
     enum class Kind {
         lack_of_fit,  ///< test for lack of fit of the conditions' means
-        /// Test of the cumulated sum, along a covariate (quantity such as the normal stress), of
-        /// the scores (derivatives of -chi2/2) of a calibrated parameter.
+        /// Test whether a calibrated parameter changes along a covariate (quantity such as the
+        /// normal stress), by the cumulated sum of the parameter's scores (derivatives of -chi2/2)
+        /// along the covariate.
         score,
         trend,      ///< test for a trend of an observable's residuals with a covariate
-        runs,       ///< runs test: successive residuals of an observable rarely change their sign
+        runs,       ///< test whether successive residuals of an observable rarely change sign
         neighbours  ///< test for correlation between the residuals of neighbouring conditions
     };
     /// Kind of the statistical test.
@@ -39,8 +40,9 @@ struct Check {
     /// Name of the calibrated parameter or of the observable to which the test applies. Empty if
     /// the test applies to all observables.
     std::string of = {};
-    /// Test statistic [1], which `check_fit` defines for each kind of test. Only the statistic of a
-    /// trend has a sign, which is positive if measured values increase more than predicted values.
+    /// Test statistic [1], which `check_fit` defines for each kind of test. The statistic of a
+    /// trend is positive if measured values increase with the covariate by more than predicted
+    /// values, and negative if they increase by less.
     double statistic = 0;
     double p = 1;  ///< p value [1]: probability of a statistic as large if the model is right
 };
@@ -59,21 +61,21 @@ struct Checks {
 };
 
 /// Observable and condition of each entry, which the tests of a fit need. An entry is one
-/// observable of one reading, or one direct measurement.
+/// observable of one reading, or one direct measurement of an effect's parameter.
 struct EntryKinds {
-    /// Observable of each entry, as index into `observables`. A direct measurement has an index
-    /// beyond the end of `observables`.
+    /// Observable of each measured value, as index into `observables`. A direct measurement of an
+    /// effect's parameter has an index beyond the end of `observables`.
     std::vector<std::size_t> observable;
     /// Names of the observables of the readings, such as "shear stress".
     std::vector<std::string> observables;
-    /// Groups of entries, as indices of the entries. A group contains the values of one observable
-    /// at one condition, or a single direct measurement.
+    /// Groups of measured values, as indices of the values. A group contains the values of one
+    /// observable at one condition, or a single direct measurement of an effect's parameter.
     std::vector<std::vector<Eigen::Index>> conditions;
     /// Names of the calibrated parameters, in the order of the columns of
     /// WeightedResiduals::slopes().
     std::vector<std::string> parameters;
-    /// Whether any reading has replicates (readings at the same condition). If any has, `check_fit`
-    /// does not test for few changes of sign between successive residuals.
+    /// Whether any reading has replicates (readings at the same condition). `check_fit` makes the
+    /// test for few changes of sign between successive residuals only if no reading has replicates.
     bool replicated = false;
 };
 

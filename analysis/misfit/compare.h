@@ -20,12 +20,12 @@ struct ReadingMisfit {
     Eigen::Vector2d predicted;
     /// Covariance of the errors of the predicted shear stress [Pa] and solid fraction [1].
     Eigen::Matrix2d predicted_covariance;
-    /// Contributions of the reading to the chi2 of all readings [1]: first that of the shear
-    /// stress, second that of the solid fraction. No contribution is negative.
+    /// Contributions [1] of the reading's shear stress (first) and solid fraction (second) to the
+    /// chi2 of all readings. No contribution is negative.
     Eigen::Vector2d chi2;
-    /// Normalised residuals of the reading [1]: first that of the shear stress, second that of the
-    /// solid fraction. Each is the measured minus the predicted value, divided by the standard
-    /// error of the difference from errors of measurement and prediction.
+    /// Normalised residuals [1] of the reading's shear stress (first) and solid fraction (second).
+    /// Each is the measured minus the predicted value, divided by the standard error of the
+    /// difference from errors of measurement and prediction.
     Eigen::Vector2d normalised;
 };
 
@@ -35,9 +35,9 @@ struct ConditionMisfit {
     /// Readings at the condition, as indices into Comparison::readings.
     std::vector<std::size_t> readings;
     double chi2 = 0;  ///< sum of the contributions of the condition's readings to chi2 [1]
-    /// Normalised mean residuals of the condition's readings [1]: first that of the shear stress,
-    /// second that of the solid fraction. Each is the mean of the measured minus the predicted
-    /// values, divided by the standard error of the mean.
+    /// Normalised mean residuals [1] of the shear stress (first) and of the solid fraction (second)
+    /// of the condition's readings. Each is the mean of the measured minus the predicted values,
+    /// divided by the standard error of this mean from errors of measurement and prediction.
     Eigen::Vector2d normalised = Eigen::Vector2d::Zero();
 };
 
@@ -54,7 +54,7 @@ struct FileMisfit {
 struct DirectMisfit {
     DirectMeasurement measurement;
     /// Value of the parameter in the fitted model [its unit]. In a model without the effect, the
-    /// value at which the effect vanishes.
+    /// neutral value (`DirectMeasurement::neutral`), such as 1 for a torque gain.
     double predicted = 0;
 
     /// Returns the normalised residual [1]: the measured minus the predicted value of the
@@ -75,7 +75,8 @@ double freedom_behind(std::span<const Reading> readings);
 /// Misfit of a set of readings: chi2 with its degrees of freedom.
 struct Misfit {
     /// chi2 of the readings [1]. The errors of the readings are estimated from the scatter of
-    /// replicates (readings at the same condition) and are not widened for few replicates.
+    /// replicates (readings at the same condition), and are not increased if the replicates are
+    /// few.
     double chi2 = 0;
     /// Degrees of freedom of the misfit `chi2`.
     int dof = 0;
@@ -89,7 +90,8 @@ struct Misfit {
     double p() const;
 };
 
-/// Comparison of a study's readings and direct measurements with the predictions of its model.
+/// Comparison of a study's readings, and of its direct measurements of effects' parameters, with
+/// the predictions of the study's model.
 struct Comparison {
     std::vector<ReadingMisfit> readings;  ///< all readings with their predictions
     /// Direct measurements of effects' parameters (without shearing grains), each with the value of
@@ -101,19 +103,19 @@ struct Comparison {
     /// Misfit of the readings of each file. The contributions of all files to chi2 add up to the
     /// chi2 of all readings.
     std::vector<FileMisfit> by_file;
-    /// Contributions to the chi2 of all readings [1]: first that of the shear stress, second that
-    /// of the solid fraction. Their sum is the chi2 of all readings.
+    /// Contributions [1] of all shear stresses (first) and of all solid fractions (second) to the
+    /// chi2 of all readings. The sum of both contributions is the chi2 of all readings.
     std::array<double, 2> by_observable{};
-    /// Relative RMS errors of the predictions for all readings [%]: first that of the shear stress,
-    /// second that of the solid fraction. Each is 100 sqrt(mean((predicted/measured - 1)^2)).
+    /// Relative RMS errors [%] of the predicted shear stress (first) and solid fraction (second)
+    /// for all readings: 100 sqrt(mean((predicted/measured - 1)^2)).
     std::array<double, 2> rms_percent{};
     Misfit total;      ///< misfit of all readings and direct measurements
     Misfit fitted;     ///< misfit of the fitted readings and the direct measurements
     Misfit predicted;  ///< misfit of the readings that were only predicted, not fitted
 };
 
-/// Returns the relative RMS errors of the predictions for all readings [%]: first that of the shear
-/// stress, second that of the solid fraction. Each is
+/// Returns the relative RMS errors [%] of the predicted shear stress (first) and solid fraction
+/// (second) for all readings:
 ///     100 sqrt(mean((predicted/measured - 1)^2)).
 /// @param values predicted shear stress [Pa] and solid fraction [1] of each reading, in turn;
 ///        further entries are ignored

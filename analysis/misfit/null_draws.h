@@ -14,10 +14,11 @@ namespace pendular {
 /// of variance from the mean squares between and within sources:
 ///     variance = max(0, between - within)/steps.
 struct SharedErrors {
-    /// Errors that each source makes in the entries if its variance is 1: a row for each entry, a
-    /// column for each source. An entry is one observable of one reading.
+    /// Change of each entry [its unit] if the error of a source is 1: a row for each entry, a
+    /// column for each source. An entry is one observable of one reading, or one direct measurement
+    /// of an effect's parameter.
     Eigen::MatrixXd loadings;
-    /// Variance of each source of error [1], as contained in the covariance of the readings.
+    /// Variance of the error of each source [1], which the covariance of the readings contains.
     double variance = 0;
     /// Mean squares of the analysis of variance [1]: `between` for the differences between sources
     /// of error, `within` for the differences between the steps of constant set points of one
@@ -27,7 +28,7 @@ struct SharedErrors {
     double freedom_between = INFINITY;
     /// Degrees of freedom of the mean square `within`.
     double freedom_within = INFINITY;
-    /// Effective number of steps of constant set points of each source of error.
+    /// Effective number of steps of constant set points that each source of error affects.
     double steps = 1;
 };
 
@@ -37,10 +38,11 @@ struct SharedErrors {
 /// entries share. Entries whose unshared errors follow from one estimate of the scatter form one
 /// kind of error.
 struct ErrorKnowledge {
-    /// Kind of the unshared error of each entry, as index into `freedom`.
+    /// Kind of the unshared error of each measured value, as index into `freedom`. Errors of one
+    /// kind follow from one estimate of the scatter.
     std::vector<std::size_t> kind;
-    /// Degrees of freedom of the estimate that gives the sizes of the errors of each kind. Infinite
-    /// if the sizes are known exactly.
+    /// Degrees of freedom of the estimate of the scatter that gives the size of the unshared errors
+    /// of each kind. Infinite if the size is known exactly.
     std::vector<double> freedom;
     std::vector<SharedErrors> shared;  ///< errors that several readings share
     /// Number of readings. The measured values with the indices 2 k and 2 k + 1 are the shear
@@ -50,12 +52,12 @@ struct ErrorKnowledge {
     /// a reading. Infinite if the correlation is known.
     double correlation_freedom = INFINITY;
     /// Uncertainty of the dependence of the errors' sizes on the normal stress. For each vector v
-    /// of the list, a random draw multiplies the error of entry k by exp(z v_k), with one standard
-    /// normal number z for all entries.
+    /// of the list, a random draw multiplies the error of measured value k by exp(z v_k), with one
+    /// standard normal number z for all values.
     std::vector<Eigen::VectorXd> log_sizes;
 
-    /// Returns the uncertainty of the errors of n measured values whose errors have exactly known
-    /// sizes and are not shared between values.
+    /// Returns the error knowledge of n measured values whose errors have exactly known sizes and
+    /// are not shared between values.
     static ErrorKnowledge known(Eigen::Index n);
 };
 
@@ -92,8 +94,9 @@ class NullDraws {
     Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis) const {
         return along(residuals, basis, count());
     }
-    /// Returns the components of the first `draws` sets of drawn errors along the columns of
-    /// `basis` [1]: a row for each column of `basis`, a column for each draw.
+    /// Returns the components of the first `draws` sets of drawn errors, whitened as `residuals`
+    /// are, along the columns of `basis` [1]: a row for each column of `basis`, a column for each
+    /// draw.
     Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis,
                           Eigen::Index draws) const;
     /// Returns the random errors of measurement and prediction [1], whitened as `residuals` are

@@ -39,10 +39,10 @@ struct UnitMistake {
 /// degree of freedom.
 ///
 /// The factors are 10^n, 2 pi, 60, 57.3, 9.81, their inverses and combinations that occur between
-/// units. Each factor is tried on the column of all recordings, on that of the files of one entry
-/// of the study, and on that of one file. The friction coefficient is fitted again each time, and
-/// the other parameters are fixed. Among factors that reduce chi2 about equally, the ratio of two
-/// named units has precedence over a power of ten.
+/// units. Each factor is tried on the column in all recordings, in the files that one entry of
+/// study.toml names, and in each single file. The friction coefficient is fitted again each time,
+/// and the other parameters are fixed. Among factors that reduce chi2 about equally, the ratio of
+/// two named units has precedence over a power of ten.
 /// @param parameters values of the model's fitted parameters; the first is the friction coefficient
 std::optional<UnitMistake> find_unit_mistake(const Predictor& model,
                                              const std::vector<Reading>& readings,

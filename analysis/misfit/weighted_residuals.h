@@ -27,15 +27,15 @@ class WeightedResiduals {
     ///         positive definite, or if the covariance of the prediction has negative eigenvalues
     WeightedResiduals(const Measured& measured, const Prediction& prediction);
 
-    /// Returns the number of measured values: two for each reading, one for each direct
-    /// measurement.
+    /// Returns the number of measured values: two for each reading, one for each direct measurement
+    /// of an effect's parameter.
     Eigen::Index size() const { return residuals_.size(); }
     /// Returns the whitened residuals [1]: L^-1 (measured - predicted). L is the Cholesky factor of
     /// the sum of two covariances, of the errors of measurement and of the errors of the
     /// predictions.
     const Eigen::VectorXd& residuals() const { return residuals_; }
     /// Returns the measured values in the units of the readings, not whitened: shear stress and
-    /// solid fraction of each reading in turn, then the direct measurements.
+    /// solid fraction of each reading in turn, then the direct measurements of effects' parameters.
     const Eigen::VectorXd& measured() const { return measured_; }
     /// Returns the chi2 of the fit [1]: squared length of the residuals in units of their errors
     /// (whitened).

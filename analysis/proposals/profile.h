@@ -41,8 +41,8 @@ enum class Dependence {
     oscillation  ///< size sin(2 pi x/c + phase)
 };
 
-/// Profile of a change: size of the change at each reading [1], at most 1, as a function of one
-/// coordinate of the readings, such as the time.
+/// Profile of a change of unknown cause: relative size of the change at each reading [1], at most
+/// 1, as a function of one coordinate of the readings, such as the time.
 struct Profile {
     Dependence dependence = Dependence::none;
     /// Name of the coordinate in formulas. Empty if `dependence` is `none`.

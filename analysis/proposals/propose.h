@@ -26,8 +26,8 @@ struct FittedShape {
 struct Proposal {
     /// The one or two changes of unknown cause that are proposed, fitted to the readings.
     std::vector<FittedShape> shapes;
-    /// Changes other than the single proposed change that would change the readings in nearly the
-    /// same way, estimated in the linear approximation. Empty if two changes are proposed.
+    /// Other changes that would change the readings in nearly the same way as the single proposed
+    /// change, estimated in the linear approximation. Empty if two changes are proposed.
     std::vector<FittedShape> alike;
     /// Model refitted to the readings with the proposed changes, with its chi2 and its tests. The
     /// member `chosen` is not used.

@@ -19,8 +19,8 @@ class ScoredShapes {
   public:
     /// Score of one shape (change of unknown cause), or of two shapes together.
     struct Score {
-        /// Indices of the one or two shapes (changes of unknown cause) that are scored, as `shape`
-        /// takes them.
+        /// Indices of the one or two scored shapes (changes of unknown cause), as arguments of the
+        /// function `shape`.
         std::vector<std::size_t> shapes;
         /// Predicted reduction of chi2 [1] when the one or two changes are added to the model.
         double reduction = 0;
@@ -31,8 +31,8 @@ class ScoredShapes {
         /// the change.
         std::vector<double> changes;
         /// Indices of shapes (changes of unknown cause) of other quantities that change the
-        /// readings in nearly the same way, at a similar score. `unlike` sets the indices. Empty
-        /// for two changes.
+        /// readings in nearly the same way as the scored shape, and whose scores are similar. The
+        /// function `unlike` fills the list. Empty for two changes.
         std::vector<std::size_t> alike;
     };
 
@@ -53,9 +53,10 @@ class ScoredShapes {
     /// `reduction` minus `price`. Each of the `most` best shapes is paired with every shape. The
     /// best shapes are chosen by `unlike`.
     std::vector<Score> pairs(std::size_t most) const;
-    /// Selects, in the order of `scores`, up to `count` scores no two of which change the readings
-    /// in nearly the same way. A score that is left out because it resembles a selected score is
-    /// noted in `Score::alike` of the selected score.
+    /// Selects, in the order of `scores`, up to `count` scores whose shapes change the readings in
+    /// different ways. If a score is left out because its shape changes the readings in nearly the
+    /// same way as that of a selected score, `Score::alike` of the selected score may name the
+    /// shape.
     std::vector<Score> unlike(const std::vector<Score>& scores, std::size_t count) const;
     /// Returns the estimated change and its standard error, in the unit of the change, of the shape
     /// (change of unknown cause) with index `index`.
@@ -88,8 +89,8 @@ class ScoredShapes {
     /// change the readings in nearly the same way, if the calibrated parameters imitate one of the
     /// changes, or if an estimated change exceeds its bounds.
     std::optional<Score> score_of(std::size_t one, std::size_t other) const;
-    /// Returns the direction in which the shapes of a score change the readings at their estimated
-    /// changes, in units of the readings' errors (whitened): a unit vector.
+    /// Returns, as a unit vector, the direction in which the shapes of a score change the readings
+    /// at their estimated changes, in units of the readings' errors (whitened).
     Eigen::VectorXd change_by(const Score& score) const;
     /// Adds the single shape (change of unknown cause) of `other` to `alike` of `chosen` if the
     /// scores are similar and if `chosen` and its `alike` have no shape of the quantity of `other`.

@@ -137,8 +137,8 @@ class PaperStudy {
     /// Returns the simulated states of the parameter study, sorted by friction coefficient, bridge
     /// volume and reduced pressure.
     const std::vector<PaperState>& states() const { return states_; }
-    /// Returns the number of simulated states whose stiffness number is within a factor of 2 of the
-    /// one in Badetti et al. (2018).
+    /// Returns the number of simulated states that need no conversion, since the stiffness number
+    /// of their run is within a factor of 2 of the one in Badetti et al. (2018).
     std::size_t stiff() const { return stiff_; }
     /// Returns the simulated states that fulfil a condition, in the order of states().
     std::vector<const PaperState*> where(
@@ -147,8 +147,8 @@ class PaperStudy {
     /// by the cubed grain diameter [1] and reduced pressure [1]. Null if no run simulates the
     /// state.
     const PaperState* at(double friction, double bridge_volume, double reduced_pressure) const;
-    /// Returns the runs of dry grains without additional effects that can train an emulator
-    /// (`emulated::usable`), sorted by friction coefficient, then by inertial number.
+    /// Returns the runs that can train an emulator (`emulated::usable`), with dry grains and
+    /// without additional effects, sorted by friction coefficient, then by inertial number.
     const std::vector<dem::RunResult>& dry_runs() const { return dry_runs_; }
     /// Returns the straight lines of stress ratio against 1/P* (P*: reduced pressure), one for each
     /// friction coefficient and bridge volume with three or more simulated states at P* >=
@@ -194,9 +194,9 @@ class PaperStudy {
     std::vector<StrengthLine> lines_;
 };
 
-/// Inertial number at which the states of the parameter study are simulated [1]. The shear is slow
-/// enough, and a simulation takes a third of the time of a simulation at 0.001, the inertial number
-/// of Badetti et al. (2018).
+/// Inertial number at which the states of the parameter study are simulated [1]. The shear then
+/// still counts as slow (`PaperStudy`), and a simulation takes a third of the time of a simulation
+/// at 0.001, the inertial number of Badetti et al. (2018).
 inline constexpr double grid_inertial_number = 0.003;
 /// Reduced pressures [1] at which Pendular repeats the simulations of Badetti et al. (2018). The
 /// paper states only that the range begins at 0.5; the other values were chosen here.

@@ -62,11 +62,11 @@ class Scoreboard {
 
     explicit Scoreboard(const PaperStudy& study) : study_(study), states_(&study.states()) {}
 
-    /// Begins a section of the table, with the heading `name`. The rows that follow describe the
-    /// states of the parameter study.
+    /// Begins a section of the table, with the heading `name`. The rows that are added next
+    /// describe the states of the parameter study of Badetti et al. (2018).
     void section(std::string name) { section(std::move(name), study_.states()); }
-    /// Begins a section of the table, with the heading `name`. The rows that follow describe
-    /// `states` instead of the states of the parameter study.
+    /// Begins a section of the table, with the heading `name`. The rows that are added next
+    /// describe `states` instead of the states of the parameter study.
     /// @param states must outlive the scoreboard
     void section(std::string name, const std::vector<PaperState>& states) {
         section_ = std::move(name);

@@ -8,8 +8,8 @@
 namespace pendular::app {
 
 /// Returns a script for the shell bash that completes the names of commands, the names of options,
-/// and the values of options: words where an option accepts a few words, else files, folders or
-/// studies.
+/// and the values of options. The values are the accepted words of an option that accepts only a
+/// few words, or files, folders or studies.
 std::string bash_completion(const std::vector<DeclaredCommand>& commands);
 
 /// Returns a script for the shell zsh that completes the names of commands, the names of options

@@ -22,14 +22,14 @@
 namespace pendular::app {
 
 /// Functions that `LiveStudy` calls to watch a study for changes, to compute the page of the study,
-/// and to change the study. One thread at a time calls these functions. Only `look` is called by
-/// several threads at once.
+/// and to change the study. Several threads may call `look` at once. Only the thread of
+/// `LiveStudy::run` calls the other functions.
 struct StudyWork {
     /// Function that returns size, time of change and inode number of each file of the study, by
     /// which changed files are found. The function must take little time.
     std::function<StudyStamps()> look;
-    /// Function that computes the results of the study and returns the page that shows the results,
-    /// with this version number.
+    /// Function that computes the results of the study and returns the page that shows the results.
+    /// `version` becomes the version number of the page.
     std::function<StudyPage(std::size_t version, const std::stop_token&, const Listener&)> page;
     /// Function that stores a recording in the study, given the name and the content of the
     /// recording's file.
@@ -76,8 +76,8 @@ class LiveStudy {
     Answer receive(std::string name, std::string bytes);
     /// Starts to add an effect to the study or to drop an effect, and returns at once. The HTTP
     /// status is 202 where the change was queued, 409 while another effect is being added or
-    /// dropped, and 503 where too many requests wait or the program ends. The outcome is among the
-    /// later events of `state`.
+    /// dropped, and 503 where too many requests wait or the program ends. Once the change has been
+    /// made or has failed, the outcome is among the events that `state` returns.
     Answer change(Action action, const std::string& effect);
 
   private:
@@ -120,8 +120,8 @@ class LiveStudy {
     bool stale_ = true;
     /// Sizes and times of change of the study's files when the making of the newest page began.
     StudyStamps made_from_;
-    /// Sizes and times of change of the study's files from which the last page was made whose
-    /// outcome the console has printed.
+    /// Sizes and times of change of the study's files to which the last call of `tell_outcome`
+    /// referred. The next call names the files that have changed since then.
     StudyStamps told_;
     /// Source of the request that stops the making of the page in progress.
     std::stop_source page_stop_;

@@ -30,9 +30,9 @@ struct ServedStudy {
     std::function<Answer(Action, const std::string& effect)> change;
 };
 
-/// Sets how a server answers requests. If `check_request` accepts a request, a function of `study`
-/// answers the request, else a refusal is the answer. Also limits the size of a request to
-/// `largest_received` [bytes], and each connection to one request.
+/// Sets how a server answers requests. A function of `study` answers each request that
+/// `check_request` accepts. The server refuses all other requests. Also limits the size of a
+/// request to `largest_received` [bytes], and each connection to one request.
 /// @param address address of the server; must outlive the server
 void set_routes(httplib::Server& server, const ServerAddress& address, ServedStudy study);
 

@@ -42,12 +42,13 @@ struct Refusal {
     std::string reason;
 };
 
-/// Returns the page or action that an HTTP request is for, or a refusal. The checks keep out web
-/// sites that the user's browser shows: the page of a foreign site knows no token, and a site whose
-/// name leads to this computer sends a foreign Host. A refusal has the status 403 for a foreign
-/// host, a foreign origin or a wrong token, 405 for a method that is neither GET nor POST, 400 for
-/// a path with "..", "%" or "\", and 404 for an unknown path. A POST also needs the token in the
-/// header X-Pendular-Token, which no foreign site can set.
+/// Returns the page or action that an HTTP request asks for, or a refusal. The checks keep out
+/// other web sites that the user's browser shows. The page of a foreign site does not know the
+/// token. A foreign site whose name resolves to the address of this computer has its own name in
+/// the header Host. A refusal has the status 403 for a foreign host, a foreign origin or a wrong
+/// token, 405 for a method that is neither GET nor POST, 400 for a path with "..", "%" or "\", and
+/// 404 for an unknown path. A POST also needs the token in the header X-Pendular-Token, which no
+/// foreign site can set.
 std::variant<Route, Refusal> check_request(const RequestHead& request,
                                            const ServerAddress& address);
 

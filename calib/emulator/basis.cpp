@@ -1,6 +1,5 @@
 #include "calib/emulator/basis.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pendular {
@@ -59,13 +58,6 @@ Eigen::RowVectorXd Basis::slopes(const Coordinates& at, int coordinate) const {
         }
     }
     return row;
-}
-
-std::size_t distinct(std::vector<double> values, double share) {
-    std::ranges::sort(values);
-    const auto same = [&](double a, double b) { return std::abs(a - b) <= share * std::abs(b); };
-    return static_cast<std::size_t>(std::unique(values.begin(), values.end(), same) -
-                                    values.begin());
 }
 
 }  // namespace pendular

@@ -7,21 +7,23 @@
 
 namespace pendular {
 
-/// State of steady shear at which the emulator, which interpolates simulations, predicts. The state
-/// is given by the dimensionless numbers that determine the flow.
+/// State of steady shear, given by the dimensionless numbers that determine the flow. The emulator
+/// predicts observables such as the stress ratio at such states.
 struct FlowState {
     double friction = 0;         ///< friction coefficient of the contacts [1]
     double inertial_number = 0;  ///< inertial number I [1]; 0: the quasi-static limit
-    /// Inverse reduced pressure 1/P* of the state [1], which is 0 for dry grains.
+    /// Inverse reduced pressure 1/P* = F0/(a^2 s22) [1], with the pull-off force F0 of a bridge,
+    /// the grain diameter a and the normal stress s22. For dry grains, 1/P* is 0.
     double inverse_pressure = 0;
     /// Volume of one liquid bridge, divided by the cubed grain diameter [1]; unused for dry grains.
     double bridge_volume = 0;
-    /// Physical effects that change the grains in the state, such as rolling resistance. The values
-    /// of an effect are in the units of a simulation run, in which grain diameter, grain mass and
-    /// normal stress are 1.
+    /// Physical effects on the grains, such as rolling resistance, with the values of their
+    /// parameters. The values are in the units of a simulation run, in which grain diameter, grain
+    /// mass and normal stress are 1.
     std::vector<EffectValues> effects = {};
     /// Stiffness number of the grains [1], on which observables such as coordination numbers
-    /// depend. The value 0 stands for the stiffness number of the runs that train the emulator.
+    /// depend. The value 0 stands for the stiffness number of the runs on which the emulator is
+    /// trained.
     double stiffness_number = 0;
 
     bool dry() const { return inverse_pressure == 0; }
@@ -31,8 +33,8 @@ struct FlowState {
 /// stress ratio, are nearly linear functions of the coordinates.
 struct Coordinates {
     /// Coordinate of the friction coefficient [1]: ln[(friction + s)/(centre + s)] with a chosen
-    /// friction coefficient `centre`. The constant s is 0.05 in `coordinates` and 0.02 in
-    /// `emulated::place_of`.
+    /// friction coefficient `centre`. The constant s is 0.05 in the function `coordinates` and 0.02
+    /// in the function `emulated::place_of`.
     double x = 0;
     /// Coordinate of the inertial number I [1]: I^exponent with a chosen exponent.
     double q = 0;
@@ -45,12 +47,14 @@ struct Coordinates {
     bool operator==(const Coordinates&) const = default;
 };
 
-/// Returns the coordinates of a state of steady shear: x = ln[(friction + 0.05)/(centre + 0.05)], q
-/// = I^`exponent` with the inertial number I, u = 1/P* with the reduced pressure P*, and v =
-/// ln(V0/a^3/0.002) with the bridge volume V0 and the grain diameter a. For dry grains, v = 0.
-/// Between the friction coefficients 0 and 0.4, the derivatives of stress ratio and solid fraction
-/// with respect to x change by about a factor of 2. The derivative of the stress ratio with respect
-/// to the friction coefficient changes by a factor of 9.
+/// Returns the coordinates x, q, u and v of a state of steady shear. The coordinates are x =
+/// ln[(friction + 0.05)/(centre + 0.05)], q = I^exponent with the inertial number I, u = 1/P* with
+/// the reduced pressure P*, and v = ln(V0/a^3/0.002) with the bridge volume V0 and the grain
+/// diameter a. For dry grains, v = 0. The coordinate x replaces the friction coefficient, since the
+/// stress ratio is more nearly linear in x. Between the friction coefficients 0 and 0.4, the
+/// derivative of the stress ratio with respect to the friction coefficient changes by a factor of
+/// 9. The derivatives of stress ratio and solid fraction with respect to x change by about a factor
+/// of 2.
 Coordinates coordinates(const FlowState& state, double centre, double exponent);
 
 /// Returns the coordinate x = ln[(friction + 0.05)/(centre + 0.05)] of a friction coefficient [1].
@@ -88,10 +92,5 @@ class Basis {
   private:
     std::vector<Powers> terms_;
 };
-
-/// Returns the number of distinct values among `values`. In increasing order, a value counts as
-/// equal to the last distinct value before it if the two values differ by at most `share` [1] times
-/// the magnitude of the larger value.
-std::size_t distinct(std::vector<double> values, double share);
 
 }  // namespace pendular

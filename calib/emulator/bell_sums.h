@@ -6,19 +6,19 @@
 
 namespace pendular {
 
-/// Fast sums of weighted Gaussian functions (bells) in up to five coordinates. Bell i has the
-/// centre z_i and the weight w_i. The inverse square of the length of all bells along coordinate k
-/// is c_k. With the distances d_ik = z_ik - a_k of the centres from a place a, the sums at the
-/// place a are
+/// Fast sums of weighted Gaussian functions (bells) in up to five coordinates. A Gaussian process
+/// predicts by such sums. Bell i has the centre z_i and the weight w_i. All bells have equal
+/// lengths, with the inverse square c_k of the length along coordinate k. With the distances d_ik =
+/// z_ik - a_k of the centres from a place a, the sums at the place a are
 ///     S = sum_i w_i exp(-sum_k c_k d_ik^2/2)  and  S_k = sum_i w_i d_ik exp(-sum_k c_k d_ik^2/2).
-/// The sums are identical to the last bit with all instruction sets of the processor.
+/// The sums are identical to the last bit on all processors, whatever their vector instructions.
 class BellSums {
   public:
     static constexpr std::size_t most_coordinates = 5;
     using Place = std::array<double, most_coordinates>;
 
-    /// @param coordinates number of coordinates, 2, 4 or 5; further entries of a `Place` are
-    ///        ignored
+    /// @param coordinates number of coordinates of a place: 2, 4 or 5; further entries of a `Place`
+    ///        are ignored
     /// @param inverse_squares inverse squares c_k of the lengths of the bells, one for each
     ///        coordinate
     BellSums(std::size_t coordinates, const Place& inverse_squares)

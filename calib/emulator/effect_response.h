@@ -10,14 +10,14 @@ namespace pendular {
 
 /// Coordinates at which the change of an observable by an effect on grains is evaluated: the
 /// emulator's coordinate x of the friction coefficient (`emulated::place_of`), sqrt(I) with the
-/// inertial number I, ln(1 + 10/P*) with the reduced pressure P*, ln V0 with the bridge volume V0,
-/// and the amplitude of the effect. Each coordinate is scaled to the order of 1 over the range of
-/// usual studies.
+/// inertial number I, ln(1 + 10/P*) with the reduced pressure P*, ln(V0/a^3) with the bridge volume
+/// V0 and the grain diameter a, and the amplitude of the effect. Each coordinate is scaled to the
+/// order of 1 over the range of usual studies.
 using ResponsePlace = Eigen::Vector<double, 5>;
 
-/// Predictor of how an effect on grains changes one observable. The predictor is trained on the
-/// differences between runs with the effect and the emulator's predictions of the states of the
-/// runs without the effect:
+/// Predictor of how an effect on grains changes one observable. The predictor is trained on
+/// differences between two values of the observable: the value in a run with the effect, and the
+/// emulator's prediction for the state of the run without the effect. The model of a change is
 ///     change = b p y(z, b),
 /// with the coordinates z of the state and the amplitude b of the effect. The factor p is 1/P*,
 /// with the reduced pressure P*, if the effect acts through capillary forces and the observable is
@@ -30,18 +30,18 @@ class EffectResponse {
   public:
     /// Trains the predictor on n observed changes of the observable by the effect.
     /// @param places coordinates of each change
-    /// @param amplitudes amplitude b of the effect in each change, times 1/P* (P*: reduced
-    ///        pressure) if the effect acts through capillary forces
+    /// @param amplitudes product b p of the amplitude b of the effect and the factor p, which is
+    ///        1/P* (P*: reduced pressure) or 1, for each change
     /// @param changes changes of the observable, divided by the scale of the observable
     ///        (`emulated::Unit::size`)
     /// @param covariance covariance (n x n) of the errors of `changes`
     EffectResponse(std::vector<ResponsePlace> places, Eigen::VectorXd amplitudes,
                    const Eigen::VectorXd& changes, const Eigen::MatrixXd& covariance);
 
-    /// Predicts by how much the effect changes the observable at each place of `at`, in the unit of
-    /// the changes on which the predictor was trained.
-    /// @param b amplitude of the effect at each place, times 1/P* (P*: reduced pressure) if the
-    ///        effect acts through capillary forces
+    /// Returns the predicted change of the observable by the effect at each place of `at`, in the
+    /// unit of the changes on which the predictor was trained.
+    /// @param b product b p of the amplitude b of the effect and the factor p, which is 1/P* (P*:
+    ///        reduced pressure) or 1, at each place
     Eigen::VectorXd mean(const std::vector<ResponsePlace>& at, const Eigen::VectorXd& b) const;
     /// Returns the weights W [1] of the linear predictor mean(at, b) = W y, where y contains the
     /// changes of the observable that the effect caused in the training simulations. The matrix has
@@ -67,7 +67,7 @@ class EffectResponse {
     /// Sums over the training changes from which predictions follow. For the plane, the sums are
     /// sum s (`plane_constant_`) and sum s z (`plane_slopes_`). For the process, Gaussian functions
     /// (bells) of weight s are summed (`bells_`). Here s = b (K + Sigma)^-1 changes, with the
-    /// amplitudes b of the effect, the coordinates z, the prior covariance K of the changes, and
+    /// elements b of `amplitudes_`, the coordinates z, the prior covariance K of the changes, and
     /// the covariance Sigma of the errors of the changes.
     double plane_constant_ = 0;
     ResponsePlace plane_slopes_ = ResponsePlace::Zero();

@@ -1,5 +1,7 @@
 #include "calib/emulator/emulated_observables.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -75,11 +77,18 @@ bool of_bridges(Observable which) {
     return dem::needs_bridges(which) || which == Observable::effective_coordination;
 }
 
-bool usable(const dem::RunResult& run) {
-    return run.failure.empty() && !run.crystallised && run.steady &&
-           !(run[dem::Observable::localization].value > banded_above) &&
-           run.parameters.damping == dem::RunParameters{}.damping &&
-           run.parameters.stiffness_number >= softest;
+std::string why_unusable(const dem::RunResult& run) {
+    if (!run.failure.empty()) return "failed, " + run.failure;
+    if (run.crystallised) return "crystallised";
+    if (!run.steady) return "was not steady";
+    if (run[dem::Observable::localization].value > banded_above) return "sheared in a band";
+    if (run.parameters.damping != dem::RunParameters{}.damping) {
+        return "has contacts with another damping than the default";
+    }
+    if (run.parameters.stiffness_number < softest) {
+        return fmt::format("has a stiffness number below {}", softest);
+    }
+    return "";
 }
 
 FlowState flow_state_of(const dem::RunParameters& p) {

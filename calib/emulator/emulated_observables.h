@@ -1,33 +1,41 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "calib/emulator/query.h"
 
 namespace pendular::emulated {
 
-/// Stiffness number [1] for which the emulator predicts the mean overlap of contacts. By default,
-/// the Gaussian processes of the emulator are trained on runs whose stiffness number is within a
-/// factor of 2 of the reference value.
+/// Reference stiffness number [1] of the emulator. By default, the Gaussian processes of the
+/// emulator are trained on runs whose stiffness number is within a factor of 2 of the reference.
+/// The emulator predicts the mean overlap of contacts for the reference.
 constexpr double reference_stiffness = 1000;
 
-/// Localization of the shear [1] above which a run does not train the emulator. If the grains shear
-/// only in a band between rigid blocks, and the localization is D, the band takes the fraction 1 -
-/// sqrt(D) of the height. For D above 0.2, the fraction is about half or less. In small samples
-/// that shear uniformly, D reaches 0.11 at low reduced pressure.
+/// Localization of the shear [1] above which a run counts as sheared in a band. The emulator is not
+/// trained on such a run. If the grains shear only in a band between rigid blocks, and the
+/// localization is D, the band takes the fraction 1 - sqrt(D) of the height. For D above 0.2, the
+/// fraction is about half or less. In small samples that shear uniformly, D reaches 0.11 at low
+/// reduced pressure.
 constexpr double banded_above = 0.2;
 
-/// Whether a run can train an emulator. The run must have succeeded and be steady, and must not
-/// have crystallised or sheared in a band (`banded_above`). The damping of contacts must be the
-/// standard damping, and the stiffness number at least 300.
-bool usable(const dem::RunResult& run);
-/// Returns the value of an observable on which a run trains the emulator, with the standard error
+/// Returns the reason why an emulator cannot be trained on a run, such as "crystallised", as the
+/// end of a sentence on the run. Empty if the run is `usable`.
+std::string why_unusable(const dem::RunResult& run);
+
+/// Whether an emulator can be trained on a run. The run must have succeeded and be steady, and must
+/// not have crystallised or sheared in a band (`banded_above`). The damping of contacts must have
+/// the default value of `dem::RunParameters`, and the stiffness number must be at least 300.
+inline bool usable(const dem::RunResult& run) {
+    return why_unusable(run).empty();
+}
+/// Returns the value of an observable that the emulator learns from a run, with the standard error
 /// of the value. The value is the average measured in the run, with two exceptions: the solid
 /// fraction is corrected to rigid grains, and the mean overlap is converted to the stiffness number
 /// `reference_stiffness`.
 Mean training_value(const dem::RunResult& run, dem::Observable which);
-/// Returns the state of steady shear that a run with the parameters `run` simulates, including the
-/// effects on grains and the stiffness number.
+/// Returns the state of steady shear that a run with the parameters `run` simulates. The state
+/// includes the effects on grains and the stiffness number.
 FlowState flow_state_of(const dem::RunParameters& run);
 /// Whether an observable is emulated for wet grains only, since the observable describes liquid
 /// bridges.
@@ -53,8 +61,8 @@ inline constexpr dem::Observable pair[] = {dem::Observable::stress_ratio,
                                            dem::Observable::solid_fraction};
 /// Whether an observable is in the list `pair`, which contains stress ratio and solid fraction.
 bool in_pair(dem::Observable which);
-/// Returns two queries to the emulator for each state, in the order of `states`: first for the
-/// stress ratio, second for the solid fraction.
+/// Returns two queries to the emulator for each of `states` in turn: a query for the stress ratio,
+/// then a query for the solid fraction.
 std::vector<Query> pairs_at(const std::vector<FlowState>& states);
 
 /// Scaling between an observable and the Gaussian process that predicts the observable, at one
@@ -77,8 +85,8 @@ Unit unit_at(dem::Observable which, const FlowState& state);
 /// limit, as the reduced pressure P* becomes infinite.
 Domain domain_of(dem::Observable which);
 
-/// Whether two stiffness numbers [1] of runs differ by at most a factor of 2, so that the runs may
-/// train one Gaussian process together.
+/// Whether two stiffness numbers [1] of runs differ by at most a factor of 2. A Gaussian process is
+/// trained only on runs whose stiffness numbers are alike in this sense.
 bool alike(double a_stiffness_number, double another);
 
 /// Whether a run has a value of an observable. For observables of liquid bridges, the run must be

@@ -24,12 +24,12 @@ struct EmulatedObservable {
 };
 
 /// Returns the emulated values of the observables `which` at a state of steady shear, in the order
-/// of `which`, as runs with grains of the stiffness number `stiffness_number` [1] would measure the
-/// values. The standard errors include the error of the conversion to the stiffness number. The
-/// derivatives leave out the contribution of effects on grains.
+/// of `which`. The values are those of grains with the stiffness number `stiffness_number` [1]. The
+/// standard errors include the error of the conversion to this stiffness number. The derivatives
+/// leave out the contribution of effects on grains.
 /// @throws std::invalid_argument if an observable describes liquid bridges but the state is dry, if
-///         no training run has a value of an observable, or if `state` has an effect that no run
-///         has as its only effect
+///         no training run has a value of an observable, or if `state` has an effect that no
+///         training run has as its only effect
 std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const FlowState& state,
                                             double stiffness_number,
                                             const std::vector<dem::Observable>& which);

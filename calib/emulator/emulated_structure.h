@@ -7,8 +7,9 @@
 
 namespace pendular {
 
-/// Returns the emulated sum of several observables at a wet state, with the derivatives of the sum
-/// with respect to the friction coefficient and to ln V0, where V0 is the bridge volume.
+/// Returns the emulated sum of several observables at a wet state, such as the numbers of contacts
+/// and of bridges per grain, with the derivatives of the sum with respect to the friction
+/// coefficient and to ln V0, where V0 is the bridge volume.
 /// @param sum observables to add
 StructureResponse respond(const Emulator& emulator, const std::vector<dem::Observable>& sum,
                           const FlowState& state);

@@ -15,11 +15,11 @@
 
 namespace pendular {
 
-/// Emulator, which interpolates simulations: Gaussian processes trained on simulation runs. The
-/// processes predict the observables, with standard errors, at states of steady shear between the
-/// states of the training runs. A `PlainEmulator` predicts grains without effects. For each effect
-/// on grains, an `EffectResponse`, trained on the runs that have only this effect, predicts how the
-/// effect changes the observables. The changes by several effects add up. A further
+/// Emulator: Gaussian processes that are trained on simulation runs and interpolate between the
+/// runs. The processes predict the observables, with standard errors, at states of steady shear
+/// that were not simulated. A `PlainEmulator` predicts the flow of grains without effects. For each
+/// effect on grains, an `EffectResponse`, trained on the runs that have only this effect, predicts
+/// how the effect changes the observables. The changes by several effects add up. A further
 /// `EffectResponse`, trained on runs of other stiffness numbers, predicts the change from the
 /// stiffness number of the `PlainEmulator` to the stiffness number of the requested state.
 /// Derivatives with respect to friction coefficient, inertial number, reduced pressure and bridge
@@ -27,19 +27,20 @@ namespace pendular {
 /// change after construction, so that several threads may query the emulator at once.
 class Emulator {
   public:
-    /// Takes training runs and hyperparameters. Each Gaussian process is trained when a prediction
-    /// first needs the process. Hyperparameters that were not given are fitted before the training.
+    /// Makes an emulator from training runs and hyperparameters. Each Gaussian process is trained
+    /// when a prediction first needs the process. Hyperparameters that were not given are fitted
+    /// before the training.
     /// @param hyperparameters hyperparameters (amplitudes, correlation lengths and noise of the
     ///        Gaussian processes) for each observable; may be empty
-    /// @param stiffness_number stiffness number [1], within a factor of 2, of the runs that train
-    ///        the `PlainEmulator`
+    /// @param stiffness_number stiffness number [1], within a factor of 2, of the runs on which the
+    ///        `PlainEmulator` is trained
     /// @throws std::invalid_argument if none of the runs can serve as a training run
     Emulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
              double stiffness_number = emulated::reference_stiffness);
 
-    /// Returns an emulator that is trained on the runs of the present emulator and on the runs
-    /// `more`. The hyperparameters (amplitudes, correlation lengths and noise of the Gaussian
-    /// processes) are those of the present emulator.
+    /// Returns a new emulator, trained on the runs of the present emulator and on the runs `more`.
+    /// The new emulator has the hyperparameters (amplitudes, correlation lengths and noise of the
+    /// Gaussian processes) of the present emulator.
     Emulator with(const std::vector<dem::RunResult>& more) const;
 
     /// Returns the hyperparameters that were given at construction or have been fitted since, for
@@ -50,11 +51,12 @@ class Emulator {
     /// observable, or the derivative that the query names.
     /// @throws std::invalid_argument if no training run has a value of a queried observable, if the
     ///         observable describes liquid bridges but the state is dry, or if the state has an
-    ///         effect that no run has as its only effect
+    ///         effect that no training run has as its only effect
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
-    /// Returns, for each query, by how much effects on grains and stiffness change the prediction
-    /// of `mean`, in the unit of the prediction. The change is relative to grains without effects
-    /// whose stiffness number is that of the runs that train the `PlainEmulator`.
+    /// Returns, for each query, the part of the prediction of `mean` that effects on grains and
+    /// stiffness cause, in the unit of the prediction. The part is the difference from the
+    /// prediction of the `PlainEmulator`, which holds for grains without effects and for the
+    /// stiffness number of its training runs.
     /// @throws std::invalid_argument if the state of a query has an effect that no run has as its
     ///         only effect
     Eigen::VectorXd changes_by_causes(const std::vector<Query>& queries) const;
@@ -72,7 +74,7 @@ class Emulator {
     /// with the error e of f, and the weights W with which d depends on the training differences.
     /// @throws std::invalid_argument if no training run has a value of a queried observable, if the
     ///         observable describes liquid bridges but the state is dry, or if the state has an
-    ///         effect that no run has as its only effect
+    ///         effect that no training run has as its only effect
     Eigen::MatrixXd covariance(const std::vector<Query>& queries) const;
 
     /// Returns a text that names the numbers of a state of steady shear that lie outside their
@@ -94,8 +96,8 @@ class Emulator {
     /// training can be applied.
     bool knows_stiffness() const { return knows_stiffness_; }
     /// Whether the emulator can predict how the effect `name` changes the flow. For this
-    /// prediction, a training run must have the effect as its only effect, with parameter values
-    /// that models of studies can have.
+    /// prediction, a training run must have the effect as its only effect. Parameters that only
+    /// simulations have must be neutral in the run.
     bool knows(const std::string& name) const;
 
     /// Returns the covariance of the noise of the stress ratio and the solid fraction of a run [1],
@@ -123,11 +125,11 @@ class Emulator {
     /// change if the stiffness number differs from that of the `PlainEmulator` and
     /// knows_stiffness() is true.
     bool stiffened(const FlowState& state) const;
-    /// Whether a run trains the predictor of how the cause `name` changes an observable. For an
-    /// effect, the run must have only this effect, at any stiffness number, and parameters that
-    /// only simulations have must be neutral. For stiffness, the run must have no effects, and the
-    /// stiffness number of the run must differ from that of the `PlainEmulator` by more than a
-    /// factor of 2.
+    /// Whether the predictor of the change of an observable by the cause `name` is trained on a
+    /// run. A cause is an effect or a differing stiffness number. For an effect, the run must have
+    /// only this effect, at any stiffness number, and parameters that only simulations have must be
+    /// neutral. For stiffness, the run must have no effects, and the stiffness number of the run
+    /// must differ from that of the `PlainEmulator` by more than a factor of 2.
     bool trains(const dem::RunResult& run, const std::string& name, dem::Observable which) const;
 
     /// Predictor of how one cause (an effect, or a differing stiffness number) changes an
@@ -154,16 +156,17 @@ class Emulator {
     /// @throws std::invalid_argument if there is no training run
     std::unique_ptr<const LearnedResponse> learned(const std::string& name,
                                                    dem::Observable which) const;
-    /// Returns the covariance between the training states of the predictor `a` (rows) and the
-    /// training states of the predictor `b` (columns) of the errors of the predictions of the
-    /// `PlainEmulator`. The covariance is computed once. The matrix is empty if the errors are
-    /// independent.
+    /// Returns a covariance of the prediction errors of the `PlainEmulator`: the errors at the
+    /// training states of the predictor `a` (rows) with the errors at the training states of the
+    /// predictor `b` (columns). The covariance is computed once. The matrix is empty if the errors
+    /// are independent.
     const Eigen::MatrixXd& training_covariance(const LearnedResponse& a,
                                                const LearnedResponse& b) const;
     struct Affected;
-    /// Groups the queries whose prediction a cause (an effect, or a differing stiffness number)
-    /// changes, by the predictor that they need. There is a predictor for each pair of cause and
-    /// observable. Queries for derivatives need only the predictors of the change with stiffness.
+    /// Finds the queries whose prediction a cause (an effect, or a differing stiffness number)
+    /// changes, and groups the queries by the predictor of the change. There is a predictor for
+    /// each pair of cause and observable. Queries for derivatives need only the predictors of the
+    /// change with stiffness.
     std::vector<Affected> affected(const std::vector<Query>& queries) const;
 
     /// Predictors of how each cause (an effect, or a differing stiffness number) changes each
@@ -173,7 +176,8 @@ class Emulator {
             std::once_flag once;
             std::unique_ptr<const LearnedResponse> learned;
         };
-        /// Lock that guards both maps of predictors. The entries of the maps keep their addresses.
+        /// Lock that guards the maps `all` and `training_covariances`. The entries of the maps keep
+        /// their addresses.
         std::mutex mutex;
         std::map<std::pair<std::string, dem::Observable>, Response> all;
         std::map<std::pair<const LearnedResponse*, const LearnedResponse*>, Eigen::MatrixXd>

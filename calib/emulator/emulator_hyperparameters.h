@@ -16,7 +16,7 @@ constexpr const char* hyperparameters_name = "emulator.csv";
 /// contains the name of the observable. The following columns contain the hyperparameters, in the
 /// order of `Hyperparameters::names`.
 /// @throws InputError, with line and column of the file, if the file cannot be read, the number of
-///         columns is wrong, a value is not a positive number of ordinary size, or an observable is
+///         columns is wrong, a value is not a number between 1e-15 and 1e15, or an observable is
 ///         unknown
 EmulatorHyperparameters read_hyperparameters(const std::filesystem::path& file);
 /// Writes the hyperparameters of the emulator (amplitudes, correlation lengths and noise of the

@@ -43,7 +43,8 @@ class GaussianProcess {
     /// @throws std::logic_error if the covariance of the observations is not positive definite
     GaussianProcess(std::vector<Kernel> kernels, const Observations& known);
 
-    /// Value or derivative to predict, of the function with the index `quantity`.
+    /// Value or derivative that is to be predicted. `quantity` is the index of the function, and
+    /// `functional` states the place and the derivative.
     struct Requested {
         Eigen::Index quantity = 0;
         Functional functional;
@@ -56,8 +57,8 @@ class GaussianProcess {
     struct Solved {
         /// Values and derivatives of the functions to predict.
         std::vector<Requested> requested;
-        /// For each requested value or derivative, the terms of the prior covariances that depend
-        /// on the place of the value or derivative alone.
+        /// Terms of the prior covariances that depend only on the place of a requested value or
+        /// derivative, for each entry of `requested`.
         std::vector<Kernel::Prepared> places;
         /// Matrix L^-1 k. L is the Cholesky factor of K + N, the prior covariance of the
         /// observations plus the covariance of the noise. k is the prior covariance of the
@@ -94,8 +95,8 @@ class GaussianProcess {
     }
 
     std::vector<Kernel> kernels_;
-    /// For each function, the places of the observations, with the terms of the prior covariances
-    /// that depend on one place alone.
+    /// Places of the observations, with the terms of the prior covariances that depend on one place
+    /// alone. The outer list has an entry for each function.
     std::vector<std::vector<Kernel::Prepared>> known_;
     /// Cholesky factor of the covariance of all observations, which is the prior covariance plus
     /// the covariance of the noise. The rows contain all places for the first function, then all
@@ -105,7 +106,7 @@ class GaussianProcess {
     /// in which `mean` sums over the places fast. C is the covariance of all observations (prior
     /// covariance plus covariance of the noise), and y contains the observed values.
     std::vector<Kernel::Known> sums_over_;
-    /// For each function, the posterior means of the coefficients of the polynomial in the kernel.
+    /// Posterior means of the coefficients of the polynomial in the kernel, for each function.
     std::vector<Eigen::VectorXd> coefficients_;
 };
 

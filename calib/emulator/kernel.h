@@ -59,17 +59,19 @@ struct Hyperparameters {
     /// coordinates in turn: x of the friction coefficient, q = sqrt(I) with the inertial number I,
     /// ln(1 + u/0.1) with the inverse reduced pressure u, and v of the bridge volume.
     double wet_x = 1, wet_q = 0.2, wet_u = 1, wet_v = 1;
-    /// Factor [1] by which the variances of the noise that the training runs state are multiplied.
+    /// Factor [1] by which the squared standard errors of the training runs are multiplied, since
+    /// the runs state their standard errors only approximately.
     double noise = 1;
     /// Between-run scatter, in the unit of the quantity: standard deviation between runs of equal
-    /// parameters and different seeds, in addition to the noise that the runs state.
+    /// parameters and different seeds, in addition to the stated standard errors of the runs.
     double between_run_scatter = 1e-3;
 
     /// Number of all hyperparameters (`count`), and number of the amplitudes and correlation
     /// lengths among the hyperparameters (`of_processes`). The amplitudes and correlation lengths
     /// come first; the last two hyperparameters describe the noise of the runs.
     static constexpr std::size_t count = 10, of_processes = 8;
-    /// Column names of the hyperparameters in emulator.csv, in the order of `as_array`.
+    /// Column names of the hyperparameters in the file emulator.csv (`hyperparameters_name`), in
+    /// the order of `as_array`.
     static constexpr std::array<std::string_view, count> names = {
         "dry_amplitude", "dry_friction", "dry_inertia", "wet_amplitude", "wet_friction",
         "wet_inertia",   "wet_pressure", "wet_volume",  "noise",         "between"};
@@ -80,9 +82,9 @@ struct Hyperparameters {
     static Hyperparameters from_array(const std::array<double, count>& values);
 };
 
-/// Prior covariance of an emulated quantity f as a function of friction coefficient, inertial
-/// number I, reduced pressure P* and bridge volume. The function f has the limits that physics
-/// demands:
+/// Prior covariance of an emulated quantity f, which is a function of friction coefficient,
+/// inertial number I, reduced pressure P* and bridge volume. The form of f has the limits that
+/// physics demands:
 ///     f = h(z).beta + g_dry(x, q) + b(u) [h_wet(z).gamma + g_wet(x, q, u, v)],
 /// with the coordinates z = (x, q, u, v) of `Coordinates`, where q = sqrt(I) and u = 1/P*. The
 /// vectors h and h_wet contain terms of polynomials. Their coefficients beta and gamma have broad
@@ -93,8 +95,8 @@ struct Hyperparameters {
 /// g_dry are absent.
 ///
 /// Dry flow (u = 0) thus does not depend on the bridge volume. For `all_flow`, the capillary part
-/// vanishes as 1/P* -> 0. With q = sqrt(I), the quasi-static limit is finite and approached as a
-/// power of I between 1/2 and 1.
+/// vanishes as 1/P* -> 0. With q = sqrt(I), the quantity f has a finite quasi-static limit. As I
+/// becomes 0, f approaches the limit as a power of I between 1/2 and 1.
 class Kernel {
   public:
     /// @param domain kind of the quantity
@@ -142,10 +144,10 @@ class Kernel {
     /// Stores the places of `values` and the weight of each place in a form in which the function
     /// `sums` sums over the places fast.
     Known known(const std::vector<Prepared>& values, const Eigen::VectorXd& weights) const;
-    /// Returns first the sum over the places stored in `known` of (weight of the place) x (prior
-    /// covariance between the value at the place and the value at `at`). The contribution of the
-    /// polynomials to the covariance is left out. Then returns the derivatives of the sum with
-    /// respect to the coordinates x, q, u and v of `at`.
+    /// Returns a weighted sum of prior covariances, followed by the derivatives of the sum with
+    /// respect to the coordinates x, q, u and v of `at`. A term of the sum is the weight of a place
+    /// stored in `known` times the prior covariance between the values at the place and at `at`.
+    /// The contribution of the polynomials to the covariance is left out.
     /// @param with_pressure whether the derivative with respect to u is needed; if false, the
     ///        derivative with respect to u may be incomplete
     std::array<double, 1 + coordinate_count> sums(const Known& known, const Prepared& at,
@@ -157,7 +159,8 @@ class Kernel {
     /// Returns the derivatives of tr(W K)/2 with respect to the logarithms of the first eight
     /// hyperparameters, which are the amplitudes and correlation lengths, in the order of the
     /// hyperparameters. K is the contribution of the Gaussian processes to the prior covariance
-    /// matrix of `values`. W is the symmetric matrix `weights`.
+    /// matrix of `values`. W is the symmetric matrix `weights`. The derivatives are part of the
+    /// gradient in the fit of the hyperparameters.
     std::array<double, Hyperparameters::of_processes> half_traces(
         const std::vector<Prepared>& values, const Eigen::MatrixXd& weights) const;
 

@@ -40,8 +40,8 @@ class KnownRange {
     /// range extends from far below loose packing to crystals.
     static constexpr double lowest_fraction = 0.4, highest_fraction = 0.74;
 
-    /// Finds the range of states of steady shear that the training runs of the emulator support.
-    /// The emulator must outlive the object.
+    /// Finds the range of states of steady shear at which the training runs of the emulator support
+    /// predictions. The emulator must outlive the object.
     explicit KnownRange(const Emulator& emulator);
 
     /// Whether any training run without effects on grains has liquid bridges.
@@ -54,10 +54,10 @@ class KnownRange {
     /// at the state.
     std::string why_unsupported(const FlowState& state) const;
 
-    /// Returns a supported state of steady shear close to the unsupported state `state`. Returns
-    /// the point of the convex hull of the runs that is nearest to `state`. If the prediction at
-    /// the nearest point is too uncertain or unphysical, returns instead the first supported point
-    /// on the straight line from the nearest point to the nearest run.
+    /// Returns a supported state of steady shear close to the unsupported state `state`: the point
+    /// of the convex hull of the runs that is nearest to `state`. If the prediction at this point
+    /// is too uncertain or unphysical, the function returns the first supported point on the
+    /// straight line from this point to the run nearest to this point.
     /// @throws std::invalid_argument if the state is wet but no run without effects is wet, or if
     ///         the state is dry but no run without effects is dry
     FlowState nearest_supported(const FlowState& state) const;
@@ -70,8 +70,9 @@ class KnownRange {
         /// Coordinates of the points, scaled so that the range of the runs is 0 to 1. The matrix
         /// has a column for each point.
         Eigen::Matrix<double, 4, Eigen::Dynamic> corners;
-        /// Number of points that are states of wet runs (in `wet_`) or of dry runs (in `dry_`). The
-        /// points of the runs are the first columns of `corners`.
+        /// Number of the first columns of `corners` that are states of runs: of wet runs in `wet_`,
+        /// of dry runs in `dry_`. Further columns are states that the runs support in addition,
+        /// such as the quasi-static limit.
         Eigen::Index runs = 0;
     };
     const Cloud& cloud_for(const FlowState& state) const { return state.dry() ? dry_ : wet_; }

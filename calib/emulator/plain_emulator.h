@@ -15,25 +15,25 @@
 
 namespace pendular {
 
-/// Emulator, which interpolates simulations, of grains without effects. For each observable, the
+/// Emulator of grains without effects, which interpolates simulations. For each observable, the
 /// emulator has a Gaussian process over friction coefficient, inertial number, reduced pressure and
-/// bridge volume. The processes are trained on simulation runs with the noise that the runs state.
-/// Stress ratio and solid fraction share one process, since the noise of the two observables is
-/// correlated within a run. The stiffness numbers of the training runs are about equal. The solid
-/// fraction is predicted for rigid grains, and the mean overlap for the stiffness number
-/// `emulated::reference_stiffness`, since the main dependence of both observables on stiffness is
-/// known.
+/// bridge volume. The processes are trained on simulation runs and take account of the stated noise
+/// of the runs. Stress ratio and solid fraction share one process, since the noise of the two
+/// observables is correlated within a run. The stiffness numbers of the training runs are about
+/// equal. The solid fraction is predicted for rigid grains, and the mean overlap for the stiffness
+/// number `emulated::reference_stiffness`, since the main dependence of both observables on
+/// stiffness is known.
 class PlainEmulator {
   public:
-    /// Takes training runs and leaves out the runs that are not usable (`emulated::usable`), for
-    /// example because a run failed, crystallised or was not steady. If an observable has no
-    /// hyperparameters, they are fitted when they are first needed, which takes half a second for
-    /// each observable.
+    /// Makes an emulator from training runs. Runs that are not usable (`emulated::usable`) are left
+    /// out, for example because they failed, crystallised or were not steady. If an observable has
+    /// no hyperparameters, they are fitted when they are first needed, which takes half a second
+    /// for each observable.
     /// @param hyperparameters hyperparameters (amplitudes, correlation lengths and noise of the
     ///        Gaussian processes) for each observable; may be empty
-    /// @param stiffness_number stiffness number [1], within a factor of 2, of the runs that train
-    ///        the Gaussian processes. If no run without effects has this stiffness number, the
-    ///        stiffness number of the first run without effects is used instead.
+    /// @param stiffness_number stiffness number [1], within a factor of 2, of the runs on which the
+    ///        Gaussian processes are trained. If no run without effects has this stiffness number,
+    ///        the stiffness number of the first run without effects is used instead.
     /// @throws std::invalid_argument if none of the runs is usable
     PlainEmulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
                   double stiffness_number = emulated::reference_stiffness);
@@ -52,7 +52,8 @@ class PlainEmulator {
     /// which the covariance of the query results follows. The results of the queries are the matrix
     /// `map` times the values that the process predicts.
     struct PreparedShare {
-        /// Index, in the list of all queries, of each query whose result follows from the process.
+        /// Index, in the list of all queries, of each query whose result follows from the Gaussian
+        /// process.
         std::vector<Eigen::Index> queries;
         GaussianProcess::Solved values;
         Eigen::SparseMatrix<double> map;
@@ -76,9 +77,10 @@ class PlainEmulator {
     /// the errors of the predicted results of the queries `b` (columns).
     Eigen::MatrixXd covariance(const PreparedQueries& a, const PreparedQueries& b) const;
 
-    /// Returns all usable runs that were given. Runs with effects on grains, and runs whose
-    /// stiffness number differs from `stiffness_number()` by more than a factor of 2, train only
-    /// the changes that `Emulator` adds.
+    /// Returns all usable runs that were given. The Gaussian processes are not trained on runs with
+    /// effects on grains, nor on runs whose stiffness number differs from `stiffness_number()` by
+    /// more than a factor of 2. `Emulator` uses these runs to predict changes by effects and by
+    /// stiffness.
     const std::vector<dem::RunResult>& runs() const { return runs_; }
 
     /// Returns the variance of the noise of one observable of a run, in the square of the unit of
@@ -90,12 +92,12 @@ class PlainEmulator {
     /// [1], in this order.
     Eigen::Matrix2d noise(const dem::RunResult& run) const;
 
-    /// Returns the stiffness number [1], within a factor of 2, of the runs that train the Gaussian
-    /// processes.
+    /// Returns the stiffness number [1], within a factor of 2, of the runs on which the Gaussian
+    /// processes are trained.
     double stiffness_number() const { return stiffness_number_; }
-    /// Whether any of `runs` can train the Gaussian process of an observable. To train the process,
-    /// a run must have a value of the observable and no effects on grains. The stiffness number of
-    /// the run must be within a factor of 2 of `emulated::reference_stiffness`. If no run without
+    /// Whether the Gaussian process of an observable can be trained on any of `runs`. Such a run
+    /// must have a value of the observable and no effects on grains. The stiffness number of the
+    /// run must be within a factor of 2 of `emulated::reference_stiffness`. If no run without
     /// effects is within this factor, the stiffness number of the first run without effects takes
     /// the place of `emulated::reference_stiffness`.
     static bool known(const std::vector<dem::RunResult>& runs, dem::Observable which);

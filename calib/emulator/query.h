@@ -13,9 +13,9 @@ namespace pendular {
 /// volume V0 divided by the cubed grain diameter a^3.
 enum class Input { friction, log_inertial_number, inverse_pressure, bridge_volume };
 
-/// Request to the emulator, which interpolates simulations. The request is for the value of an
-/// observable at a state of steady shear, or for the derivative of the observable with respect to
-/// one variable.
+/// Request to the emulator for the value of an observable at a state of steady shear, or for the
+/// derivative of the observable with respect to one variable. The emulator interpolates
+/// simulations.
 struct Query {
     FlowState state;
     dem::Observable which = dem::Observable::stress_ratio;
@@ -24,9 +24,8 @@ struct Query {
     std::optional<Input> by = {};
 };
 
-/// Map whose key is an observable and whose value contains the hyperparameters (amplitudes,
-/// correlation lengths and noise) of the observable's Gaussian process in the emulator. The map
-/// need not contain all observables.
+/// Hyperparameters (amplitudes, correlation lengths and noise) of the emulator's Gaussian
+/// processes, with the observable as the key. The map need not contain all observables.
 using EmulatorHyperparameters = std::map<dem::Observable, Hyperparameters>;
 
 }  // namespace pendular

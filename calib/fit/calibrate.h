@@ -10,15 +10,15 @@
 
 namespace pendular {
 
-/// Stopping criteria of a calibration, which alternates between simulations and fits in rounds, and
-/// the start of the first fit.
+/// Stopping criteria and starting values of a calibration. A calibration proceeds in rounds, each
+/// of which consists of simulations followed by a fit.
 struct CalibrationOptions {
     /// Largest relative increase [1] of the standard error of a parameter or of a predicted reading
     /// that the noise of the simulations may cause (0.2: 20 %). The function `enlargement_by_runs`
     /// computes the increase.
     double largest_enlargement = pendular::largest_enlargement;
-    /// Largest change of a fitted parameter in the last round with which a calibration may end, in
-    /// standard errors of the parameter [1].
+    /// Largest change of a fitted parameter from one round to the next, in standard errors of the
+    /// parameter [1], at which the parameter counts as no longer changing.
     double settled = 0.5;
     /// Smallest number of rounds of simulations and fits in a calibration. If the time for
     /// simulations ends, a calibration may have fewer rounds.
@@ -30,12 +30,12 @@ struct CalibrationOptions {
     std::optional<Eigen::VectorXd> start = {};
 };
 
-/// Function that is called after each round of a calibration, in which simulations are followed by
-/// a fit. The arguments are the number of the round, from 1, and the fit of the round.
+/// Function that is called after each round (simulations followed by a fit) of a calibration, to
+/// report progress. The arguments are the number of the round, from 1, and the fit of the round.
 using CalibrationReport = std::function<void(int round, const Fit& fit)>;
 
-/// Model that is improved between fits. The model requests simulation runs and is trained on the
-/// runs.
+/// Model that is improved between the fits of a calibration. An improvement makes simulation runs
+/// and trains the model's emulator on the runs.
 class LearningModel {
   public:
     virtual ~LearningModel() = default;
@@ -46,8 +46,8 @@ class LearningModel {
     /// @param parameters parameter values at which the new runs are to improve predictions: the
     ///        result of the last fit or, before any fit, the starting values
     /// @param excess variance that the noise of the runs causes in the most affected parameter or
-    /// predicted reading of the last fit, divided by the largest acceptable variance [1]
-    /// (`Enlargement::excess`); above 1, the number of runs should grow by about the
+    ///        predicted reading of the last fit, divided by the largest acceptable variance [1]
+    ///        (`Enlargement::excess`); above 1, the number of runs should grow by about the
     ///        factor `excess`
     virtual void improve(const Eigen::VectorXd& parameters, double excess) = 0;
     /// Whether the simulation runs of the last call of `improve` agree with the predictions that

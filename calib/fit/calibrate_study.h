@@ -15,14 +15,16 @@
 
 namespace pendular {
 
-/// Settings of a calibration, which fits the model of a study with simulations as needed.
+/// Settings of a calibration. A calibration fits the parameters of a study's model to the readings
+/// and makes simulation runs as needed.
 struct CalibrationRequest {
     /// Fidelity of the new simulations: number of grains, stiffness number, lowest inertial number
     /// and strain.
     Fidelity fidelity;
     /// Random seed from which the seeds of all simulations of the calibration follow.
     std::uint64_t seed = 1;
-    /// Whether to compute the 68 % interval of the friction coefficient (`profile_interval`).
+    /// Whether to compute the 68 % interval of the friction coefficient from the profile likelihood
+    /// (`profile_interval`).
     bool profile = false;
     /// Stopping criteria of the calibration, which alternates between simulations and fits.
     CalibrationOptions options = {};
@@ -32,12 +34,13 @@ struct CalibrationRequest {
     /// Options for the cohesion lines: straight lines of stress ratio against the inverse reduced
     /// pressure 1/P* that are fitted to wet readings.
     CohesionOptions cohesion = {};
-    /// Simulation runs that exist before the calibration and train the emulator, which interpolates
-    /// simulations. If there are no such runs and `KnownRuns::orders_more` is true, the calibration
-    /// first simulates dry runs spread over friction coefficient and inertial number.
+    /// Simulation runs that exist before the calibration and on which the emulator is trained. If
+    /// there are no such runs and `KnownRuns::orders_more` is true, the calibration first simulates
+    /// dry runs spread over friction coefficient and inertial number.
     KnownRuns known = {};
-    /// Function that is called before the simulations for wet readings that are predicted but not
-    /// fitted. The argument is the name of this stage, "wet readings". The function may be empty.
+    /// Function that is called when the calibration begins to simulate for wet readings that are
+    /// predicted but not fitted. The argument is the name of this stage, "wet readings", for a
+    /// message to the user. The function may be empty.
     std::function<void(std::string_view)> stage = {};
 };
 
@@ -73,27 +76,28 @@ std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>&
 /// fitted together.
 ResolvedStudy fitting_all(const ResolvedStudy& study);
 
-/// Predicts, at the fitted parameters of a calibration, the shear stress [Pa] and solid fraction
-/// [1] at each of the `conditions` in turn, which the calibration did not fit. The covariance of
-/// the prediction includes the error of the fit: the covariance is that of the model plus J C J',
-/// with the covariance C of the parameters and the derivatives J of the predictions with respect to
-/// the parameters. The fit has already compensated for errors of the model that the predictions
-/// share with the fitted readings, such as errors of corrections and of common runs. The covariance
-/// is corrected for these shared errors. Without shared errors and with a linear model, the chi2 of
-/// the fitted readings and the chi2 of the predicted readings add up to the chi2 of a joint fit.
+/// Predicts the shear stress [Pa] and solid fraction [1] at each of `conditions` in turn, at the
+/// fitted parameters of a calibration that did not fit readings at these conditions. The covariance
+/// of the prediction includes the error of the fit: the covariance is that of the model plus J C
+/// J', with the covariance C of the parameters and the derivatives J of the predictions with
+/// respect to the parameters. The fit has already compensated for errors of the model that the
+/// predictions share with the fitted readings, such as errors of corrections and of common runs.
+/// The covariance is corrected for these shared errors. Without shared errors and with a linear
+/// model, the chi2 of the fitted readings and the chi2 of the predicted readings add up to the chi2
+/// of a joint fit.
 Prediction predict_unseen(const Predictor& model, const Calibration& calibration,
                           const std::vector<Condition>& conditions);
 
 /// Predicts, at the fitted parameters of a calibration, the shear stress [Pa] and solid fraction
-/// [1] of each reading of the calibration in turn. For readings that were not fitted, the
-/// covariance includes the error of the fit (`predict_unseen`). The covariance between fitted
-/// readings and readings that were not fitted is set to 0.
+/// [1] of each reading of the study in turn, whether fitted or not. For readings that were not
+/// fitted, the covariance includes the uncertainty of the fitted parameters (`predict_unseen`). The
+/// covariance between fitted readings and readings that were not fitted is set to 0.
 Prediction predict_readings(const Predictor& model, const Calibration& calibration);
 
-/// Fits the cohesion lines of a calibration again and replaces the lines and the notes on the
-/// lines. A cohesion line is a straight line of stress ratio against the inverse reduced pressure
-/// 1/P*. First lines are fitted to the measured wet readings, then lines to the predicted wet
-/// readings. A study without wet readings has no lines.
+/// Fits the cohesion lines of a calibration and puts them in place of the calibration's earlier
+/// lines, with the notes on the lines. A cohesion line is a straight line of stress ratio against
+/// the inverse reduced pressure 1/P*. The lines of the measured stress ratios come first, then the
+/// lines of the predicted stress ratios. A study without wet readings has no lines.
 void add_cohesion_lines(Calibration& calibration);
 
 }  // namespace pendular

@@ -42,8 +42,8 @@ struct Calibration {
     Fidelity fidelity;
     /// Random seed from which the seeds of all simulations of the calibration follow.
     std::uint64_t seed = 1;
-    /// Whether the calibration began without any earlier run that could train the emulator, which
-    /// interpolates simulations.
+    /// Whether the calibration began without earlier simulation runs, so that the emulator is
+    /// trained on the calibration's own runs only.
     bool cold = false;
     /// Parameters of the model, of which the first is the friction coefficient.
     std::vector<Parameter> parameters;
@@ -65,15 +65,16 @@ struct Calibration {
     /// Number of rounds of simulations and fits that led to the last fit. Rounds of a preceding fit
     /// to the dry readings alone are not counted.
     int rounds = 0;
-    /// Simulation runs on which the model's emulator, which interpolates simulations, is trained.
+    /// Simulation runs on which the emulator of the model is trained, earlier runs and new runs.
     std::vector<dem::RunResult> runs;
     /// Hyperparameters of the emulator (amplitudes, correlation lengths and noise of the Gaussian
     /// processes) for each observable.
     EmulatorHyperparameters hyperparameters;
-    /// Numbers of runs that were simulated for the calibration, an entry for each reason.
+    /// Numbers of runs that were simulated for the calibration. There is an entry for each reason
+    /// to simulate, such as "to confirm the optimum".
     std::vector<SimulatedRuns> simulated;
-    /// Lower and upper end of the 68 % interval of the friction coefficient [1]
-    /// (`profile_interval`); empty if the interval was not requested.
+    /// Lower and upper end of the 68 % interval of the friction coefficient [1], from the profile
+    /// likelihood (`profile_interval`); empty if the interval was not requested.
     std::optional<std::pair<double, double>> profile;
     /// Sentences for the user that qualify the result of the calibration (`notes_on`).
     std::vector<std::string> notes;

@@ -68,8 +68,8 @@ double stress_ratio(const CohesionLine& line, double reduced_pressure);
 /// reduced pressure 1/P*.
 struct CohesionOptions {
     /// Lowest reduced pressure P* [1] of the readings to which a line is fitted. The default is the
-    /// value of Badetti et al. (2018). For P* <= 1, the stress ratio of a straight line is too
-    /// high.
+    /// value of Badetti et al. (2018). For P* <= 1, a straight line gives a stress ratio above that
+    /// of wet grains.
     double lowest_reduced_pressure = lowest_cohesion_pressure;
 
     /// Whether a line is fitted to readings at the reduced pressure `reduced_pressure` [1]. The
@@ -95,15 +95,16 @@ std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
                                          std::vector<std::string>& notes);
 
 /// Fits a straight line of the predicted stress ratio against the inverse reduced pressure 1/P* to
-/// each group of wet readings of steady shear (`wet_groups`). The groups, the limit of P* and the
-/// smallest difference of P* are those of the lines fitted to measured stress ratios.
+/// each group of wet readings of steady shear (`wet_groups`). The groups of readings, the lowest P*
+/// and the smallest difference of P* are those of the lines that are fitted to measured stress
+/// ratios.
 ///
 /// The points are weighted by the covariance of the measured readings. The standard errors of the
-/// lines follow from the full covariance of the predictions. Weights by the covariance of the
-/// predictions would mislead. If the points share most of their errors, such weights let small
-/// differences between the points determine the line, although simulated stress ratios are not
-/// exactly linear in 1/P*. A large chi2 means that the errors of the readings are small enough to
-/// reveal this curvature.
+/// lines follow from the full covariance of the predictions. The covariance of the predictions
+/// would give misleading weights if the points share most of their errors. Small differences
+/// between the points would determine the line, although simulated stress ratios are not exactly
+/// linear in 1/P*. A large chi2 means that the errors of the readings are small enough to reveal
+/// this curvature.
 /// @param predicted predictions of all `readings`, with their covariance
 /// @param notes receives sentences for the user on groups without a line and on readings that a
 ///        line leaves out

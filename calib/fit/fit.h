@@ -15,8 +15,8 @@ namespace pendular {
 /// in the unit of the parameter.
 struct Measured {
     Eigen::VectorXd value;
-    /// Covariance of the errors of the measured values, with the scatter of replicates (repeated
-    /// measurements) as estimated.
+    /// Covariance of the errors of the measured values. The covariance contains the estimated
+    /// scatter of replicates (repeated measurements), as if the estimate were exact.
     Eigen::MatrixXd covariance;
     /// Addition to `covariance` that widens the standard errors if few replicates (repeated
     /// measurements) determine the scatter. If empty, nothing is added.
@@ -84,8 +84,8 @@ struct Fit {
 };
 
 /// Accuracy and limits of the search for the minimum of chi2 in a least-squares fit. With the
-/// defaults, fits reproduce certified regressions to ten digits. An accuracy well within the errors
-/// of the readings needs much less effort.
+/// default values, fits reproduce certified regression results to ten digits. Much less effort
+/// suffices if the errors of the fit need only be far below the errors of the readings.
 struct FitEffort {
     /// Largest number of steps of one search for the minimum of chi2.
     int most_steps = 1000;
@@ -95,7 +95,8 @@ struct FitEffort {
     /// standard errors of the parameters, is at most `settled` times sqrt(chi2).
     double settled = 1e-10;
     /// Whether to repeat the search from the start with other settings of the solver if the search
-    /// leaves a parameter undetermined.
+    /// leaves a parameter undetermined. If false, the solver also spends less effort on each step
+    /// at the bounds of the parameters.
     bool elsewhere = true;
 };
 
@@ -104,9 +105,10 @@ struct FitEffort {
 ///     minimise r'r,  r = L^-1 (y - f(theta)),  L L' = Sigma_measurement + Sigma_simulation(start),
 /// with the predictions f of the model and the covariances Sigma of measurement and simulation.
 /// Sigma_simulation is evaluated at `start` and kept constant, so that the fit cannot reduce chi2
-/// by a larger simulation error. Repeat the fit from its result until the result no longer changes.
-/// If a search does not determine a parameter within the parameter's range, further searches with
-/// other settings begin at `start`, and the lowest minimum is returned.
+/// by a larger simulation error. The caller should repeat the fit from the fitted parameters until
+/// the parameters no longer change. If a search does not determine a parameter within the
+/// parameter's range, further searches with other settings begin at `start`, and the lowest minimum
+/// is returned.
 /// @param start starting values, in the order and units of the parameters
 /// @throws std::logic_error if the sum of both covariances is not positive definite
 /// @throws std::domain_error if the readings are impossible at `start`: no true state of the cell

@@ -12,12 +12,12 @@ namespace pendular {
 /// standard error with an unlimited number of runs.
 constexpr double largest_enlargement = 0.2;
 
-/// Largest enlargement in a fit. An enlargement is the relative increase of a standard error by the
-/// noise of the simulation runs. The standard errors of all fitted parameters and of all predicted
-/// readings are compared.
+/// Largest relative increase (enlargement) of a standard error in a fit by the noise of the
+/// simulation runs, with the name of the parameter. The standard errors of all fitted parameters
+/// and of all predicted readings are compared.
 struct Enlargement {
-    /// Enlargement [1]: ratio of the standard error with the noise of the simulation runs to the
-    /// standard error without the noise of the runs, minus 1.
+    /// Relative increase of the standard error by the noise of the simulation runs [1]: ratio of
+    /// the standard error with the noise to the standard error without the noise, minus 1.
     double size = 0;
     /// Name of the parameter whose standard error is enlarged most. The name is empty if the
     /// standard error of a predicted reading is enlarged most.
@@ -41,8 +41,8 @@ std::string text_of(const Enlargement& enlargement);
 double enlargement(double noise, double rest);
 
 /// Finds which standard error of a fit the noise of the simulation runs increases most, and by how
-/// much. The standard error of a predicted reading includes the error of the measurement, since
-/// noise far below the errors of the readings changes no conclusion.
+/// much. The standard error of a predicted reading is taken as that of measured minus predicted
+/// value, since noise far below the errors of the readings changes no conclusion.
 /// @param parameters parameters of the fitted model, in the order of Fit::parameters
 Enlargement enlargement_by_runs(const Fit& fit, const Measured& measured,
                                 const std::vector<Parameter>& parameters);

@@ -11,9 +11,9 @@ namespace pendular {
 
 struct Calibration;
 
-/// Model of a study. The model contains the emulated simulation, the base model for wet grains (the
-/// simulation or a formula) and the effects that the study lists. Copies are cheap, since all
-/// copies share their constant parts.
+/// Model that predicts the readings of a study. The model contains the emulated simulation, the
+/// base model for wet grains (the simulation or a formula) and the effects that the study lists.
+/// Copies are cheap, since all copies share their constant parts.
 class StudyModel {
   public:
     /// Assembles the model of a study from the emulated simulation of the study's grains.
@@ -29,7 +29,8 @@ class StudyModel {
     /// Returns the predictor of readings as the instrument shows them, with all effects of the
     /// study.
     const EffectModel& model() const { return *model_; }
-    /// Returns the predictor model() as a shared pointer, which may outlive the object.
+    /// Returns the predictor of readings, model(), as a shared pointer, which may outlive the
+    /// `StudyModel`.
     std::shared_ptr<const EffectModel> predictor() const { return model_; }
     /// Returns the emulated simulation that the base model and the effects use.
     const EmulatedSimulation& simulation() const { return *simulation_; }
@@ -39,8 +40,9 @@ class StudyModel {
     /// Returns the model that predicts first `readings` as the instrument shows them, then the
     /// direct measurements of the study.
     ModelOfReadings at(const std::vector<Reading>& readings) const;
-    /// Returns the parameter values of flow(), the predictor for an ideal instrument, selected from
-    /// `parameters`, the values of all parameters of model().
+    /// Returns those of `parameters` that belong to flow(), the predictor for an ideal instrument.
+    /// `parameters` are the values of all parameters of model(), including those of effects on the
+    /// instrument.
     Eigen::VectorXd flow_parameters(const Eigen::VectorXd& parameters) const;
     /// Returns, for each of `conditions`, the condition imposed on the grains, with grains and
     /// liquid as the study's effects change them. `conditions` are the conditions that an ideal
@@ -60,10 +62,10 @@ class StudyModel {
     std::shared_ptr<const EffectModel> model_, flow_;
 };
 
-/// Checks that a calibration, which may have been read from a file, fits a model. The parameters of
-/// the calibration must have the names of the parameters of `model`. No parameter value may lie
-/// outside the bounds of the parameter by more than the distance between the bounds.
-/// @throws InputError if the calibration does not fit the model
+/// Checks that a calibration, which may have been read from a file, belongs to the model `model`.
+/// The parameters of the calibration must have the names of the parameters of `model`. No parameter
+/// value may lie outside the bounds of the parameter by more than the distance between the bounds.
+/// @throws InputError if the calibration does not pass the check
 void check_parameters(const Calibration& calibration, const EffectModel& model);
 
 }  // namespace pendular

@@ -13,9 +13,9 @@ namespace pendular {
 
 /// Returns the model that predicts the shear stress [Pa] and solid fraction [1] of a study's
 /// readings. The emulated simulation predicts dry grains. Wet grains are predicted by the
-/// simulation or by the analytical formula (closure) that `level_with` selects. Then the effects
-/// change the predictions. Without effects, the model returns the predictions of the simulation or
-/// the formula unchanged.
+/// simulation or by the analytical formula (closure) that `level_with` selects. The effects of the
+/// model change these predictions. If the model has no effects, it returns the predictions of the
+/// simulation or the formula unchanged.
 /// @param simulation emulated simulation of the study's grains
 /// @param effects effects of the model, in the order of their parameters; the effects must outlive
 ///        the model
@@ -28,8 +28,8 @@ std::shared_ptr<const EffectModel> assemble_model(
 
 /// Selects the analytical formula (closure) or the simulation with which a model predicts the
 /// stress ratio of wet grains. The levels `closures::Level` are ordered from the simplest formula
-/// to the simulation. Returns the highest of these levels: the level of the study's base model, and
-/// the level of each effect in `effects` that replaces an approximation of the formula.
+/// to the simulation. The study's base model has a level, and so has each effect in `effects` that
+/// replaces an approximation of the formula. The function returns the highest of these levels.
 closures::Level level_with(const Study& study, const std::vector<const Effect*>& effects);
 
 }  // namespace pendular

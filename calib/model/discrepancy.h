@@ -13,8 +13,8 @@ namespace pendular {
 ///     exp(-[ln(s22_a/s22_b)^2/L_s^2 + (sqrt I_a - sqrt I_b)^2/L_I^2
 ///           + (sqrt w_a - sqrt w_b)^2/L_w^2]/2),
 /// with the normal stress s22, the inertial number I, the liquid content w, L_s = ln 10 and L_I =
-/// L_w = 0.1. The error changes over a decade of normal stress, between inertial numbers 0 and
-/// 0.01, and between liquid contents 0 and 0.01.
+/// L_w = 0.1. The correlation falls to exp(-1/2) = 0.61 between normal stresses that differ by a
+/// factor of 10, between inertial numbers 0 and 0.01, and between liquid contents 0 and 0.01.
 /// Source: squared exponential as in Kennedy and O'Hagan, J. R. Stat. Soc. B 63 (2001) 425.
 double discrepancy_correlation(const Condition& a, const Condition& b);
 

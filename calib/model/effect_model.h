@@ -16,23 +16,26 @@ namespace pendular {
 /// those of the effects, with names "EFFECT.PARAMETER". An effect that is a switch (on or off) is
 /// on in the model and has no parameter.
 ///
-/// A prediction starts from the condition that the instrument shows and takes four steps. In step
-/// 1, the inverse of the instrument's map yields the condition truly imposed. In step 2, effects on
-/// grains and liquid change the imposed condition. In step 3, the inner model predicts the true
-/// shear stress and solid fraction, which effects on the flow may change. In step 4, the
-/// instrument's map converts the true values to the values that the instrument shows. If no effect
-/// acts on a reading, the prediction equals the prediction of the inner model.
+/// A prediction starts from the condition that the instrument shows and takes four steps. Two of
+/// the steps use the instrument's map (`InstrumentMap`), which gives the state that the instrument
+/// shows for a true state of the cell. In step 1, the inverse of the instrument's map yields the
+/// condition truly imposed. In step 2, effects on grains and liquid change the imposed condition.
+/// In step 3, the inner model predicts the true shear stress and solid fraction, which effects on
+/// the flow may change. In step 4, the instrument's map converts the true values to the values that
+/// the instrument shows. If no effect acts on a reading, the prediction equals the prediction of
+/// the inner model.
 ///
 /// Derivatives with respect to the parameter of an effect are central differences, with a step of a
 /// thousandth of the parameter's `smallest_of_interest`. The differences contain no noise, since
-/// predictions are smooth in the parameters. The covariance of a prediction includes the
-/// discrepancy (expected error of the model) that the study states. Predictions throw
+/// emulated predictions are smooth functions of the parameters. The covariance of a prediction
+/// includes the discrepancy (expected error of the model) that the study states. Predictions throw
 /// std::domain_error if no true state of the cell gives a condition that the instrument shows.
 class EffectModel : public Predictor {
   public:
     /// Adds the effects `effects`, which must outlive the model, to the inner model `inside`.
     /// Effects that replace an approximation of the formula for wet grains (ChangeClosure) change
-    /// nothing here, since the caller passes an inner model whose formula contains them.
+    /// nothing in this class. The caller must pass an inner model whose formula contains these
+    /// effects.
     EffectModel(std::shared_ptr<const FlowPredictor> inside, const Study& study,
                 std::vector<const Effect*> effects);
 
@@ -69,7 +72,7 @@ class EffectModel : public Predictor {
   private:
     struct Truths;
     /// Returns, for each of the `conditions` that the instrument shows, the truly imposed
-    /// condition, the true state of the cell and the instrument's map.
+    /// condition, the true state of the cell and the instrument's map (from true to shown states).
     Truths truths_at(const Eigen::VectorXd& parameters,
                      const std::vector<Condition>& conditions) const;
     /// Returns the values of the inner model's parameters, which come first in `parameters`.
@@ -103,9 +106,8 @@ class EffectModel : public Predictor {
 };
 
 /// Whether a model with the effects `effects` must be fitted to dry and wet readings together. A
-/// joint fit is needed in two cases: first, if one of the effects may also change readings that are
-/// not wet, and second, if an effect has a parameter to fit, which dry readings alone may not
-/// determine.
+/// joint fit is needed if one of the effects may change dry readings. A joint fit is also needed if
+/// an effect has a parameter to fit, which dry readings alone may not determine.
 bool needs_joint_fit(const std::vector<const Effect*>& effects);
 
 }  // namespace pendular

@@ -41,14 +41,14 @@ class EmulatedSimulation : public FlowPredictor {
     ///        difference of the condition is added
     FlowState flow_state_at(double friction, const EffectiveCondition& condition) const;
     /// Returns the state of steady shear of the study's grains at a condition, with bridge volume
-    /// 0. The bridge volume that yields the liquid content of the condition is left out, since its
-    /// computation takes time.
+    /// 0. The function saves the time to compute the bridge volume that yields the liquid content
+    /// of the condition.
     /// @param friction friction coefficient of the study's grains [1], to which the friction
     ///        difference of the condition is added
     FlowState unfilled_state_at(double friction, const EffectiveCondition& condition) const;
     /// Converts emulated numbers to the shear stress [Pa] and solid fraction [1] of a reading at
-    /// `condition`. The solid fraction of rigid grains is changed to the solid fraction of grains
-    /// of the study's stiffness.
+    /// `condition`. The function converts the solid fraction of rigid grains to the solid fraction
+    /// of grains of the study's stiffness.
     /// @param flow stress ratio [1], solid fraction of rigid grains [1], and mean overlap divided
     ///        by grain diameter [1]
     Eigen::Vector2d reading_of(const Eigen::Vector3d& flow,
@@ -84,7 +84,8 @@ class EmulatedSimulation : public FlowPredictor {
                                              const EffectiveCondition& condition) const;
 
     const Emulator& emulator() const { return emulator_; }
-    /// Returns the friction coefficient between 0 and 1 that is nearest to `friction` [1].
+    /// Returns the allowed friction coefficient, between 0 and 1, that is nearest to `friction`
+    /// [1].
     double allowed(double friction) const;
 
   private:
@@ -103,11 +104,12 @@ class EmulatedSimulation : public FlowPredictor {
     /// derivatives with respect to the friction coefficient and with the covariance of the errors.
     Prediction predict_all(const std::vector<FlowState>& states,
                            const std::vector<EffectiveCondition>& conditions) const;
-    /// Returns a ratio of two differences of solid fraction [1]. The numerator is the difference
-    /// between the study's grains at a condition and grains of the stiffness number
-    /// `emulated::reference_stiffness`. The denominator is the difference between rigid grains and
-    /// grains of the stiffness number `emulated::reference_stiffness`. The ratio is 1 for rigid
-    /// grains and negative for grains that are softer than the reference.
+    /// Returns a ratio of two differences of solid fraction [1], with which solid fractions are
+    /// corrected to the study's stiffness. The numerator is the difference between the study's
+    /// grains at a condition and grains of the stiffness number `emulated::reference_stiffness`.
+    /// The denominator is the difference between rigid grains and grains of the stiffness number
+    /// `emulated::reference_stiffness`. The ratio is 1 for rigid grains and negative for grains
+    /// that are softer than the reference.
     double stiffness_left(const EffectiveCondition& condition) const;
     /// Returns an emulated capillary stress at a wet condition, divided by F0/a^2 [1], with the
     /// derivative of the capillary stress with respect to the friction coefficient at constant
@@ -126,7 +128,7 @@ class EmulatedSimulation : public FlowPredictor {
 
     /// State of steady shear of grains with a given liquid content (liquid volume divided by grain
     /// volume) [1]. The state contains the bridge volume that yields the liquid content. States are
-    /// cached, since derivatives and covariances need each state again.
+    /// cached, since the computation of derivatives and covariances needs each state again.
     struct Filled {
         double liquid_content;
         FlowState state;

@@ -55,10 +55,7 @@ std::vector<dem::RunResult> usable_of(const std::vector<dem::RunResult>& runs,
         } else {
             notes.push_back(fmt::format("a simulation at {} is not used: it {}",
                                         describe(emulated::flow_state_of(run.parameters)),
-                                        !run.failure.empty() ? "failed, " + run.failure
-                                        : run.crystallised   ? "crystallised"
-                                        : run.steady         ? "sheared in a band"
-                                                             : "was not steady"));
+                                        emulated::why_unusable(run)));
         }
     }
     return usable;

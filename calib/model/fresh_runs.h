@@ -11,7 +11,8 @@
 namespace pendular {
 
 /// Source of random seeds for new simulation runs. The seeds make each new run differ from all
-/// earlier runs, since a repeated run would give the result of the earlier run.
+/// earlier runs. A run with the parameters and the seed of an earlier run would only repeat the
+/// result of the earlier run.
 class FreshSeeds {
   public:
     /// @param seed seed of the user, from which the seeds of all runs follow
@@ -29,8 +30,8 @@ class FreshSeeds {
     std::uint64_t next_ = std::uint64_t{1} << 32;
 };
 
-/// Returns those of `runs` that can train an emulator (`emulated::usable`). For each run that is
-/// left out, a sentence for the user is appended to `notes`, which states why the run is not used.
+/// Returns those of `runs` on which an emulator can be trained (`emulated::usable`). For each other
+/// run, the function appends a sentence to `notes` that tells the user why the run is not used.
 std::vector<dem::RunResult> usable_of(const std::vector<dem::RunResult>& runs,
                                       std::vector<std::string>& notes);
 
@@ -39,8 +40,8 @@ std::vector<dem::RunResult> usable_of(const std::vector<dem::RunResult>& runs,
 /// fractions at least as large as observed. The p value is 1 if there are no runs.
 double agreement(const Emulator& emulator, const std::vector<dem::RunResult>& fresh);
 
-/// Limit of the p value of `agreement` [1]. Below the limit, new runs count as different from the
-/// emulator's predictions.
+/// Limit of the p value of the agreement between new runs and an emulator (`agreement`) [1]. If the
+/// p value is below the limit, the runs count as different from the emulator's predictions.
 constexpr double disagreement = 0.01;
 
 }  // namespace pendular

@@ -9,10 +9,10 @@
 
 namespace pendular {
 
-/// Whether two states of steady shear are so similar that one simulation run can represent both
-/// states. The states must have equal effects on grains, and must agree within 5 % in friction
-/// coefficient, inertial number, reduced pressure, bridge volume and the parameter values of the
-/// effects. Stiffness numbers are not compared.
+/// Whether two states of steady shear are so similar that a simulation run at one state also
+/// represents the other state. The states must have equal effects on grains, and must agree within
+/// 5 % in friction coefficient, inertial number, reduced pressure, bridge volume and the parameter
+/// values of the effects. Stiffness numbers are not compared.
 bool near(const FlowState& a, const FlowState& b);
 
 /// Task for the function `most_informative`: the predictions to improve, and the states at which
@@ -26,8 +26,8 @@ struct RunChoice {
     Eigen::VectorXd weights;
     /// States of steady shear at which new runs may be made.
     std::vector<FlowState> from;
-    /// Factor by which new runs should reduce the root of the sum of squares of the weighted
-    /// variances [1].
+    /// Factor [1] by which new runs should reduce the error of the predictions, measured as the
+    /// root of the sum of squares of the weighted variances.
     double factor = 1;
     /// Smallest and largest number of new runs that `most_informative` chooses.
     std::size_t fewest = 4, most = 16;
@@ -36,12 +36,14 @@ struct RunChoice {
 /// Returns the states of steady shear at which new runs reduce the errors of the emulator's
 /// predictions most, the most useful state first. A state may occur several times. The measure of
 /// error is the sum of squares of the weighted variances of the predictions, so that the worst
-/// predictions count most. States are chosen one after the other, each with the largest reduction
-/// per computing time. The computing time is taken as inversely proportional to the inertial
-/// number. A run at state c reduces the covariance C of the predictions by
+/// predictions count most. The function chooses one state after another. Each chosen state reduces
+/// the measure of error most, relative to the computing time of its run. The computing time is
+/// taken as inversely proportional to the inertial number. A run at state c reduces the covariance
+/// C of the predictions by
 ///     C(., c) [C(c, c) + N]^-1 C(c, .),
-/// with the covariance N of the noise of a run with the settings `fidelity`. The number of returned
-/// states is between `choice.fewest` and `choice.most`.
+/// with the covariance N of the noise of a run with the settings `fidelity`. At least
+/// `choice.fewest` and at most `choice.most` states are returned. Within these limits, the choice
+/// ends when the root of the measure of error has decreased by the factor `choice.factor`.
 std::vector<FlowState> most_informative(const Emulator& emulator, const Fidelity& fidelity,
                                         const RunChoice& choice);
 

@@ -49,14 +49,15 @@ struct Prediction {
     Eigen::MatrixXd run_noise;
 };
 
-/// Returns the index, in the list `parameters`, of the parameter that the direct measurement
-/// `direct` measures; empty if the model has no such parameter.
+/// Returns the index of the parameter that the direct measurement `direct` measures, in the list
+/// `parameters` of a model's parameters. The result is empty if the model lacks this parameter.
 std::optional<Eigen::Index> place_of(const DirectMeasurement& direct,
                                      const std::vector<Parameter>& parameters);
 
-/// Returns the value that a model predicts for the direct measurement of a parameter, in the unit
-/// of the parameter. The predicted value is the entry of the parameter in `values`. If the model
-/// lacks the parameter, the predicted value is the neutral value, at which the effect vanishes.
+/// Returns the value that a model predicts for the direct measurement of an effect's parameter, in
+/// the unit of the parameter. The predicted value is that of the parameter in `values`. If the
+/// model lacks the parameter, the predicted value is the neutral value, at which the effect
+/// vanishes.
 /// @param parameters parameters of the model
 /// @param values values of the parameters, in the order of `parameters`
 double predicted_value(const DirectMeasurement& direct, const std::vector<Parameter>& parameters,
@@ -73,8 +74,8 @@ struct ParameterBounds {
 
 /// Model that predicts a given set of readings as a function of the model's parameters. The
 /// returned derivatives are the exact derivatives of the returned values, so that a least-squares
-/// solver never differentiates noise. A model never changes, so that several threads may use one
-/// model at once.
+/// solver needs no difference quotients, which noise would spoil. A model never changes, so that
+/// several threads may use one model at once.
 class Model {
   public:
     virtual ~Model() = default;

@@ -17,9 +17,9 @@ struct Candidate {
     std::vector<EffectParameter> parameters;
     /// Group under which tables list the effect, such as "instrument"; may be empty.
     std::string group = {};
-    /// Rank of the candidate in a sequence of candidates of which each includes all previous
-    /// candidates, such as ever better formulas for the strength of wet grains. The first rank is
-    /// 1. The rank is 0 if the candidate belongs to no sequence.
+    /// Rank of the candidate in a sequence in which each candidate includes all candidates of lower
+    /// rank. An example is the sequence of ever better formulas for the strength of wet grains. The
+    /// first rank is 1. The rank is 0 if the candidate belongs to no sequence.
     int level = 0;
 
     /// Whether the candidate is a switch, which is present or absent and has no parameter to fit.
@@ -29,8 +29,8 @@ struct Candidate {
     std::size_t free_parameters() const;
 };
 
-/// Candidates that are added to a bare model, as indices into ModelSpace::candidates(). The
-/// parameters of the candidates follow the parameters of the bare model, in the order of the
+/// Indices, in the list ModelSpace::candidates(), of the candidates that are added to a bare model.
+/// The parameters of the candidates follow the parameters of the bare model, in the order of the
 /// indices.
 using EffectSet = std::vector<std::size_t>;
 

@@ -28,8 +28,9 @@ struct CohesionGroup {
 
 /// Groups the strengths (stress ratios) of wet readings, `ModelSettings::strengths`, by liquid
 /// content and returns the groups in the order of increasing liquid content. Strengths at reduced
-/// pressures P* below `lowest_cohesion_pressure` are left out. The liquid contents of a group agree
-/// within 2 % with that of the first strength. The list is empty if the study has no liquid.
+/// pressures P* below `lowest_cohesion_pressure` are left out. The liquid content of each strength
+/// agrees within 2 % with the liquid content of the first strength of the group. The list is empty
+/// if the study has no liquid.
 std::vector<CohesionGroup> cohesion_groups(const ModelSettings& model,
                                            const GrainProperties& grains,
                                            const std::optional<Liquid>& liquid);
@@ -42,12 +43,12 @@ std::vector<CohesionGroup> cohesion_groups(const ModelSettings& model,
 /// For every value of mu, each c* is fitted by weighted least squares to the study's measured
 /// strengths (stress ratios) y_i at P*_i >= `lowest_cohesion_pressure`:
 ///     c* = sum w_i (y_i - mu*_dry(mu, I_i))/P*_i / sum w_i/P*_i^2,    w_i = 1/error(y_i)^2.
-/// At a liquid content to which no c* was fitted, the c* of the fitted liquid content with the
-/// nearest logarithm applies. `EmulatedSimulation` predicts the shear stresses of dry grains and
-/// all solid fractions. The covariance of a prediction includes the error of c* only at conditions
-/// to which c* was not fitted. Each fitted c* reduces the degrees of freedom of a misfit by one
-/// (`fitted_cohesions`); `Fit::dof` does not count it. Source: Badetti et al. (2018),
-/// Eq. (16).
+/// If no c* was fitted at the liquid content of a condition, the c* of the nearest liquid content
+/// applies, nearest in the logarithm of the liquid content. `EmulatedSimulation` predicts the shear
+/// stresses of dry grains and all solid fractions. The covariance of a prediction includes the
+/// error of c* only at conditions to which c* was not fitted. Each fitted c* reduces the degrees of
+/// freedom of a misfit by one (`fitted_cohesions`); `Fit::dof` does not include this reduction.
+/// Source: Badetti et al. (2018), Eq. (16).
 class MohrCoulombModel : public FlowPredictor {
   public:
     /// @param study study with the measured strengths (stress ratios) of the wet readings
@@ -96,9 +97,10 @@ class MohrCoulombModel : public FlowPredictor {
 int fitted_cohesions(const ModelSettings& model, const GrainProperties& grains,
                      const std::optional<Liquid>& liquid);
 
-/// Returns `study` with the strengths (stress ratios with standard errors) of those `readings` that
-/// are wet and of steady shear in the model settings. The strengths replace any earlier strengths.
-/// If the base model is not "mohr-coulomb", the study is returned unchanged.
+/// Returns `study` with new `ModelSettings::strengths`, to which constant cohesions are fitted. The
+/// strengths are the stress ratios, with standard errors, of all wet readings of steady shear among
+/// `readings`. Any earlier strengths are removed. If the base model is not "mohr-coulomb", the
+/// study is returned unchanged.
 Study with_strengths(Study study, const std::vector<Reading>& readings);
 
 }  // namespace pendular

@@ -10,9 +10,9 @@
 
 namespace pendular {
 
-/// Predictor of the shear stress [Pa] and solid fraction [1] that an instrument shows, at any
-/// conditions. In contrast, a `Model` predicts one given set of readings. A predictor never
-/// changes, so that several threads may use one predictor at once.
+/// Predictor of the shear stress [Pa] and solid fraction [1] that an instrument shows at any
+/// conditions, whereas a `Model` predicts one given set of readings. A predictor never changes, so
+/// that several threads may use one predictor at once.
 class Predictor {
   public:
     virtual ~Predictor() = default;
@@ -43,8 +43,8 @@ class Predictor {
     Point predict_at(const Eigen::VectorXd& parameters, const Condition& condition) const;
 };
 
-/// Predictions of a `FlowPredictor` near given parameter values and conditions, made fast for
-/// difference quotients over short steps.
+/// Fast predictions of a `FlowPredictor` near given parameter values and conditions, from which
+/// derivatives are computed as difference quotients over short steps.
 class FlowNeighbourhood {
   public:
     virtual ~FlowNeighbourhood() = default;
@@ -71,17 +71,17 @@ class FlowPredictor : public Predictor {
     virtual Prediction predict_flow(const Eigen::VectorXd& parameters,
                                     const std::vector<EffectiveCondition>& conditions,
                                     PredictionPart what = PredictionPart::covariance) const = 0;
-    /// Prepares fast predictions near the values `parameters` and near `conditions`, for difference
-    /// quotients, and returns an object that makes the predictions. The predictor must outlive the
-    /// returned object. By default, the returned object calls `predict_flow`.
+    /// Returns an object that makes fast predictions near the parameter values `parameters` and
+    /// near `conditions`, for difference quotients. The predictor must outlive the returned object.
+    /// By default, the returned object calls `predict_flow`.
     virtual std::unique_ptr<const FlowNeighbourhood> neighbourhood(
         const Eigen::VectorXd& parameters, const std::vector<EffectiveCondition>& conditions) const;
 };
 
-/// Returns the prediction `readings` with an entry appended for each direct measurement of a
-/// parameter. The entry is the value of the parameter among `values`. If the model lacks the
-/// parameter, the entry is the neutral value, at which the effect vanishes. The appended entries
-/// have no simulation error.
+/// Returns the prediction of readings, `readings`, with the prediction of each direct measurement
+/// of an effect's parameter appended. The appended entry is the value of the parameter in `values`.
+/// If the model lacks the parameter, the entry is the neutral value, at which the effect vanishes.
+/// The appended entries have no simulation error.
 /// @param parameters parameters of the model
 /// @param values values of the parameters, in the order of `parameters`
 Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>& direct,

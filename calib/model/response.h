@@ -39,9 +39,10 @@ Eigen::VectorXd products(const Eigen::VectorXd& change);
 Response respond(const Model& model, const Eigen::VectorXd& parameters,
                  const Eigen::VectorXd& steps);
 
-/// Returns a range of each parameter around the parameter values of an expansion. In this box of
-/// ranges, the expansion differs from the model's predictions by at most `tolerance` in every
-/// compared entry.
+/// Returns a box of parameter values, given by a range of each parameter, in which an expansion may
+/// replace the model. In the box, the expansion differs from the model's predictions by at most
+/// `tolerance` in every compared value. The box contains the parameter values about which the model
+/// is expanded.
 ///
 /// Each end of a range is first found with all other parameters fixed. The distance of the end is
 /// the largest of 40, 20, 10, 5, ... `steps`, limited to `range`, at which the expansion holds.
@@ -49,8 +50,8 @@ Response respond(const Model& model, const Eigen::VectorXd& parameters,
 /// corners of the box. For up to three parameters, all corners are tested; for more parameters,
 /// eight corners. If the expansion holds with none of the factors, the box contains only the
 /// parameter values of the expansion.
-/// @param tolerance largest difference of each of the first entries, in the unit of the entry;
-///        further entries are not compared
+/// @param tolerance largest allowed difference of each of the first predicted values, in the unit
+///        of the value; further values are not compared
 /// @param steps lengths in which the distances of the ends are measured, in the units of the
 ///        parameters, such as standard errors
 /// @param range limits of the box

@@ -9,7 +9,7 @@
 
 namespace pendular {
 
-/// Time limit for simulation runs. The time begins when the object is constructed.
+/// Time limit for simulation runs. The time is counted from the construction of the object.
 class RunBudget {
   public:
     /// Makes a budget without a time limit.
@@ -32,10 +32,11 @@ class RunBudget {
                            const std::vector<dem::RunResult>& measured, int threads,
                            double reserved = 0) const;
 
-    /// Returns how many of `runs`, counted from the first run, to carry out before the best runs
-    /// are chosen again. The number is that of the runs that are expected to end within a third of
-    /// the time left, or the number of threads if that is larger. The number is never larger than
-    /// what `affordable` returns.
+    /// Returns how many of `runs`, counted from the first run, to carry out before the planner
+    /// chooses the most useful runs again. The number is that of the runs that are expected to end
+    /// within a third of the time left for runs, or the number of threads if that is larger. The
+    /// number is never larger than what `affordable` returns. The time left for runs is the time
+    /// left minus the time `reserved`.
     /// @param measured finished runs, from whose wall times the wall times of `runs` are estimated
     /// @param threads number of runs carried out at the same time
     /// @param reserved time for other work [s]
@@ -43,10 +44,10 @@ class RunBudget {
                       const std::vector<dem::RunResult>& measured, int threads,
                       double reserved = 0) const;
 
-    /// Carries out runs (`run_all`) until all runs are finished or the time of the budget ends,
-    /// minus the time `reserved` for other work [s]. Returns the results in the order of `runs`. If
-    /// the time ends first, only the results of finished runs that are in the store of `workers`
-    /// are returned.
+    /// Carries out runs (`run_all`) and stops when only the time `reserved` for other work [s] is
+    /// left of the budget. Returns the results in the order of `runs`. If the time ends before all
+    /// runs are finished, only the results of finished runs that are in the store of `workers` are
+    /// returned.
     /// @throws dem::Interrupted if the user stops the work, and all other exceptions that `run_all`
     ///         throws
     std::vector<dem::RunResult> run(const std::vector<dem::RunParameters>& runs,

@@ -20,7 +20,8 @@ std::vector<double> inertial_numbers_for(const std::vector<Condition>& condition
 /// condition is more than 5 % below `lowest`, the lowest inertial number of the runs [1].
 bool extrapolated(const std::vector<Condition>& conditions, double lowest);
 
-/// Dimensionless numbers of a wet state at which runs are to be simulated.
+/// Dimensionless numbers of a wet state at which runs are to be simulated, without the friction
+/// coefficient, for which several values are simulated.
 struct WetSetting {
     double inverse_pressure = 0;  ///< inverse reduced pressure 1/P* [1]
     /// Liquid content Phi_L/Phi_S [1]: volume of liquid divided by volume of grains.
@@ -32,8 +33,9 @@ struct WetSetting {
 /// settings contain the pairs of reduced pressure and liquid content of the conditions. Two pairs
 /// count as different if reduced pressure or liquid content differ by more than 5 %. If there are
 /// more than `most_wet_pairs` pairs, `most_wet_pairs` of them are chosen as far apart as possible.
-/// Each pair is taken at the lowest and at the highest of the inertial numbers that
-/// `inertial_numbers_for` returns for the wet conditions.
+/// The settings contain each pair twice: with the lowest and with the highest of the inertial
+/// numbers that `inertial_numbers_for` returns for the wet conditions. If `inertial_numbers_for`
+/// returns only one number, the settings contain each pair once.
 /// @param lowest lowest inertial number of the runs [1]
 /// @throws std::invalid_argument if a condition is wet but the study has no liquid
 std::vector<WetSetting> wet_settings_for(const std::vector<Condition>& conditions,
@@ -43,9 +45,9 @@ constexpr std::size_t most_wet_pairs = 12;
 
 /// Returns the points of a Latin hypercube design in the square [-1, 1]^2, one point for each of
 /// `settings`, in the order of `settings`. The planner of runs uses the coordinates of a point to
-/// vary the friction coefficient and the bridge volume of a run. The points of all settings with
-/// one inertial number are evenly spread along both axes. The points do not depend on the reduced
-/// pressures and liquid contents of the settings.
+/// vary the friction coefficient and the bridge volume of a run. For each inertial number, the
+/// points of the settings with this inertial number are evenly spread along both axes. The points
+/// do not depend on the reduced pressures and liquid contents of the settings.
 /// @param seed seed of the random order
 std::vector<std::pair<double, double>> latin_places(const std::vector<WetSetting>& settings,
                                                     std::uint64_t seed);

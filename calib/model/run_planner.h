@@ -29,8 +29,8 @@ struct SimulatedRuns {
 /// on the runs. Without earlier runs, the planner begins with dry runs spread over friction
 /// coefficient and inertial number. Then the planner requests runs at states of steady shear
 /// outside the range of the earlier runs, where an emulator must not extrapolate. Finally the
-/// planner requests runs near the optimum of a fit, which check the emulator and reduce the errors
-/// of the predictions.
+/// planner requests runs near the optimum of a fit (the fitted friction coefficient), which check
+/// the emulator and reduce the errors of the predictions.
 class RunPlanner {
   public:
     /// Trains a first emulator on the earlier runs `known`. If there are no earlier runs and runs
@@ -55,8 +55,8 @@ class RunPlanner {
     /// requested. The first call requests runs at states outside the range of the known runs. Later
     /// calls request runs near `friction`, which check and improve the emulator.
     /// @param conditions conditions truly imposed on the grains, dry and wet
-    /// @param excess variance that the noise of the runs causes in a fit, divided by the largest
-    ///        acceptable variance [1]
+    /// @param excess variance that the noise of the runs causes in the last fit, divided by the
+    ///        largest acceptable variance [1] (`Enlargement::excess`)
     /// @throws dem::SimulationError if wet runs are needed, no wet run is known, and all of the
     ///         first wet runs fail
     void improve(double friction, const std::vector<EffectiveCondition>& conditions, double excess);
@@ -77,19 +77,19 @@ class RunPlanner {
     bool confirmed() const { return confirmed_ || !orders_more_; }
     /// Whether the planner may request new runs (`KnownRuns::orders_more`).
     bool orders_more() const { return orders_more_; }
-    /// Whether the time budget has ended: none of the runs that the planner chose last could end in
-    /// time, so that the emulator gained no run.
+    /// Whether the time budget has ended. The budget has ended if none of the runs that the planner
+    /// chose last could end in time, so that the emulator gained no run.
     bool exhausted() const { return exhausted_; }
-    /// Returns the numbers of runs carried out so far, an entry for each reason.
+    /// Returns the numbers of runs carried out so far, with an entry for each reason to simulate.
     const std::vector<SimulatedRuns>& simulated() const { return simulated_; }
-    /// Returns sentences for the user on runs that do not train the emulator, such as failed runs,
-    /// and on new runs that disagreed with the emulator's predictions.
+    /// Returns messages to the user on runs left out of the training of the emulator, such as
+    /// failed runs, and on new runs that disagreed with the emulator's predictions.
     const std::vector<std::string>& notes() const { return notes_; }
 
   private:
-    /// States of steady shear of one setting at which runs may be requested: at a friction
-    /// coefficient (`at_friction`), at a lower friction coefficient (`below`) and at a higher
-    /// friction coefficient (`above`).
+    /// Three states of steady shear at which runs may be requested for one condition: at a given
+    /// friction coefficient (`at_friction`), at a lower friction coefficient (`below`) and at a
+    /// higher friction coefficient (`above`).
     struct Candidate {
         FlowState at_friction, below, above;
     };
@@ -111,18 +111,18 @@ class RunPlanner {
     /// does nothing if a training run is wet already or no runs may be requested.
     /// @throws dem::SimulationError if all of the first wet runs fail
     void begin_wet(double friction);
-    /// Improves, as `improve` does, the predictions of only the dry conditions (`wet` is false) or
-    /// only the wet conditions.
+    /// Carries out the work of the function `improve` for only the dry conditions (`wet` is false)
+    /// or only the wet conditions.
     void learn(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                double excess);
-    /// Finds the dry (`wet` is false) or wet states of `candidates` that lie outside the range of
-    /// the earlier runs at the friction coefficient `friction` [1]. Requests the runs that most
+    /// Finds the states for the dry (`wet` is false) or wet conditions that lie outside the range
+    /// of the earlier runs, at the friction coefficient `friction` [1]. Requests the runs that most
     /// improve the predictions at these states. The runs may be at these states or at the lower and
-    /// higher friction coefficients of these states.
+    /// higher friction coefficients of `candidates`.
     void order_beyond(double friction, const std::vector<EffectiveCondition>& conditions, bool wet);
     /// Requests runs near the friction coefficient `friction` [1], the optimum of a fit, for the
     /// dry conditions (`wet` is false) or the wet conditions, and tests whether the runs agree with
-    /// the emulator. If not, confirmed() becomes false.
+    /// the emulator. If the runs disagree, confirmed() becomes false.
     /// @param excess factor by which the weighted variances of the predictions are to decrease [1]
     void confirm(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                  double excess);
@@ -132,19 +132,20 @@ class RunPlanner {
     std::vector<FlowState> most_informative(const std::vector<FlowState>& targets,
                                             const std::vector<FlowState>& from,
                                             double excess) const;
-    /// Returns the last note. If there is no note, the function returns the reason: the time ended
-    /// before the first simulation did.
+    /// Returns the reason why none of the first runs succeeded, for the message of an exception.
+    /// The reason is the last of notes(). If there are no notes, the reason is that the time for
+    /// simulations ended before the first run ended.
     std::string last_note() const;
     /// Returns the parameters of a new run at each state. The seeds make each new run differ from
     /// all runs on which the emulator is trained.
     std::vector<dem::RunParameters> runs_at(const std::vector<FlowState>& states);
-    /// Simulates `runs`, counts the runs under the reason `why` and returns the results that can
-    /// train the emulator.
+    /// Simulates `runs`, counts the runs under the reason `why` and returns the results on which
+    /// the emulator can be trained.
     std::vector<dem::RunResult> simulated(const std::vector<dem::RunParameters>& runs,
                                           const std::string& why);
-    /// Carries out the first of the runs at `states`. The number of runs is what the time budget
-    /// allows before the best states are chosen again (RunBudget::batch). Counts the runs under the
-    /// reason `why` and trains the emulator on the runs.
+    /// Carries out runs at the first of `states` and trains the emulator on the runs. The time
+    /// budget determines how many runs are carried out before the best states are chosen again
+    /// (RunBudget::batch). The runs are counted under the reason `why`.
     /// @return p value of the agreement of the runs with the emulator before the training
     ///        (`agreement`); empty if no run had a usable result, or the budget allowed no run
     std::optional<double> simulate_at(const std::vector<FlowState>& states, const std::string& why);
@@ -163,7 +164,7 @@ class RunPlanner {
     std::shared_ptr<const EmulatedSimulation> simulation_;
     /// Lowest inertial number of the study's readings [1].
     double slowest_;
-    /// Inertial numbers at which dry runs are requested [1].
+    /// Inertial numbers at which simulations of dry grains are requested [1].
     std::vector<double> inertial_numbers_;
     /// Whether predictions at slow readings are extrapolated in a calibration that began without
     /// earlier runs: the inertial number of a reading is more than 5 % below

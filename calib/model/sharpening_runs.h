@@ -22,8 +22,8 @@ struct FittedModel {
 
 /// Returns a task for `most_informative`: to choose the runs that most reduce the contribution of
 /// simulation noise to the chi2 of all fitted models. The targets are the states of steady shear of
-/// the readings in each model. Runs may be made at the target states, first with the effects of
-/// each model at their fitted sizes, second without effects. The states are taken at the fitted
+/// the readings in each model. Runs may be made at the target states, either with the effects of
+/// each model at their fitted sizes or without effects. The states are taken at the fitted
 /// parameters and at parameters shifted up and down by one standard error along the direction in
 /// which the parameters are least certain, since the next fit may end at the shifted parameters.
 /// The variance of each prediction has the weight 1/sigma^2, with the standard error sigma of the

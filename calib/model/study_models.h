@@ -13,12 +13,12 @@
 namespace pendular {
 
 /// Physical effect that a diagnosis cannot test. The effect is neither in the study's model nor a
-/// candidate for addition to the model. `effect` is the name of the effect, and `why` states the
-/// reason for the user.
+/// candidate for addition to the model. `effect` is the name of the effect, and `why` tells the
+/// user the reason.
 struct LeftAside {
     std::string effect, why;
-    /// Whether the effect was not tested only because no earlier simulation has the effect as its
-    /// only effect. The effect itself applies to the study.
+    /// Whether the only obstacle to a test is that no earlier simulation has the effect as its only
+    /// effect, although the effect applies to the study.
     bool without_runs = false;
 };
 
@@ -67,8 +67,8 @@ class StudyModels : public ModelSpace {
     /// predict the direct measurements after the readings.
     const std::vector<DirectMeasurement>& direct() const { return study_.direct(); }
 
-    /// Returns the effects that the study does not list and that cannot be added to the model in a
-    /// test, each with the reason.
+    /// Returns the effects that the study does not list and that a diagnosis cannot test, each with
+    /// the reason.
     const std::vector<LeftAside>& left_aside() const { return left_aside_; }
 
     /// Returns the reasons why the earlier runs do not support predictions of the study's readings
@@ -81,8 +81,9 @@ class StudyModels : public ModelSpace {
     /// @param friction friction coefficient of the grains [1]
     std::string why_unsupported(double friction, const Condition& condition) const;
 
-    /// Returns the study with all effects of the study's catalogue in the model. For the returned
-    /// study, `runs_serving` accepts training runs with any effect.
+    /// Returns the study with all effects of the study's catalogue listed in the model. If
+    /// `runs_serving` is called with the returned study, training runs with any effect of the
+    /// catalogue are accepted.
     static Study with_all_effects(const ResolvedStudy& study);
 
   private:

@@ -27,12 +27,14 @@ dem::RunParameters run_at(const FlowState& state, const Study& study, const Fide
 double stiffness_number_of(const Condition& condition, const GrainProperties& grains,
                            const Fidelity& fidelity);
 
-/// Returns a ratio of two differences of solid fraction [1]. The numerator is the difference
-/// between the study's grains and grains of the stiffness number `simulated`. The denominator is
-/// the difference between rigid grains and grains of the stiffness number `simulated`. With the
-/// study's stiffness number kappa (`stiffness_number_of`), the ratio is
+/// Returns the share [1] of a full correction to rigid grains that corrects a simulated solid
+/// fraction to the study's stiffness. The share is a ratio of two differences of solid fraction.
+/// The numerator is the difference between the study's grains and grains of the stiffness number
+/// `simulated`. The denominator is the difference between rigid grains and grains of the stiffness
+/// number `simulated`. With the study's stiffness number kappa (`stiffness_number_of`), the share
+/// is
 ///     1 - simulated/kappa.
-/// The ratio is negative if the study's grains are softer than the simulated grains.
+/// The share is negative if the study's grains are softer than the simulated grains.
 double stiffness_share(double simulated, const Condition& condition, const GrainProperties& grains,
                        const Fidelity& fidelity);
 

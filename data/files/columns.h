@@ -15,16 +15,17 @@ namespace pendular {
 ///
 /// Header cells read `name [unit]`, `name (unit)` or `name in unit`. Columns may be in any order. A
 /// column `name_sd [unit]` has standard deviations. If the header cell of the standard deviations
-/// states no unit, they have the unit of the column `name`. Two further conventions are converted.
-/// A column `inertial_number_diameter_density` contains the shear rate times a sqrt(density/s22),
-/// with grain diameter a and normal stress s22. The column is divided by sqrt(6/pi) and read as
-/// `inertial_number`. A column `rotational_speed` is read as `angular_velocity`. The rotational
-/// speed counts turns if the unit of the column has no angle (1/min).
+/// states no unit, they have the unit of the column `name`. Columns of two quantities are converted
+/// and read as another quantity. A column `inertial_number_diameter_density` contains the shear
+/// rate times a sqrt(density/s22), with grain diameter a and normal stress s22. The column is
+/// divided by sqrt(6/pi) and read as `inertial_number`. A column `rotational_speed` is read as
+/// `angular_velocity`. If the unit of the rotational speed has no angle (1/min), the column gives
+/// turns per time.
 class Columns {
   public:
-    /// Assigns the header cells to quantities. The table is not copied and must outlive the Columns
-    /// object. A faulty header cell causes an error only when its column is requested, so that
-    /// unused columns may have any header.
+    /// Finds the quantity and the unit of each column from its header cell. The table is not copied
+    /// and must outlive the Columns object. A faulty header cell causes an error only when its
+    /// column is requested, so that unused columns may have any header.
     explicit Columns(const Table& table);
 
     /// Whether the table has a column of a quantity, such as "torque".

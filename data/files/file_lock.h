@@ -5,12 +5,13 @@
 
 namespace pendular {
 
-/// Lock that only one process at a time can have, represented by a file. The destructor releases
+/// Lock that only one process at a time can have, so that no two processes change a study or a
+/// checkpoint of a simulation at the same time. A file represents the lock. The destructor releases
 /// the lock and removes the file. If a process is killed, the lock is released, but the file
 /// remains.
 class FileLock {
   public:
-    /// Prepares a lock without taking the lock; the function `take` takes the lock.
+    /// Prepares the lock. Only the function `take` takes the lock.
     /// @param file file that represents the lock; the function `take` creates the file if it does
     ///         not exist
     explicit FileLock(std::filesystem::path file) : file_(std::move(file)) {}

@@ -35,8 +35,8 @@ struct DecodedText {
 
 /// Reads a text file and converts the text to UTF-8. If `encoding` is empty, the encoding is that
 /// of the byte-order mark. A text without byte-order mark is UTF-16 if the first character has a
-/// zero byte, else UTF-8 if all bytes are valid, else Shift-JIS if the charset detection of ICU
-/// ranks Shift-JIS first, else Windows-1252.
+/// zero byte. All other texts have the first encoding of three that fits: UTF-8 if all bytes are
+/// valid, Shift-JIS if the charset detection of ICU ranks Shift-JIS first, and Windows-1252.
 /// @param largest largest size of the file [bytes]
 /// @throws InputError if the file cannot be read, is larger than `largest`, is not a text, or is
 ///         not in `encoding`

@@ -22,7 +22,8 @@ void write_whole(const std::filesystem::path& path, const std::string& content,
 
 /// Writes a folder of files completely or not at all: the files are written to a temporary folder
 /// beside the folder, and the temporary folder is then renamed. If the folder exists, the files are
-/// written to a temporary folder inside the folder, and moved after all files are written.
+/// written to a temporary folder inside the folder, and are moved into the folder after all files
+/// are written.
 /// @param content_of_file map whose key is the name of a file and whose value is the text of the
 ///         file
 /// @throws std::runtime_error if a file cannot be written. The message names the file or folder and
@@ -30,8 +31,8 @@ void write_whole(const std::filesystem::path& path, const std::string& content,
 void write_whole_folder(const std::filesystem::path& folder,
                         const std::map<std::string, std::string>& content_of_file);
 
-/// Temporary folder for files that are moved or read before the PassingFolder object is destroyed.
-/// The destructor removes the folder with its content.
+/// Temporary folder, for files that are soon moved to another folder or read. The destructor
+/// removes the folder with its content.
 class PassingFolder {
   public:
     /// Creates a new, empty folder.

@@ -13,8 +13,8 @@ std::string_view trimmed(std::string_view text);
 /// decimal mark is '.' in every locale. Blanks before and after the number are allowed.
 std::optional<double> parse_number(std::string_view text);
 
-/// Largest magnitude, in SI units, that is accepted for a quantity. Larger magnitudes are mistakes,
-/// whose powers would overflow in a fit.
+/// Largest magnitude, in SI units, that is accepted for a quantity. Larger magnitudes are refused
+/// as mistakes. Powers of larger magnitudes would overflow in a fit.
 constexpr double largest_magnitude = 1e15;
 /// Smallest magnitude, in SI units, that is accepted for a quantity that must not be 0, such as a
 /// standard deviation.

@@ -22,8 +22,8 @@ class LaggedCovariances {
     /// @param first,second series of equal length, recorded at equal times
     LaggedCovariances(std::span<const double> first, std::span<const double> second);
 
-    /// Smallest lag, as a number of values, whose first request causes the covariances at all lags
-    /// to be computed, by Fourier transforms.
+    /// Smallest lag, as a number of values, from which on all covariances are computed together by
+    /// Fourier transforms. The covariances at smaller lags are computed one by one.
     static constexpr std::size_t lags_alone = 512;
 
     /// Returns the covariance C(lag) of the two series, in the product of the units of the series.
@@ -58,9 +58,11 @@ struct Autoregression {
     /// Returns the order of the autoregressive model, which is the number of coefficients.
     double order() const { return static_cast<double>(coefficients.size()); }
     /// Returns the spectral density of the series at frequency zero, in the squared unit of the
-    /// series. The spectral density is `count` times the variance of the mean of `count` values.
-    /// The sum a of the coefficients is corrected for the bias -(1 + 3 a)/count of its estimate
-    /// (Marriott and Pope 1954, for order 1). The corrected sum is limited to 1 - 2/count.
+    /// series. The spectral density divided by `count` is the variance of the mean of `count`
+    /// values. The variance of the innovation is multiplied by count/(count - 1 - order), since the
+    /// mean and the coefficients were estimated. The sum a of the coefficients is corrected for the
+    /// bias -(1 + 3 a)/count of its estimate (Marriott and Pope 1954, for order 1). The corrected
+    /// sum is limited to 1 - 2/count.
     double spectrum_at_zero(double count) const;
     /// Returns the spectral density of the series at a frequency in cycles per value, in the
     /// squared unit of the series. For independent values, the spectral density equals the variance

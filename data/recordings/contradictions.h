@@ -39,10 +39,10 @@ struct Contradictions {
 Contradictions take_out_contradictions(Recording& recording, const AnnularCell& cell,
                                        const ImportSettings& choice, Measurements& result);
 
-/// Moves readings that are affected by contradictions between columns from `part.readings` to
-/// `part.excluded`. If the whole file is doubtful, all readings are moved. Otherwise only readings
-/// that lost more than 1 in 100 of their rows are moved, since the mean over the remaining rows may
-/// be biased.
+/// Moves readings from `part.readings` to `part.excluded` if two columns contradict each other in
+/// rows of the readings. If the whole file is doubtful, all readings are moved. Otherwise only
+/// readings that lost more than 1 in 100 of their rows are moved, since the mean over the remaining
+/// rows may be biased.
 void set_aside_contradicted(const Contradictions& contradictions, Measurements& part);
 
 }  // namespace pendular

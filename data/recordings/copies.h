@@ -39,9 +39,8 @@ class KnownRows {
 
         std::size_t size() const { return time.size(); }
     };
-    /// Rows of an earlier stretch (rows between two restarts of time) of which the rows of a later
-    /// stretch are copies. The element of each row of the later stretch is the index of the row in
-    /// the earlier stretch, or empty if the row is not a copy.
+    /// For each row of a later stretch (rows between two restarts of the time column), index of the
+    /// row of an earlier stretch from which the row was copied; empty if the row is not a copy.
     using Matches = std::vector<std::optional<std::size_t>>;
 
     static Stretch stretch(const Recording& recording, const Step& rows, const Source& source);

@@ -20,7 +20,7 @@ struct FileView {
     std::vector<IntervalSeries> series;
     /// Role of each block (interval) of the file in the test, such as "failure".
     std::vector<IntervalRole> roles;
-    CellFromColumns cell;               ///< constants of the cell that follow from the columns
+    CellFromColumns cell;               ///< ratios of stress to torque and to force in the columns
     StatedCell stated;                  ///< radii and constants of the cell in the file's header
     std::vector<FileFinding> findings;  ///< faults of the file, such as contradictory columns
     /// Yield loci of the file: points of failure after each preshear, with the fitted straight

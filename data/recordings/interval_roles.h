@@ -36,7 +36,7 @@ struct IntervalRole {
 ///
 /// An interval without shear is "filling" before the first sheared interval. A later interval
 /// without shear is "unloading" if its normal stress is more than 5 % lower than that of the
-/// preceding sheared interval, else "reloading".
+/// preceding sheared interval, and otherwise "reloading".
 /// @param series columns of each interval, in the order of the file's blocks
 /// @param format settings of the user, with the roles that the user states
 std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<IntervalSeries>& series,

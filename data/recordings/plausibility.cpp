@@ -113,7 +113,7 @@ PlausibleRange solid_fraction_range(double value) {
             densest_solid_fraction,
             "too low for grains in contact in steady shear",
             "the densest packing of equal spheres",
-            "the gap (height, its zero and unit), the bead mass and the density",
+            "the zero and the unit of the gap height, the bead mass and the density",
             "bead mass",
             "gap",
             0.5,

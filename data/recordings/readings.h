@@ -14,9 +14,9 @@ namespace pendular {
 /// study.toml gives the liquid content. Optional columns are, among others, height, bead_volume,
 /// time and the standard deviations `NAME_sd`.
 ///
-/// Without a column bead_volume, the volume of grains in the entry of study.toml is used, else the
-/// volume in the table [cell]. Without a column height, the height is computed from the volume of
-/// grains and the solid fraction, if the study has a cell.
+/// Without a column bead_volume, the volume of grains in the entry of study.toml is used or, if the
+/// entry has none, the volume in the table [cell]. Without a column height, the height is computed
+/// from the volume of grains and the solid fraction, if the study has a cell.
 ///
 /// Each reading has a covariance matrix: first of the shear stress [Pa], second of the solid
 /// fraction [1]. The standard deviation of a normal stress, times shear stress/normal stress, is

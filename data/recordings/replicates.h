@@ -10,8 +10,8 @@ namespace pendular {
 /// Estimates the scatter between replicates (repeated readings at one condition) and adds the
 /// scatter to the covariance matrices of all readings: first of the shear stress [Pa], second of
 /// the solid fraction [1]. The contribution that already follows from the readings' own errors is
-/// subtracted. Also sets `Reading::replicates` and adds messages to `measurements.doubts` and
-/// `measurements.notes`.
+/// subtracted. The function also sets `Reading::replicates` and adds messages to
+/// `measurements.doubts` and `measurements.notes`.
 ///
 /// Logarithms of stress ratios and of solid fractions are compared, so that set points that differ
 /// by 2 % do not count as scatter. A two-way analysis of variance (by conditions and by files)

@@ -22,8 +22,9 @@ struct ReplicatedValue {
     double within = 0;
     /// Load of the reading [1]: normal stress divided by the reference stress of the study.
     double load = 1;
-    /// Variance of the rounding error that differs between replicates (repeated readings at one
-    /// condition), divided by the variance between repetitions of a step at load 1 [1].
+    /// Variance of the part of the rounding error that replicates (repeated readings at one
+    /// condition) do not have in common, divided by the variance between repetitions of a step at
+    /// load 1 [1].
     double rounding = 0;
 };
 
@@ -40,6 +41,8 @@ struct ScatterSums {
     double between = 0;
     double freedom_between = 0;  ///< degrees of freedom of the sum of squares `between`
     /// Squared norm of the design matrix of the files, after the means of conditions were removed.
+    /// The squared norm divided by `freedom_between` is the effective number of conditions that two
+    /// files have in common.
     double steps = 0;
     /// Contribution to the residual sum of squares `within` that is expected from the scatter
     /// within the recorded steps [1].
@@ -93,11 +96,12 @@ struct MeanSquare {
     double freedom = 0;  ///< degrees of freedom of the mean square
 };
 
-/// Returns improved estimates of the mean squares of several sets, in the order of the sets. All
-/// sets get the pooled mean square if Bartlett's test finds no difference (p > 0.005) or if the
-/// sets differ no more than by chance. Otherwise a set with at least 5 degrees of freedom keeps its
-/// own mean square, and the mean squares of sets with fewer degrees of freedom are shrunk towards a
-/// common value. The better the sets agree, the stronger the mean squares are shrunk.
+/// Returns improved estimates of the mean squares of several sets of deviations, such as the sets
+/// of different clusters of files, in the order of the sets. All sets get the pooled mean square if
+/// Bartlett's test finds no difference (p > 0.005) or if the sets differ no more than by chance.
+/// Otherwise a set with at least 5 degrees of freedom keeps its own mean square, and the mean
+/// squares of sets with fewer degrees of freedom are shrunk towards a common value. The better the
+/// sets agree, the stronger the mean squares are shrunk.
 /// @param own mean square of each set by itself
 /// Source: Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004) 3, moderated variances.
 std::vector<MeanSquare> moderated(const std::vector<MeanSquare>& own);

@@ -18,8 +18,8 @@ struct StatedValue {
     std::string text;  ///< number and unit with the spelling of the file, such as "21 mm"
 };
 
-/// Radii and constants of the annular cell in the header of a file. A radius or constant that the
-/// header lacks is empty.
+/// Radii of the annular cell, and constants that convert torque and normal force to stresses, in
+/// the header of a file. A radius or constant that the header lacks is empty.
 struct StatedCell {
     /// Inner and outer radius of the annular cell in the header of the file [m]. If the header
     /// gives a diameter, the radius is half of the diameter.
@@ -34,10 +34,10 @@ struct StatedCell {
 /// be in English, French or German. Numbers that are not positive or have no unit are left out.
 StatedCell stated_cell(const BlockFile& file);
 
-/// Adds a finding for each constant of the cell in a file's header that differs by more than 5 %
-/// from the constant that follows from the columns of the file. A constant that the header lacks is
-/// computed from the radii in the header.
-/// @param stated radii and constants of the cell in the header
+/// Adds a finding for each ratio of stress to torque or to normal force in a file's header that
+/// differs by more than 5 % from the ratio in the columns of the file. A ratio that the header
+/// lacks is computed from the radii in the header.
+/// @param stated radii of the cell and ratios of stress to torque and to force in the header
 /// @param stress_per_torque ratio of shear stress to torque in the columns [Pa/(N m)]; 0: unknown
 /// @param stress_per_force ratio of normal stress to normal force in the columns [1/m^2]; 0:
 ///         unknown

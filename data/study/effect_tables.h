@@ -37,14 +37,14 @@ struct WrittenEffect {
     /// Positions of the values of the keys `name` and `parameter` in study.toml.
     Position name_position = {}, parameter_position = {};
 
-    /// Kind of quantities that the formulas of an effect set.
+    /// Kind of quantities to which the formulas of an effect assign values.
     enum class Kind {
         instrument,  ///< quantities that the instrument shows (`instrument_targets`)
         flow,        ///< quantities of the flow of the grains (`flow_targets`)
         condition    ///< properties of the grains and of their liquid (`condition_targets`)
     };
-    /// Returns the kind of quantities that the formulas of the effect set. All formulas of an
-    /// effect set quantities of one kind.
+    /// Returns the kind of quantities to which the effect's formulas assign values. All formulas of
+    /// one effect assign values to quantities of one kind.
     Kind kind() const;
 };
 

@@ -71,7 +71,8 @@ struct ModelSettings {
     /// Effects of the model, each once. The names of the effects are not checked, so that a name
     /// may be unknown.
     std::vector<ListedEffect> effects;
-    /// Variant of the formula of the bridge force that the model uses.
+    /// Variant of the formula of the bridge force: `derived`, or `as_printed` in Badetti et al.
+    /// (2018).
     FormulaVariant bridge_force = FormulaVariant::derived;
     /// Expected standard errors [1] of the model's predictions, divided by the value: first of the
     /// stress ratio, second of the solid fraction. The standard errors are 0 if the model counts as

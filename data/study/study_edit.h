@@ -13,7 +13,7 @@ namespace pendular {
 /// @param file path of study.toml, for error messages
 /// @param name name of the effect
 /// @throws InputError if the text is not TOML, if the effect is in the list already, or if the
-///         layout of the list cannot be edited safely. For the layout, the message says what to
+///         layout of the list cannot be edited safely. In the last case, the message says what to
 ///         write by hand.
 std::string with_effect(const std::string& text, const std::string& file, std::string_view name);
 

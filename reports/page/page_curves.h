@@ -44,8 +44,9 @@ struct PagePanel {
 /// describe any of these readings.
 std::vector<PagePanel> page_panels(const std::vector<Reading>& readings, const Study& study);
 
-/// Returns the conditions of the points of all model curves: panel by panel, in a panel series by
-/// series, in a series point by point.
+/// Returns the conditions at the points of all model curves of a study's HTML report. The
+/// conditions are in the order of the panels, in a panel in the order of its series, and in a
+/// series in the order of the points.
 std::vector<Condition> points_of_curves(const std::vector<PagePanel>& panels);
 
 }  // namespace pendular

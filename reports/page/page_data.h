@@ -25,8 +25,8 @@ namespace pendular {
 /// standard errors.
 /// @param panels panels of the report; `models` must have predictions at the points of the panels'
 ///        curves, in the order of `points_of_curves`
-/// @param recordings stresses of the study's recordings against the row, which the report draws
-///        below the panels
+/// @param recordings stresses of the study's recordings against the number of the row, which the
+///        report draws below the panels
 nlohmann::ordered_json page_data(const SwitchedModels& models, const std::vector<PagePanel>& panels,
                                  const std::vector<PageRecording>& recordings);
 

@@ -12,8 +12,8 @@
 
 namespace pendular {
 
-/// Recording as a study's HTML report shows the recording: stresses against the row, thinned to a
-/// few hundred points, with the ranges of rows that are averaged.
+/// Recording as a study's HTML report shows the recording: stresses against the number of the row,
+/// thinned to a few hundred points, with the ranges of rows that are averaged.
 struct PageRecording {
     /// Shear stress [Pa] or normal stress [Pa] against the number of the row, from 1. If the file
     /// has no stresses, torque [N m] or normal force [N] takes the place of the stress.
@@ -27,14 +27,15 @@ struct PageRecording {
     };
     /// Path of the recording's file, as in `Reading::origin`.
     std::string file;
-    /// Shear stress, then normal stress, against the row. A stress without a known value is left
-    /// out.
+    /// Curves of the recording against the number of the row: shear stress, then normal stress. A
+    /// stress of which no value is known is left out.
     std::vector<Course> courses;
     /// Ranges of rows of the recording that are averaged.
     std::vector<AveragedWindow> windows;
 };
 
-/// Returns a recording as a study's HTML report shows the recording.
+/// Returns the part of a recording that a study's HTML report shows: stresses against the number of
+/// the row, thinned to at most `most` points each, and the ranges of rows that are averaged.
 /// @param readings readings (measured states) of the study; readings from files other than `view`
 ///        are ignored
 /// @param excluded rows that the study left out
@@ -48,12 +49,12 @@ PageRecording page_recording(const FileView& view, const std::vector<Reading>& r
 std::size_t points_of_recordings(std::size_t recordings);
 
 /// Returns the JSON of recordings for a study's HTML report. Each recording has its name, `parts`
-/// (stresses against the row) and `windows` (ranges of rows that are averaged). A part has a label,
-/// the keys `low`, `range` and `width`, and the points as base64. Each point consists of two
-/// unsigned little-endian numbers: first the number of rows since the point before (`width` bytes),
-/// second a 16-bit number k. The value at the point is low + range k/65535. A window has its first
-/// and last row, a text on its kind, the index of the reading that averages the rows (null: no
-/// reading), and the mean in each part.
+/// (stresses against the number of the row) and `windows` (ranges of rows that are averaged). A
+/// part has a label, the keys `low`, `range` and `width`, and the points as base64. Each point
+/// consists of two unsigned little-endian numbers: first the number of rows since the point before
+/// (`width` bytes), second a 16-bit number k. The value at the point is low + range k/65535. A
+/// window has its first and last row, a text on its kind, the index of the reading that averages
+/// the rows (null: no reading), and the mean in each part.
 /// @param readings all readings (measured states) that the report shows
 nlohmann::ordered_json recordings_json(const std::vector<PageRecording>& recordings,
                                        const std::vector<Reading>& readings);

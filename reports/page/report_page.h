@@ -19,7 +19,8 @@ namespace pendular {
 /// Results on a study that the HTML page of the study (the report) shows.
 struct PageContent {
     std::string study;  ///< name of the study
-    /// The study as the user named the study, for the commands that the page shows.
+    /// Word that names the study in the commands that the page shows: the path of the study as the
+    /// user gave the path, quoted where a shell needs quotes.
     std::string study_argument;
     /// Study with its catalogue of effects (list of known physical effects).
     const ResolvedStudy& resolved;
@@ -55,8 +56,8 @@ struct PageContent {
     /// page. Empty for a page without a server.
     std::optional<std::size_t> served_version = {};
 
-    /// Stresses of the study's recordings against the row, with the ranges of rows that are
-    /// averaged. The list may be empty.
+    /// Stresses of the study's recordings against the number of the row, with the ranges of rows
+    /// that are averaged. The list may be empty.
     std::vector<PageRecording> recordings = {};
 };
 

@@ -27,17 +27,18 @@ struct DirectMeasurement {
     double standard_error = 0;  ///< standard error of the measured value, in the parameter's unit
 };
 
-/// Converts a direct measurement from a table [[direct]] or [[rig.direct]] of study.toml to the SI
-/// unit of the effect's parameter.
+/// Returns a direct measurement of an effect's parameter (made without shearing grains), converted
+/// from a table [[direct]] or [[rig.direct]] of study.toml to the SI unit of the parameter.
 /// @param catalogue all effects available to the study
-/// @throws InputError for an effect that is unknown, is a switch or does not apply to the study, a
-///         value or standard error in a unit that does not fit the parameter, or a standard error
-///         that is not positive
+/// @throws InputError for an effect that is unknown, can only be switched on or off, or does not
+///         apply to the study, a value or standard error in a unit that does not fit the parameter,
+///         or a standard error that is not positive
 DirectMeasurement direct_measurement(const StatedDirect& stated, const Study& study,
                                      const EffectCatalogue& catalogue);
 
-/// Returns the direct measurements of the tables [[direct]] of study.toml in the order of the
-/// tables, each in the SI unit of its parameter.
+/// Returns the direct measurements of effects' parameters (made without shearing grains) that the
+/// tables [[direct]] of study.toml state, in the order of the tables. Each measurement is in the SI
+/// unit of its parameter.
 /// @param catalogue all effects available to the study
 /// @throws InputError for a table that `direct_measurement` does not accept
 std::vector<DirectMeasurement> direct_measurements(const Study& study,

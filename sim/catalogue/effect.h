@@ -18,9 +18,9 @@
 namespace pendular {
 
 /// Effect on the instrument. The function `show` receives a true state of the cell and returns the
-/// state that the instrument shows. Effects on the grains in the cell (`Where::grains`) are applied
-/// before effects on the transducers. `InstrumentMap` combines the functions of all effects and
-/// inverts the combination.
+/// state that the instrument shows. Effects on the grains in the cell (`Where::grains`), such as
+/// wall friction, are applied before effects on the transducers, such as a torque offset.
+/// `InstrumentMap` combines the functions of all effects and inverts the combination.
 struct ChangeInstrument {
     std::function<CellState(CellState, const Values&)> show;
     enum class Where { grains, transducers } where = Where::grains;
@@ -46,9 +46,10 @@ struct FlowPoint {
     double stress_ratio = 0, solid_fraction = 0;
 };
 
-/// Effect on the predicted flow. The function `change` receives the stress ratio and the solid
-/// fraction at a condition without the effect, and returns them with the effect. Effects of this
-/// kind are `peak-strength` and the effects that a user defines by formulas for the flow.
+/// Effect on the stress ratio and the solid fraction that a model predicts. The function `change`
+/// receives the two values at a condition without the effect, and returns the values with the
+/// effect. Effects of this kind are `peak-strength` and the effects that a user defines by formulas
+/// for the flow.
 struct ChangeFlow {
     std::function<FlowPoint(FlowPoint, const Condition&, const Values&)> change;
 };
@@ -85,8 +86,8 @@ struct Effect {
     /// value, without being listed. If this member is null, the effect acts only if the study lists
     /// the effect.
     double Liquid::*given_by_liquid = nullptr;
-    /// Names of the quantities with which the change of the readings by the effect increases, such
-    /// as "1/normal_stress" for a change that is largest at small normal stress.
+    /// Names of the quantities on which the change of the readings by the effect depends, such as
+    /// "time", or "1/normal_stress" for a change that is largest at small normal stress.
     std::vector<std::string> acts_through;
     /// Instrument or method that measures the effect's parameter without shearing grains, such as
     /// "a viscometer"; empty if none is known.

@@ -65,7 +65,7 @@ struct Obstacle {
 /// Returns the reason why an effect does not apply to a study; empty if the effect applies. An
 /// effect does not apply if the study has no readings that the effect changes. An effect does not
 /// apply either if the study lacks the liquid, cell, bead volume or base model that the effect
-/// needs.
+/// needs, or if the study's model already contains what the effect would add.
 std::optional<Obstacle> obstacle(const Effect& effect, const Study& study);
 
 /// Returns the reason why an effect does not apply to a study, as a sentence for the user that

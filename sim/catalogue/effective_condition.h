@@ -27,9 +27,9 @@ struct EffectiveCondition : Condition {
     bool operator==(const EffectiveCondition&) const = default;
 };
 
-/// Converts conditions to effective conditions on which no effects act, and returns the effective
-/// conditions in the order of `conditions`. The effective conditions have the liquid and the
-/// friction coefficient of the study.
+/// Returns the given conditions as effective conditions on which no effect acts, in the order of
+/// `conditions`. The effective conditions have the liquid and the friction coefficient of the
+/// study.
 inline std::vector<EffectiveCondition> without_effects(const std::vector<Condition>& conditions) {
     return {conditions.begin(), conditions.end()};
 }

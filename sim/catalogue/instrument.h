@@ -44,9 +44,9 @@ class InstrumentMap {
 
 /// Returns the state of the cell that the instrument showed for a reading (measured state). Shear
 /// stress and solid fraction are converted to torque and gap by the inverse of the conversion that
-/// the import of recordings applies. If the condition has no volume of grains, the volume in the
-/// cell is used. If the condition has no height, the height follows from the solid fraction. At
-/// inertial number 0 the lid is at rest.
+/// the import of recordings applies. If the condition has no volume of grains, the volume that
+/// `cell` states is used. If the condition has no height, the height follows from the solid
+/// fraction. At inertial number 0 the lid is at rest.
 /// @param shown recorded condition
 /// @param shear_stress shear stress of the reading [Pa]
 /// @param solid_fraction solid fraction of the reading [1]

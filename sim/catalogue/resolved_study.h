@@ -36,8 +36,8 @@ class ResolvedStudy {
     /// Returns the effects that the study lists, in the order of the list. The pointers are valid
     /// as long as any copy of this object exists.
     const std::vector<const Effect*>& effects() const { return effects_; }
-    /// Returns the direct measurements of effect parameters that the study states in its tables
-    /// [[direct]], in SI units.
+    /// Returns the direct measurements of effect parameters (made without shearing grains) that the
+    /// study states in its tables [[direct]], in SI units.
     const std::vector<DirectMeasurement>& direct() const { return direct_; }
 
   private:

@@ -18,11 +18,12 @@ namespace pendular {
 ///     the condition   friction_difference, surface_tension (0 for dry grains), normal_stress,
 ///                     inertial_number, liquid_content, height, time
 /// Here friction_difference is the friction coefficient between grains minus the fitted friction
-/// coefficient of the model. The quantities density and diameter are those of the grains. Twelve
-/// typical states decide on which grains the effect acts. The effect counts as an effect on dry
-/// grains only if its formulas change none of the wet states. The effect counts as an effect on wet
-/// grains only if its formulas change none of the dry states. The returned effect throws InputError
-/// at a formula that gives no finite number.
+/// coefficient of the model. The quantities density and diameter are those of the grains. The
+/// formulas are tried on twelve typical states, dry and wet, to find out on which grains the effect
+/// acts. If the formulas change dry states but no wet state, the effect counts as an effect on dry
+/// grains only. If the formulas change wet states but no dry state, the effect counts as an effect
+/// on wet grains only. The returned effect throws InputError at a formula that gives no finite
+/// number.
 /// @throws InputError at a formula that cannot be read, does not contain the parameter, changes a
 ///         quantity although the parameter is at its neutral value, gives no finite number at a
 ///         bound of the parameter, or has a unit other than that of its quantity (checked if the

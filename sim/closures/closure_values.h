@@ -32,7 +32,7 @@ struct ClosureValues {
     /// diameter a and pull-off force F0.
     /// Source: Badetti et al. (2018), Eq. (25).
     double generalised_cohesion = 0;
-    /// Stress ratio of wet grains from the measured normal stress and shear stress of the bridge
+    /// Stress ratio of wet grains from the simulated normal stress and shear stress of the bridge
     /// forces.
     /// Source: Badetti et al. (2018), Eq. (19).
     double strength1 = 0;

@@ -37,9 +37,9 @@ enum class Level {
     simulation
 };
 
-/// Returns the level of accuracy at which a study's base model computes the stress ratio of wet
-/// grains. The level is `mohr_coulomb` for "mohr-coulomb", `strength3` for "rumpf", and
-/// `simulation` for any other name, such as "dem".
+/// Returns the level of accuracy at which a study's base model (the model before effects are added)
+/// computes the stress ratio of wet grains. The level is `mohr_coulomb` for "mohr-coulomb",
+/// `strength3` for "rumpf", and `simulation` for any other name, such as "dem".
 /// @param base name of the base model
 Level level_of_base(std::string_view base);
 

@@ -11,9 +11,9 @@ namespace pendular::closures {
 /// Returns the stress ratio of the contact forces alone [1], without the capillary stresses.
 ///     |s12 - s12cap| / (s22 - s22cap)      s12, s22: shear and normal stress, cap: capillary
 /// If capillary forces load the contacts as external stresses do, the stress ratio of the contact
-/// forces equals the stress ratio of dry grains. The two stress ratios differ by 5 to 10 % at the
-/// smallest reduced pressure (0.5) for a small friction coefficient and large bridges. They differ
-/// by less elsewhere.
+/// forces equals the stress ratio of dry grains. At reduced pressures of 0.5 and above, the two
+/// stress ratios differ by at most 5 to 10 %. The difference is largest at a reduced pressure of
+/// 0.5 for a small friction coefficient and large bridges.
 /// @param stress_ratio total stress ratio of the wet grains [1]
 /// Source: Badetti et al. (2018), Eq. (18).
 double contact_stress_ratio(double stress_ratio, const CapillaryStress& capillary,
@@ -22,8 +22,8 @@ double contact_stress_ratio(double stress_ratio, const CapillaryStress& capillar
 /// Returns the stress ratio mu* of wet grains [1] from the stress ratio mu*_0 of dry grains, the
 /// capillary normal stress s22cap, the capillary shear stress s12cap, and the normal stress s22.
 ///     mu* = mu*_0 (1 - s22cap/s22) - s12cap/s22
-/// The error is 5 to 10 % at the smallest reduced pressure (0.5) for a small friction coefficient
-/// and large bridges. The error is smaller elsewhere.
+/// At reduced pressures of 0.5 and above, the error of mu* is at most 5 to 10 %. The error is
+/// largest at a reduced pressure of 0.5 for a small friction coefficient and large bridges.
 /// @param dry_stress_ratio stress ratio mu*_0 [1] of dry grains that have the friction coefficient
 ///         and the inertial number of the wet grains
 /// Source: Badetti et al. (2018), Eq. (19).

@@ -86,9 +86,9 @@ void load(ByteReader& reader, std::vector<T, Allocator>& elements) {
     }
 }
 
-/// Returns a state as bytes. The state must have a member function `serialize`. The function
-/// `restore` reads the bytes back, but only in a program that has the memory layout of this
-/// program.
+/// Returns an object, such as the state of a run, as bytes. The object must have a member function
+/// `serialize`. The function `restore` reads the bytes back, but only in a program that has the
+/// memory layout of this program.
 template <typename State>
 std::string archived(const State& state) {
     std::ostringstream stream(std::ios::binary);
@@ -97,8 +97,8 @@ std::string archived(const State& state) {
     return std::move(stream).str();
 }
 
-/// Reads a state from the bytes that `archived` returned.
-/// @return false if the bytes are too few or too many for the state
+/// Restores an object, such as the state of a run, from the bytes that `archived` returned.
+/// @return false if the bytes are too few or too many for the object
 template <typename State>
 bool restore(std::string_view bytes, State& state) {
     ByteReader reader(bytes);

@@ -30,8 +30,8 @@ struct PairBatch {
         *pair_rotation_z;     ///< angular velocity at which the pair turns as a whole
     const double* elastic;    ///< elastic normal force of each pair's contact, in reduced units
     const double* stiffness;  ///< tangential stiffness of each pair's contact, in reduced units
-    /// Number 1 for each pair of grains that a liquid bridge joins, and 0 for each pair without
-    /// bridge. The function `bridge` of an effect may change 1 to 0, which breaks the bridge.
+    /// Liquid bridge of each pair of grains: 1 if a bridge joins the grains, else 0. The function
+    /// `bridge` of an effect may change 1 to 0, which breaks the bridge.
     double* joined;
     /// Attraction of each pair by its liquid bridge, in reduced units; 0 without bridge. An effect
     /// may change the attraction, which initially has the value without the effect.
@@ -50,8 +50,8 @@ struct PairBatch {
     double* const* contact_history = nullptr;
 };
 
-/// Quantities that are equal for all pairs of a run: material, bridge law and parameter values of
-/// the effect.
+/// Quantities that a function of an effect receives with each batch of pairs (`PairBatch`) and that
+/// all pairs of a run share: the material, the bridge law and the parameter values of the effect.
 struct PairContext {
     const Material& material;
     const BridgeLaw& bridges;
@@ -70,9 +70,10 @@ struct ChangePairs {
     /// the second grain do.
     std::size_t contact_history = 0;
     /// Whether the first value of the contact history (values that the effect keeps per pair) is
-    /// the volume of the pair's bridge divided by V0, with any sign. V0 is the mean volume of newly
-    /// formed bridges. The liquid content of a sample is then computed from the sum of the bridge
-    /// volumes. If the member is false for all effects, each bridge has the volume V0.
+    /// the volume of the pair's bridge divided by V0. V0 is the mean volume of newly formed
+    /// bridges. The sign of the value has no meaning. If the member is true for an effect, the
+    /// liquid content of a sample is computed from the sum of the bridge volumes. If the member is
+    /// false for all effects, each bridge has the volume V0.
     bool volume_in_history = false;
     /// Function that returns the rate [1 per unit of shear strain] at which the volumes of the
     /// bridges on a grain become equal by flow of liquid (`LiquidExchange`). If the function is

@@ -149,9 +149,9 @@ class MotionProfile {
     /// Returns the mean velocity of the grains along the flow, including the imposed flow, in each
     /// bin of height, divided by (shear rate times height of the cell) [1].
     BinnedSums velocity(double height, double shear_rate) const;
-    /// Returns the variance of one component of the grains' velocities in each bin of height [1].
-    /// The variance is averaged over the three components and divided by the squared product of
-    /// grain diameter and shear rate.
+    /// Returns the granular temperature in each bin of height [1]: the variance of one component of
+    /// the grains' velocities, averaged over the three components and divided by the squared
+    /// product of grain diameter and shear rate.
     BinnedSums temperature(double shear_rate) const;
 
     template <typename Archive>
@@ -176,9 +176,9 @@ class MotionProfile {
 /// Each sphere is cut at the boundaries of the bins.
 void add_solid_fraction(const Grains& grains, const Cell& cell, BinnedSums& sums);
 
-/// Adds the distributions of directions, forces and gaps, in one state, to `sums`. The
-/// distributions are all fields other than profiles along the height. The distributions are over
-/// contacts and over bridges between grains that do not touch.
+/// Adds the distributions of one state to `sums`: directions and forces of contacts, and directions
+/// and gaps of bridges between grains that do not touch. All fields except profiles along the
+/// height are such distributions.
 /// @param near pairs of the narrow neighbour list, which contains all contacts
 /// @param distant other pairs that a bridge may join
 void add_distributions(const Grains& grains, const Cell& cell, const Pairs& near,

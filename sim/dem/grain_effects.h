@@ -22,7 +22,8 @@ struct GrainEffect {
     std::vector<double> values;  ///< value of each effect parameter, in reduced units
 };
 
-/// All physical effects on grains that act in a run, in the form that the solver calls.
+/// All physical effects on grains that act in a run, with the functions by which the solver applies
+/// the effects.
 class GrainEffects {
   public:
     GrainEffects() = default;
@@ -32,7 +33,8 @@ class GrainEffects {
     /// between grains that do not touch. An effect that changes only the law of the bridges
     /// (`ChangePairs::bridge_law`) does not count.
     bool changes_forces() const { return changes_forces_; }
-    /// Whether `changes_forces` is true or any effect of the run changes the grain sizes.
+    /// Whether any effect of the run changes the grain sizes or the forces between grains
+    /// (`changes_forces`).
     bool changes_pairs() const { return changes_forces_ || !samples_.empty(); }
     /// Returns the number of values that all effects together keep from step to step for each pair
     /// of grains.

@@ -13,12 +13,14 @@ namespace pendular::dem {
 /// and imposed normal stress are 1). Kinetic stress, kinetic energy and the validity of the
 /// neighbour lists follow from the sums.
 struct MotionSums {
-    /// Sums of m v1^2, m v2^2 and m v3^2 over the grains, with mass m and velocity v without the
-    /// imposed flow.
+    /// Sums of m v1^2, m v2^2 and m v3^2 over the grains, in reduced units, with mass m and
+    /// velocity v without the imposed flow. The kinetic normal stresses follow from these sums.
     Vector squares;
-    /// Sum of m v1 v2 over the grains, with mass m and velocity v without the imposed flow.
+    /// Sum of m v1 v2 over the grains, in reduced units, with mass m and velocity v without the
+    /// imposed flow. The kinetic shear stress follows from this sum.
     double shear = 0;
-    /// Sum of m d^2 omega^2 over the grains, with mass m, diameter d and angular velocity omega.
+    /// Sum of m d^2 omega^2 over the grains, in reduced units, with mass m, diameter d and angular
+    /// velocity omega. The kinetic energy of the rotation follows from this sum.
     double angular_velocity = 0;
     /// Largest squared displacement of a grain, without the imposed flow, since the narrow
     /// neighbour list was made [squared grain diameters].

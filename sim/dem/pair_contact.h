@@ -119,7 +119,7 @@ struct NormalForces {
     double elastic;  ///< elastic normal force of the contact, a repulsion, in reduced units
     /// Viscous normal force of the contact, positive for repulsion, in reduced units.
     double viscous;
-    double joined = 0;  ///< number 1 if a liquid bridge joins the grains, else 0
+    double joined = 0;  ///< 1 if a liquid bridge joins the grains, else 0
     /// Attraction of the two grains by the liquid bridge, in reduced units; 0 without bridge.
     double capillary = 0;
     double stiffness;  ///< tangential stiffness of the contact, in reduced units
@@ -151,9 +151,10 @@ struct NormalForces {
             .coulomb_limit = material.friction * hertz.elastic};
 }
 
-/// Sets `forces.joined` and `forces.capillary` of a pair of grains. The first is 1 if a liquid
-/// bridge joins the grains, else 0. The second is the attraction by the bridge in units of a^2 s22,
-/// with grain diameter a and imposed normal stress s22.
+/// Adds the liquid bridge between two grains to the forces of the pair. The function sets
+/// `forces.joined` to 1 if a bridge joins the grains, else to 0. The function sets
+/// `forces.capillary` to the attraction by the bridge in units of a^2 s22, with grain diameter a
+/// and imposed normal stress s22.
 /// @param before 1 if a bridge joined the grains before the time step, else 0
 [[gnu::always_inline]] inline void add_bridge(NormalForces& forces, double before,
                                               const PairSizes& sizes, const BridgeLaw& bridges) {
@@ -185,10 +186,10 @@ struct TangentialStep {
     double unloading;
 
     /// Returns the tangential force of a contact after one time step, with the energies of the
-    /// contact. The force rotates with the pair of grains and about its normal, and its component
-    /// along the new normal is removed. If the contact unloads, the force is scaled down. The force
-    /// then grows in the direction opposite to the sliding velocity and is limited by Coulomb's
-    /// law.
+    /// contact. The force rotates with the pair of grains and about the normal of the contact. The
+    /// component of the force along the new normal is removed. If the contact unloads, the force is
+    /// scaled down. The force then grows in the direction opposite to the sliding velocity and is
+    /// limited by Coulomb's law.
     /// @param force tangential force on the second grain before the time step
     /// @param old_root square root of the overlap before the time step
     /// @param old_stiffness tangential stiffness before the time step

@@ -22,7 +22,7 @@ struct PairNeeds {
 /// bridges, and grains that a bridge joins attract each other. Returns the sums of virials and
 /// energies, and the largest overlap, of the pairs in the range.
 ///
-/// Pairs are processed in batches through vector lanes. The instruction set is chosen when the
+/// Pairs are processed in batches by vector instructions. The instruction set is chosen when the
 /// program runs. The result depends neither on the instruction set nor on parts of the loop that
 /// `needs` requests unnecessarily. The energies include neither the work of forces and torques that
 /// an effect adds nor the energy of bridges whose force an effect changes.

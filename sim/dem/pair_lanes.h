@@ -16,7 +16,8 @@ namespace pendular::dem {
 constexpr std::size_t lanes = PairList::batch;
 using Lane = std::array<double, lanes>;
 
-/// Vectors of a batch of pairs, one vector per pair, stored as three arrays of components.
+/// Vectors of a batch of pairs of grains, one vector per pair, stored as three arrays of
+/// components.
 struct alignas(64) XyzLanes {
     Lane x, y, z;
 
@@ -26,8 +27,9 @@ struct alignas(64) XyzLanes {
     }
 };
 
-/// Relative positions and velocities of the pairs in a batch, and the forces and torques on their
-/// grains, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
+/// Relative positions and velocities of the grains in a batch of pairs (`PairList::batch` pairs
+/// that the force loop processes at once), and the forces and torques on the grains, in reduced
+/// units (grain diameter, grain mass and imposed normal stress are 1).
 struct Batch {
     /// Vector from the first to the second grain, relative velocity, and weighted sum of the
     /// angular velocities of each pair, as in `PairMotion`, in reduced units.
@@ -43,7 +45,8 @@ struct Batch {
     }
 };
 
-/// Sizes of the pairs in a batch, one array for each member of `PairSizes`.
+/// Sizes (`PairSizes`: mean diameter, mean mass and distances) of the pairs of grains in a batch.
+/// Each member is an array with one element per pair.
 struct alignas(64) SizeLanes {
     Lane contact_distance, diameter, mass, second_arm;
 
@@ -182,8 +185,7 @@ template <Gathered part>
     }
 }
 
-/// Kind of torques that a batch of pairs of grains exert on their grains, by contact forces and by
-/// effects.
+/// Kind of torques that contact forces and effects exert on the grains of the pairs in a batch.
 enum class Torques {
     none,      ///< no torques, for pairs of grains that cannot touch
     shared,    ///< equal torques on both grains of a pair, in `Batch::torque`

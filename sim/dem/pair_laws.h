@@ -15,24 +15,25 @@ namespace pendular::dem {
 /// imposed normal stress s22. Some members are stored energies, the others energies lost during one
 /// time step.
 struct PairEnergy {
-    /// Elastic energy stored in contacts. A contact stores (2/15) E~ h^(5/2) in normal direction
-    /// and s^2/(2 K_T) in tangential direction, with overlap h, tangential force s and tangential
-    /// stiffness K_T. E~ is E/(1 - nu^2), with Young's modulus E and Poisson ratio nu.
+    /// Elastic energy stored in all contacts, in reduced units. A contact stores (2/15) E~ h^(5/2)
+    /// in normal direction and s^2/(2 K_T) in tangential direction, with overlap h, tangential
+    /// force s and tangential stiffness K_T. E~ is E/(1 - nu^2), with Young's modulus E and Poisson
+    /// ratio nu.
     double elastic = 0;
-    /// Potential energy stored in all liquid bridges. The energy of a bridge is zero at the gap at
-    /// which the bridge breaks.
+    /// Potential energy stored in all liquid bridges, in reduced units. The energy of a bridge is
+    /// zero at the gap at which the bridge breaks.
     double capillary = 0;
-    /// Energy lost in the time step by contacts that slide at the Coulomb limit.
+    /// Energy lost in one time step by contacts that slide at the Coulomb limit, in reduced units.
     double friction = 0;
-    /// Energy lost in the time step by the viscous normal forces of contacts, computed by the
-    /// function `viscous_loss`.
+    /// Energy lost in one time step by the viscous normal forces of contacts, in reduced units. The
+    /// function `viscous_loss` computes this energy.
     double viscosity = 0;
-    /// Energy lost in the time step when liquid bridges form, because their potential energy falls
-    /// abruptly below zero.
+    /// Energy lost in one time step when liquid bridges form, in reduced units. The energy is lost
+    /// because the potential energy of a bridge falls abruptly below zero when the bridge forms.
     double bridges = 0;
-    /// Energy lost in the time step by the tangential springs of contacts without sliding. The
-    /// energy is lost because the stiffness of a loaded spring changes with the overlap, and
-    /// because the component of the tangential force along the new normal is removed.
+    /// Energy lost in one time step by the tangential springs of contacts other than by sliding, in
+    /// reduced units. The energy is lost because the stiffness of a loaded spring changes with the
+    /// overlap, and because the component of the tangential force along the new normal is removed.
     double unloading = 0;
 
     PairEnergy& operator+=(const PairEnergy& other);
@@ -43,15 +44,17 @@ struct PairEnergy {
 /// a pair, and r the vector from the first to the second centre. Direction 1 is the flow, 2 the
 /// velocity gradient, 3 the vorticity.
 struct PairSums {
-    /// Sum of F1 r1 over the pairs of grains, positive in compression. F1 is the component along
-    /// the flow of the force on the second grain, r1 that of the vector from the first to the
-    /// second grain.
+    /// Sum of F1 r1 over the pairs of grains, in reduced units, positive in compression. The normal
+    /// stress s11 of the forces is this sum divided by the volume. F1 is the component along the
+    /// flow of the force on the second grain, r1 that of the vector from the first to the second
+    /// grain.
     double virial_11 = 0;
     double virial_22 = 0;
     double virial_33 = 0;
-    /// Sum of F1 r2 over the pairs of grains, negative in simple shear. F1 is the component along
-    /// the flow of the force on the second grain. r2 is the component along the velocity gradient
-    /// of the vector from the first to the second grain.
+    /// Sum of F1 r2 over the pairs of grains, in reduced units, negative in simple shear. The shear
+    /// stress s12 of the forces is this sum divided by the volume. F1 is the component along the
+    /// flow of the force on the second grain. r2 is the component along the velocity gradient of
+    /// the vector from the first to the second grain.
     double virial_12 = 0;
     double largest_overlap = 0;
     PairEnergy energy;  ///< stored and lost energies of the pairs, zero without energy accounting

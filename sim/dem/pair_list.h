@@ -12,8 +12,8 @@ namespace pendular::dem {
 
 /// List of pairs of neighbouring grains. The array `first` contains the smaller of the two grain
 /// indices of each pair. Pairs are sorted by the first and then by the second index. The separation
-/// of a pair is the vector from the centre of the first grain to the centre of a periodic image of
-/// the second grain.
+/// of a pair is the vector from the centre of the first grain to the centre of that periodic image
+/// of the second grain which `image` states.
 struct Neighbours {
     std::vector<std::int32_t> first, second;
     /// Code of the periodic image (`image_code`) of the second grain of each pair.
@@ -39,7 +39,7 @@ struct Pairs : Neighbours {
     /// Square root of (overlap divided by grain diameter) of each pair in the last time step [1].
     /// The root is 0 without contact.
     std::vector<double> root;
-    /// Number 1 for each pair of grains that a liquid bridge joins, else 0.
+    /// Liquid bridge of each pair of grains: 1 if a bridge joins the grains, else 0.
     std::vector<double> bridge;
     /// Values that physical effects keep from step to step for each pair, as
     /// contact_history[value][pair].
@@ -76,9 +76,9 @@ struct Pairs : Neighbours {
 /// Data that the physical effects of a run need in its neighbour lists (`PairList`).
 struct ListWants {
     std::size_t contact_history = 0;  ///< number of values that effects keep for each pair
-    /// Whether the distant list must contain all pairs that a liquid bridge could join, rather than
-    /// only the pairs that a bridge joins. The member must be true if bridges can form between
-    /// grains that do not touch.
+    /// Whether the distant neighbour list (pairs of grains that do not touch) must contain all
+    /// pairs that a liquid bridge could join, rather than only the pairs that a bridge joins. The
+    /// member must be true if bridges can form between grains that do not touch.
     bool all_in_reach = false;
 };
 
@@ -87,9 +87,10 @@ struct ListWants {
 /// may touch soon, so that the force loop examines few pairs that do not touch. The distant list
 /// contains the remaining pairs of the wide list that a bridge joins.
 ///
-/// A list stays valid while no pair outside the list can have come too close. Two grains whose
-/// centres were further apart than D + skin when the list was made stay further apart than a
-/// distance d while
+/// A list stays valid while no pair outside the list can have come too close. When the wide or the
+/// narrow list is made, the list contains all pairs whose gap is smaller than a length, the skin of
+/// the list. Two grains whose centres were further apart than D + skin at that time stay further
+/// apart than a distance d while
 ///     (D + skin - 2 u (1 + g)) (1 - g) > d,   g = e + e^2
 /// D is the largest grain diameter, and u the largest displacement of a grain without the imposed
 /// flow since the list was made. The strain e is the affine strain (shear plus changes of the
@@ -126,9 +127,9 @@ class PairList {
     ///         since the narrow list was made [squared grain diameters]
     void update(Grains& grains, Cell& cell, double affine_strain, double largest_squared);
 
-    /// Renews the wide, narrow and distant list now and keeps the contact history of their pairs.
-    /// Grains are moved into the cell by whole lattice vectors. Grains are renumbered if shear has
-    /// mixed them.
+    /// Renews the wide, the narrow and the distant neighbour list, even if they are still valid,
+    /// and keeps the contact history of their pairs. Grains are moved into the cell by whole
+    /// lattice vectors. Grains are renumbered if shear has mixed them.
     void rebuild(Grains& grains, Cell& cell);
 
     Pairs& narrow() { return narrow_; }

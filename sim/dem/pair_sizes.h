@@ -6,13 +6,13 @@ namespace pendular::dem {
 /// by the mean grain diameter, masses by the mass of a grain of mean diameter.
 struct PairSizes {
     /// Distance between the centres at which the two grains touch [1]: (d1 + d2)/2, with the grain
-    /// diameters d1 and d2 divided by the mean diameter.
+    /// diameters d1 and d2 divided by the mean diameter of all grains.
     double contact_distance = 1;
-    /// Mean diameter of the two grains in the laws of contact and bridge [1]: 2 d1 d2/(d1 + d2),
-    /// with the grain diameters d1 and d2 divided by the mean diameter.
+    /// Harmonic mean 2 d1 d2/(d1 + d2) of the two grain diameters [1], for the laws of contact and
+    /// bridge. The grain diameters d1 and d2 are divided by the mean diameter of all grains.
     double diameter = 1;
-    /// Mean mass of the two grains in the viscous force [1]: 2 m1 m2/(m1 + m2), with the grain
-    /// masses m1 and m2 divided by the mass of a grain of mean diameter.
+    /// Harmonic mean 2 m1 m2/(m1 + m2) of the two grain masses [1], for the viscous force. The
+    /// grain masses m1 and m2 are divided by the mass of a grain of mean diameter.
     double mass = 1;
     /// Distance from the centre of the second grain to the contact point, divided by half the
     /// distance between the centres [1].

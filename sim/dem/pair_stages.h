@@ -9,9 +9,10 @@
 // and effects change the forces between the stages.
 namespace pendular::dem {
 
-/// Kinematics and forces of a batch of pairs between the two stages of the force loop, where
-/// effects on grains read and change the forces. Reduced units are used (grain diameter, grain mass
-/// and imposed normal stress are 1).
+/// Kinematics and forces of a batch of pairs in a run with effects on grains, in reduced units
+/// (grain diameter, grain mass and imposed normal stress are 1). The first stage of the force loop
+/// computes the normal forces, the second stage the tangential forces. After each stage, effects
+/// read and change the forces.
 struct alignas(64) Stages {
     XyzLanes normal, sliding_velocity;
     XyzLanes rotation_rate;  ///< angular velocity of each pair as a whole, in reduced units

@@ -20,9 +20,9 @@ namespace pendular::dem {
 class Checkpoint;
 class GrainEffects;
 
-/// Averages of the observables of one simulation run over its steady part, with standard errors.
-/// The standard errors allow for the autocorrelation of the averages over successive blocks of
-/// strain.
+/// Averages of the observables of one simulation run over its steady part, with standard errors. If
+/// the run never becomes steady, the averages are over the end of the run. The standard errors
+/// allow for the autocorrelation of the averages over successive blocks of strain.
 struct RunResult {
     RunParameters parameters;
     int threads = 1;  ///< number of threads that the run used
@@ -32,7 +32,7 @@ struct RunResult {
     /// Time average of each field of the run, in the order of `Field`. A field is a quantity as a
     /// function of one coordinate. Fields of bridges are empty in dry runs.
     std::array<BinnedMeans, field_count> fields;
-    /// Covariance of the run's mean stress ratio and mean solid fraction [1].
+    /// Covariance of the errors of the run's mean stress ratio and mean solid fraction [1].
     double covariance = 0;
     double strain_averaged = 0;  ///< shear strain over which the run was averaged [1]
     /// Shear strain of the run's transient, which the averages exclude [1].
@@ -65,8 +65,9 @@ struct RunResult {
     }
 };
 
-/// Version of the solver. The version is increased when a change of the solver changes the results
-/// of runs with equal parameters by more than rounding.
+/// Version of the solver, which distinguishes stored runs of different solvers. The version is
+/// increased when a change of the solver changes the results of runs with equal parameters by more
+/// than rounding.
 constexpr int physics_version = 1;
 
 /// Callback for the progress of a run. The callback is called about once per shear strain of 0.02.
@@ -103,9 +104,9 @@ constexpr int most_threads = 1024;
 /// corrected to that of rigid grains (`rigidity_shift`).
 constexpr double crystal_solid_fraction = 0.645;
 
-/// Localization of the shear [1] above which a flow does not count as uniform. The localization is
-/// 0 for uniform shear and 1 for an infinitely thin shear band. All flows of Badetti et al. (2018)
-/// have smaller values.
+/// Localization of the shear [1] above which the program warns the user that a flow is not uniform.
+/// The localization is 0 for uniform shear and 1 for an infinitely thin shear band. All flows of
+/// Badetti et al. (2018) have smaller values.
 constexpr double localised_above = 0.05;
 
 /// Simulates a sample in steady shear and returns the averages of the observables over the strain
@@ -123,8 +124,8 @@ constexpr double localised_above = 0.05;
 RunResult run(const RunParameters& parameters, const GrainEffects& effects,
               const RunOptions& options = {});
 
-/// Returns the difference between the solid fraction of a run and the solid fraction of rigid
-/// grains [1]:
+/// Returns the amount by which the solid fraction of a run exceeds that of rigid grains, because
+/// grains in contact overlap [1]:
 ///     1.23 x 3 solid_fraction mean_overlap
 /// The factor 1.23 +- 0.15 was measured in dry samples with a friction coefficient of 0.12 at
 /// stiffness numbers between 300 and 4000.

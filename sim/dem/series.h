@@ -55,7 +55,7 @@ class OpenBlock {
     /// bridges are added after some of the steps only.
     void step(ShearCell& sample);
     /// Whether a run should check now for stop requests and due checkpoints: every 16 steps, right
-    /// after the step in which the velocities of all grains were added.
+    /// after the step in which the velocities of all grains were added to the sums of the block.
     static bool pauses(const ShearCell& sample);
     /// Ends the block and returns its averages. Stresses and solid fraction are averaged over all
     /// steps of the block, other quantities over some steps. Profiles of solid fraction and

@@ -60,17 +60,17 @@ Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diam
 /// damping is more than critical.
 class ShearCell {
   public:
-    /// Begins with `count` grains at random positions without contact (`random_gas`). Liquid
-    /// bridges form only from the end of `compress` on.
+    /// Makes a simulation that begins with `count` grains at random positions without contact
+    /// (`random_gas`). Liquid bridges form only from the end of `compress` on.
     /// @param shear_rate shear rate in reduced units, equal to the inertial number
     /// @param parts number of threads among which each time step is divided; forces are summed part
     ///         by part, so that runs with equal `parts` agree bit for bit
     /// @throws std::invalid_argument for fewer than 64 grains
     ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
-    /// Begins with a given sample in a given uniform flow. The servo that keeps the normal stress
-    /// is off until `hold_normal_stress(true)`. No liquid bridges form until
-    /// `let_bridges_form(true)`.
+    /// Makes a simulation that begins with a given sample in a given uniform flow. The servo that
+    /// keeps the normal stress is off until `hold_normal_stress(true)`. No liquid bridges form
+    /// until `let_bridges_form(true)`.
     ShearCell(Sample sample, const Material& material, const Flow& flow,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
 
@@ -177,8 +177,8 @@ class ShearCell {
     int parts_ = 1;
     std::vector<Share> shares_;
     std::size_t shares_made_at_ = 0;  ///< value of PairList::renewals when `shares_` were made
-    /// Net force and torque on each grain, as far as one thread summed them, for each thread after
-    /// the first.
+    /// Contributions to the net force and torque on each grain that each thread except the first
+    /// summed.
     std::vector<std::vector<Grains::ForceAndTorque>> other_net_forces_;
     Stress stress_;
     PairEnergy energy_;

@@ -12,7 +12,8 @@ class SimulationError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Exception that is thrown when the user stops the work. The message states what was saved.
+/// Exception that ends a simulation or other work when the user stops the program. The message
+/// states what was saved.
 class Interrupted : public std::runtime_error {
   public:
     explicit Interrupted(const std::string& what_remains = "nothing was written")

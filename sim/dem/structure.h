@@ -41,7 +41,7 @@ struct Structure {
 /// that overlapped in the last time step are contacts. The force of bridges includes the changes by
 /// `effects`.
 ///
-/// The bond order of contacts with directions n is
+/// The bond order measures how regularly the directions n of contacts are ordered:
 ///     Q6 = [4 pi/13 sum_m |<Y_6m(n)>|^2]^(1/2) = [<<P6(n . n')>>]^(1/2)
 /// The bond order is 0 for random directions (up to 1/sqrt(number of contacts)), 0.575 in an fcc
 /// lattice and 0.485 in an hcp lattice.

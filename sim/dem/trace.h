@@ -7,7 +7,7 @@ namespace pendular::dem {
 /// Averages of a run over one block (a shear strain of about 0.02), in single precision. Stresses
 /// are divided by the imposed normal stress [1].
 struct TraceBlock {
-    float strain = 0;  ///< shear strain of this block of the run [1]
+    float strain = 0;  ///< shear strain over which this block extends [1]
     float s11 = 0, s22 = 0, s33 = 0, s12 = 0;
     float solid_fraction = 0, contact_coordination = 0, distant_coordination = 0, localization = 0;
 

@@ -91,22 +91,30 @@ void check_runs(const LabPlan& plan) {
     }
 }
 
-/// Whether an effect of type ChangeCondition leaves every run unchanged, such as a negative contact
-/// angle, which is limited to 0. Returns false for an effect that is always on, which may have its
-/// present value.
+/// Whether an effect of type ChangeCondition leaves the runs of a plan unchanged, such as a
+/// negative contact angle, which is limited to 0. The effect is tried at two normal stresses [Pa]
+/// and at three times [s], since its change may begin or end with time. Returns false for an effect
+/// that is always on, which may have its present value.
 bool changes_nothing(const LabPlan& plan, const ActiveEffect& active) {
     if (!active.effect->of_condition() || active.effect->given_by_liquid) {
         return false;
     }
-    return std::ranges::all_of(contents_of(plan), [&](double content) {
-        const Condition asked{.normal_stress = 1000, .liquid_content = content};
-        const bool touched = touches(*active.effect, asked);
+    const auto same_run = [&](const Condition& asked) {
         const auto run = [&](const std::vector<ActiveEffect>& effects) {
             const EffectiveCondition condition = changed_condition(asked, effects, plan.liquid);
             return run_description(run_at(plan, condition, 1e-3));
         };
-        return !touched || run({active}) == run({});
-    });
+        return !touches(*active.effect, asked) || run({active}) == run({});
+    };
+    for (const double content : contents_of(plan)) {
+        for (const double stress : {500.0, 2000.0}) {
+            for (const double time : {0.0, 10.0, 3600.0}) {
+                if (!same_run({.normal_stress = stress, .liquid_content = content, .time = time}))
+                    return false;
+            }
+        }
+    }
+    return true;
 }
 
 /// Checks the effects of a plan.

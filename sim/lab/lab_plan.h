@@ -13,9 +13,9 @@
 
 namespace pendular {
 
-/// Plan of a virtual laboratory, which simulates rheometer recordings with known effects. The plan
-/// contains the conditions, the instrument, and the friction coefficient and effects that a
-/// calibration has to find. Values are in SI units.
+/// Plan of a virtual laboratory, which simulates rheometer recordings to test whether a calibration
+/// finds the true friction coefficient and the true effects. The plan contains the true values, the
+/// conditions and the instrument of the recordings. Values are in SI units.
 struct LabPlan {
     double friction = 0.09;  ///< true friction coefficient between the simulated grains [1]
     GrainProperties grains = {.diameter = 500e-6, .density = 1050, .poisson_ratio = 0.3};
@@ -30,10 +30,11 @@ struct LabPlan {
     std::vector<double> liquid_contents = {0.007, 0.03};
     /// Inertial numbers of the recordings of dry grains and of wet grains [1].
     std::vector<double> inertial_numbers = {3e-3, 3e-2};
-    /// Physical effects, with parameter values, that act in the simulated recordings. The written
-    /// file study.toml does not list these effects.
+    /// Physical effects, with parameter values, that act in the simulated recordings. The file
+    /// study.toml that the virtual laboratory writes does not list these effects, since a
+    /// calibration has to find them.
     std::vector<ActiveEffect> effects;
-    int replicates = 2;  ///< number of recordings at each liquid content and of dry grains
+    int replicates = 2;  ///< number of recordings at each liquid content, dry grains included
     Instrument instrument;
     Fidelity fidelity;
     std::uint64_t seed = 1;
@@ -46,11 +47,11 @@ struct PlannedRecording {
     /// Liquid content of the recording [1]: liquid volume divided by grain volume, 0 for dry
     /// grains.
     double liquid_content = 0;
-    /// Number of the recording, from 1, among the recordings that have its liquid content.
+    /// Number of the recording, from 1, among the recordings at equal liquid content.
     int replicate = 1;
     std::uint64_t seed = 0;  ///< seed of the random numbers for the noise of the recording
-    /// Requested condition of each step of the recording, with the mean time of the part of the
-    /// step after the start-up transient.
+    /// Requested condition of each step of the recording. The time of a condition is the mean time
+    /// [s] of the part of the step after the start-up transient.
     std::vector<Condition> conditions;
 };
 

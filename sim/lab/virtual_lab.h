@@ -25,7 +25,7 @@ struct LabRecording {
     /// Liquid content of the recording [1]: liquid volume divided by grain volume, 0 for dry
     /// grains.
     double liquid_content = 0;
-    /// Number of the recording, from 1, among the recordings that have its liquid content.
+    /// Number of the recording, from 1, among the recordings at equal liquid content.
     int replicate = 1;
     std::uint64_t seed = 0;  ///< seed of the random numbers for the noise of the recording
     std::vector<LabStep> steps;
@@ -61,7 +61,9 @@ LabResult simulate_lab(const LabPlan& plan, const Workers& workers,
 
 /// Returns the typical relative standard error of an observable in the simulations of all steps
 /// [1]. The typical value is the median of standard error divided by mean. The median is used since
-/// the standard error of a single run is estimated from few independent values.
+/// the standard error of a single run is estimated from few independent values. The recordings are
+/// made with the typical values for stress ratio and solid fraction as the relative standard errors
+/// of every step.
 double typical_error(const LabResult& result, dem::Observable which);
 
 }  // namespace pendular

@@ -61,8 +61,9 @@ double time_steps(std::vector<Condition>& steps, const GrainProperties& grains,
 /// step. The relative standard deviation of the mean torque is `noise` times `torque_scatter`. The
 /// relative standard deviation of the mean gap is `noise` times `solid_fraction_scatter`. The
 /// variance has three contributions. The first is the squared standard error of the simulation. The
-/// second comes from noise within the step and has a quarter of the standard deviation. The third
-/// is the remainder, which is applied as a random factor of the step.
+/// second comes from noise within the step, which contributes a quarter of the total standard
+/// deviation. The third is the remainder: all torques of the step are multiplied by one random
+/// factor, and all gaps by another.
 ///
 /// The noise within the step is Gaussian. Like the fluctuations of simulated samples, it is
 /// correlated over a strain of 0.03 for the torque and of 0.1 for the gap. The normal force has
@@ -74,7 +75,7 @@ double time_steps(std::vector<Condition>& steps, const GrainProperties& grains,
 ///
 /// A step lasts a strain of 20. The torque rises over a strain of about 0.02, overshoots its steady
 /// value by 15 %, and then decays to its steady value. The gap begins 2 % below its steady value.
-/// Both deviations decay as exp(-strain/0.15), which is 4 % at a strain of 0.5.
+/// Both deviations decay as exp(-strain/0.15), so that 4 % of them are left at a strain of 0.5.
 /// @param seed seed of the instrument's random numbers
 Recording record(const std::vector<TrueState>& steps, const AnnularCell& cell,
                  const GrainProperties& grains, const Instrument& instrument, std::uint64_t seed);

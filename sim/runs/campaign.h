@@ -15,7 +15,7 @@ namespace pendular {
 ///     [[grid]]                            # every combination of the values
 ///     friction = [0.05, 0.09, 0.15]
 ///     inertial_number = [0.003, 0.01]
-///     [[list]]                            # first value with first, second with second ...
+///     [[list]]                            # the k-th values of the keys make run k
 ///     friction = [0.1, 0.2]
 ///     reduced_pressure = [1, 2]
 ///     [[sobol]]                           # values evenly scattered between two bounds
@@ -36,8 +36,8 @@ namespace pendular {
 std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file);
 
 /// Divides the runs of a campaign (list of simulations) into groups of about equal expected
-/// computing time. Returns the runs of one group, with the longest run first. The division does not
-/// depend on which runs were already carried out.
+/// computing time, for example one group for each machine. Returns the runs of one group, with the
+/// longest run first. The division does not depend on which runs were already carried out.
 /// @param share number of the group, from 1
 /// @param shares number of groups
 std::vector<dem::RunParameters> share_of(const std::vector<dem::RunParameters>& runs, int share,

@@ -9,9 +9,8 @@
 
 namespace pendular {
 
-/// Scale of a single run, which consists of grains, liquid and normal stress. The scale is used to
-/// convert values of the run between SI units and reduced units (grain diameter, grain mass and
-/// normal stress are 1).
+/// Grains, liquid and normal stress of a single run, with which values of the run are converted
+/// between SI units and reduced units (grain diameter, grain mass and normal stress are 1).
 struct RunScale {
     GrainProperties grains{.diameter = 500e-6, .density = 1050};
     Liquid liquid{.surface_tension = 20.6e-3};

@@ -128,11 +128,11 @@ double largest_change(const std::filesystem::path& numbers) {
     std::getline(lines, line);  // the header: panel, curve, x, y, ...
     while (std::getline(lines, line)) {
         std::istringstream cells(line);
-        std::string cell;
+        std::string value;
         for (int k = 0; k < 4; ++k) {
-            std::getline(cells, cell, ',');
+            std::getline(cells, value, ',');
         }
-        if (!cell.empty()) largest = std::max(largest, std::abs(std::stod(cell)));
+        if (!value.empty()) largest = std::max(largest, std::abs(std::stod(value)));
     }
     return largest;
 }
@@ -179,7 +179,9 @@ TEST(EffectsManual, TellsAllThatIsKnownOfEveryEffect) {
         const bool figure = page.at("figure");
         EXPECT_TRUE(figure || pendular::built_in_effect(name).of_grains()) << name;
         EXPECT_EQ(figure, std::filesystem::exists(manual / "figures" / (name + ".svg"))) << name;
-        if (figure) EXPECT_GT(largest_change(manual / "figures" / (name + ".csv")), 0.05) << name;
+        if (figure) {
+            EXPECT_GT(largest_change(manual / "figures" / (name + ".csv")), 0.05) << name;
+        }
     }
 }
 

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "tests/support/app_support.h"
 
@@ -116,16 +119,19 @@ TEST(Simulate, RefusesACheckpointThatAnotherProcessUses) {
     const fs::path checkpoint = folder.path() / "run", pid = folder.path() / "pid";
     const std::string words =
         "simulate --quiet --beads 100 --strain 500 --checkpoint " + checkpoint.string();
-    std::system(fmt::format("{} {} >/dev/null 2>&1 & echo $! >{}; while ! test -e {}.lock; do "
-                            "sleep 0.02; done",
-                            PENDULAR_PROGRAM, words, pid.string(), checkpoint.string())
-                    .c_str());
+    ASSERT_EQ(
+        std::system(fmt::format("{} {} >/dev/null 2>&1 & echo $! >{}; while ! test -e {}.lock; do "
+                                "sleep 0.02; done",
+                                PENDULAR_PROGRAM, words, pid.string(), checkpoint.string())
+                        .c_str()),
+        0);
     const Outcome second = run_pendular(words);
     EXPECT_EQ(second.code, 2);
     EXPECT_THAT(second.errors, HasSubstr("is using it"));
-    std::system(("kill -INT $(cat " + pid.string() + ")").c_str());
+    ASSERT_EQ(std::system(("kill -INT $(cat " + pid.string() + ")").c_str()), 0);
     while (!fs::exists(checkpoint) || fs::exists(folder.path() / "run.lock")) {
-        std::system("sleep 0.1");  // until the first has put its run down
+        // until the first has put its run down
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
 }
 
@@ -139,7 +145,7 @@ TEST(Simulate, KeepsItsCheckpointWhenTheDiskIsFull) {
         "trap '' XFSZ; ulimit -f 8; unset PENDULAR_STORE XDG_DATA_HOME; HOME=/dev/null exec " +
         std::string(PENDULAR_PROGRAM) + " " + kept +
         " --checkpoint-every 0.0001 2>&1 | head -c 2000 >" + (folder.path() / "err").string();
-    std::system(("bash -c \"" + command + "\"").c_str());
+    ASSERT_EQ(std::system(("bash -c \"" + command + "\"").c_str()), 0);
     EXPECT_THAT(content_of(folder.path() / "err"), HasSubstr("former checkpoint is still there"));
     EXPECT_EQ(content_of(checkpoint), before);
 }

@@ -407,6 +407,16 @@ TEST(LabWithEffects, RefusesWhatItCannotHave) {
     EXPECT_NO_THROW(check_plan(plan_with({active("capillary-bridges", 20.6e-3)}, true)));
 }
 
+TEST(LabWithEffects, TakesAnEffectThatBeginsWithTime) {
+    const Effect wear{.name = "wear",
+                      .parameters = {{.name = "rise"}},
+                      .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
+                          condition.friction_difference += v["rise"] * condition.time / 3600;
+                          return condition;
+                      }}};
+    EXPECT_NO_THROW(check_plan(plan_with({{&wear, {0.1}}})));
+}
+
 /// Liquid contents of samples whose coordination is Z = z (V0/a^3)^slope, and how many were asked.
 struct Samples {
     double z = 7.5, slope = 0;

@@ -172,9 +172,12 @@ TEST(Emulator, LearnsNothingOfRunsThatShearInABand) {
     ASSERT_TRUE(emulated::usable(run));
     Mean& localization = run.means[static_cast<std::size_t>(Observable::localization)];
     localization.value = 0.3;
+    EXPECT_EQ(emulated::why_unusable(run), "sheared in a band");
     EXPECT_FALSE(emulated::usable(run));
     localization.value = 0.15;
     EXPECT_TRUE(emulated::usable(run)) << "small samples at low pressures";
+    run.parameters.stiffness_number = 100;
+    EXPECT_EQ(emulated::why_unusable(run), "has a stiffness number below 300");
     for (const dem::RunResult& shipped : shipped_runs()) {
         EXPECT_LT(shipped[Observable::localization].value, emulated::banded_above);
     }

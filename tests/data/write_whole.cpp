@@ -67,7 +67,9 @@ TEST(WriteWhole, KeepsModeAndOwner) {
     namespace fs = std::filesystem;
     fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
     struct stat before = {}, after = {};
-    if (getuid() == 0) ASSERT_EQ(chown(file.c_str(), 1234, 4321), 0);
+    if (getuid() == 0) {
+        ASSERT_EQ(chown(file.c_str(), 1234, 4321), 0);
+    }
     ASSERT_EQ(stat(file.c_str(), &before), 0);
     write_whole(file, "2");
     ASSERT_EQ(stat(file.c_str(), &after), 0);

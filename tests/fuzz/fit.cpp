@@ -29,14 +29,14 @@ const StudyInput& input() {
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const std::string_view text = fuzz::text_of(data, size);
+    const std::string text = fuzz::ascii_of(data, size);
     const ResolvedStudy& study = input().study;
     const Measurements& measurements = input().measurements;
     // Each reader gets texts that begin as its files do.
     fuzz::refuse_or([&] {
         if (!text.starts_with('{'))
             read_proposed(fuzz::file_of("proposed.toml", text));
-        else if (text.find("rungs") != std::string_view::npos)
+        else if (text.find("rungs") != std::string::npos)
             read_ladder(fuzz::file_of("ladder.json", text));
         else
             read_calibration(fuzz::file_of("fit.json", text), study, dry_first(measurements));

@@ -8,7 +8,7 @@ using namespace pendular;
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzz::refuse_or([&] {
-        const auto file = fuzz::file_of("recording.csv", fuzz::text_of(data, size));
+        const auto file = fuzz::file_of("recording.csv", fuzz::ascii_of(data, size));
         const auto quick = quick_recording(file, {});
         const Recording recording = read_recording(file);
         fuzz::demand(!quick || (quick->line == recording.line && quick->time == recording.time &&

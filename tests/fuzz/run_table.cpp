@@ -7,7 +7,7 @@ using namespace pendular;
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzz::refuse_or([&] {
         for (const StoredRun& run :
-             read_runs(fuzz::file_of("runs.csv", fuzz::text_of(data, size)))) {
+             read_runs(fuzz::file_of("runs.csv", fuzz::ascii_of(data, size)))) {
             run_fingerprint(run);
         }
     });

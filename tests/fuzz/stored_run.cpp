@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <map>
 
 #include "sim/dem/archive.h"
 #include "sim/runs/store/blob.h"
@@ -28,11 +29,20 @@ const std::filesystem::path& store_file() {
     return file;
 }
 
+/// Statement that sets a column of the only run.
+SQLite::Statement& change_of(const std::string& column) {
+    static const SQLite::Database database(store_file().string(), SQLite::OPEN_READWRITE);
+    static std::map<std::string, SQLite::Statement> prepared;
+    const auto found = prepared.find(column);
+    if (found != prepared.end()) return found->second;
+    return prepared.try_emplace(column, database, fmt::format("UPDATE runs SET \"{}\" = ?", column))
+        .first->second;
+}
+
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size < 3) return -1;
-    static SQLite::Database database(store_file().string(), SQLite::OPEN_READWRITE);
     const std::size_t count = run_columns().size();
     const std::size_t which = data[0] % (count + 2);
     const std::string name = which < count    ? run_columns()[which].name
@@ -41,8 +51,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::string value(fuzz::text_of(data + 2, size - 2));
     const bool packed = data[1] % 5 == 4;
     if (packed) value = compressed(value);  // else no input would be valid zlib
-    SQLite::Transaction transaction(database);
-    SQLite::Statement change(database, fmt::format("UPDATE runs SET \"{}\" = ?", name));
+    SQLite::Statement& change = change_of(name);
     double number = 0;
     std::memcpy(&number, value.data(), std::min(value.size(), sizeof number));
     std::int64_t whole = 0;
@@ -61,7 +70,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
             change.bind(1, value.data(), static_cast<int>(value.size()));
     }
     change.exec();
-    transaction.commit();
+    change.reset();
     static const RunStore store(store_file(), true);
     // One of the two readers for each input: libFuzzer finds inputs for both.
     if (data[1] < 128)
@@ -69,7 +78,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     else
         fuzz::refuse_or([&] { store.get(1); });
     // What was changed is put back for the next input.
-    SQLite::Statement back(database, fmt::format("UPDATE runs SET \"{}\" = NULL", name));
-    back.exec();
+    change.clearBindings();  // NULL
+    change.exec();
+    change.reset();
     return 0;
 }

@@ -94,6 +94,6 @@ TEST_P(HiddenEffects, AreFoundByTheWholeWalk) {
 
 INSTANTIATE_TEST_SUITE_P(Sealed, HiddenEffects,
                          testing::Values("study_1", "study_2", "study_3", "study_4", "study_5"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& study) { return std::string(study.param); });
 
 }  // namespace walk_test

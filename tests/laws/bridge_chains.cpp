@@ -77,15 +77,15 @@ TEST(WetGrains, ArePulledApartByThePullOffForceAndNoLess) {
 TEST(WetGrains, HoldPiTimesDiameterAndSurfaceTensionInNewtons) {
     // Between two spheres of radius R, Derjaguin: 2 pi R Gamma cos(theta), which is pi a, not half
     // of it. Forces are in units of a^2 s22.
-    const GrainProperties grains{.diameter = 500e-6, .density = 1050};
+    const GrainProperties beads{.diameter = 500e-6, .density = 1050};
     const Liquid liquid{.surface_tension = 20.6e-3, .contact_angle = 0.3};
     const double stress = 300;
-    const double pressure = reduced_pressure(stress, grains, liquid);
+    const double pressure = reduced_pressure(stress, beads, liquid);
     const double newtons =
-        largest_pull({pressure, 4e-3}) * grains.diameter * grains.diameter * stress;
+        largest_pull({pressure, 4e-3}) * beads.diameter * beads.diameter * stress;
     const double expected = std::numbers::pi * 500e-6 * 20.6e-3 * std::cos(0.3);
     EXPECT_NEAR(newtons, expected, 2e-4 * expected);
-    EXPECT_NEAR(pull_off_force(grains, liquid), expected, 1e-12 * expected);
+    EXPECT_NEAR(pull_off_force(beads, liquid), expected, 1e-12 * expected);
 }
 
 TEST(WetGrains, LoseTheirBridgesAtRuptureAndFormThemAgainInContactOnly) {

@@ -57,15 +57,20 @@ TEST(ImpactReport, SaysNothingWhereNoKnownEffectExplainsTheReadings) {
     EXPECT_TRUE(impact_lines(table(), d).empty());
 }
 
+TEST(ImpactReport, SortsEffectsByHowMuchTheyShiftTheFriction) {
+    EXPECT_THAT(by_impact(table(), {"bead-loss", "lid-slip", "wall-friction"}),
+                ElementsAre("wall-friction", "lid-slip", "bead-loss"));
+}
+
 TEST(ImpactReport, SaysWhatTheTwoLeadingEffectsWouldDoWhereNoneIsNamed) {
     Diagnosis d;
     d.verdict = Verdict::inconclusive;
     EXPECT_THAT(
         impact_lines(table(), d),
         ElementsAre(
-            "With wall-friction in the model at coefficient 0.4, the friction coefficient "
+            "With wall-friction in the model (coefficient = 0.4), the friction coefficient "
             "fitted to all readings would be 0.260 instead of 0.300.",
-            "With lid-slip in the model at coefficient 0.2, the friction coefficient fitted to "
+            "With lid-slip in the model (coefficient = 0.2), the friction coefficient fitted to "
             "all readings would be 0.280 instead of 0.300."));
 }
 

@@ -184,7 +184,9 @@ TEST(UnequalBridges, CountTheLiquidThatTheyHold) {
     for (const Pairs* list : {&cell.pairs().narrow(), &cell.pairs().distant()}) {
         for (std::size_t k = 0; k < list->size(); ++k) {
             const double own = std::abs(list->history_of(k).front());
-            if (list->bridge[k] == 1) EXPECT_GT(own, 0) << k;  // no bridge without liquid
+            if (list->bridge[k] == 1) {
+                EXPECT_GT(own, 0) << k;  // no bridge without liquid
+            }
             count += list->bridge[k];
             volume += list->bridge[k] * own;
         }
@@ -238,7 +240,9 @@ TEST(UnequalBridges, ExchangeLiquidAndLoseNone) {
     EXPECT_LT(relative_deviation(after), 0.3 * relative_deviation(before));
     for (const Pairs* list : {&pairs.narrow(), &pairs.distant()}) {
         for (std::size_t k = 0; k < list->size(); ++k) {
-            if (list->bridge[k] == 1) EXPECT_GT(std::abs(list->history_of(k).front()), 0);
+            if (list->bridge[k] == 1) {
+                EXPECT_GT(std::abs(list->history_of(k).front()), 0);
+            }
         }
     }
 }

@@ -39,9 +39,9 @@ struct Block {
     std::string test;
     /// Name of the interval, such as "Peak hold - 1"; empty if the file does not name the interval.
     std::string name;
-    int number = 0;  ///< number of the interval in its test, from 1; 0: not in the file
-    /// Role of the interval in the test, such as "failure", if the file states the role; else
-    /// empty.
+    int number = 0;  ///< number of the interval in its test, from 1; 0: the file gives no number
+    /// Role of the interval in the test, such as "failure"; empty if the file does not state the
+    /// role.
     std::string stated_role = {};
     /// Bulk density of the sample with its liquid [kg/m^3]; empty if the file does not state the
     /// bulk density.

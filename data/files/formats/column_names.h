@@ -15,9 +15,9 @@ struct ColumnMeaning {
 };
 
 /// Returns the quantity that a column contains in a file that the software of a rheometer exported,
-/// given the name and unit of the column. Known are the names that RheoCompass, Rheoplus, TRIOS,
-/// rSpace and RheoWin use in English, French and German, and all names that `find_quantity` knows.
-/// The unit must fit the quantity or be empty.
+/// given the name and unit of the column. The known names are those that RheoCompass, Rheoplus,
+/// TRIOS, rSpace and RheoWin use in English, French and German, and all names that `find_quantity`
+/// knows. The unit must fit the quantity or be empty.
 ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit);
 
 /// Returns the quantity whose set points a column contains, given the name and unit of the column.

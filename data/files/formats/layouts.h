@@ -27,8 +27,8 @@ const std::vector<Layout>& layouts();
 /// Returns the names of all known layouts, which are the values of the key `layout` in study.toml.
 std::vector<std::string> layout_names();
 
-/// Returns the names of the roles that an interval may have in a test: "steady", "failure" and so
-/// on.
+/// Returns the names of the roles that an interval (step of constant set points) may have in a
+/// test: "filling", "preshear", "unloading", "failure", "reloading", "steady" and "other".
 const std::vector<std::string>& interval_roles();
 
 /// Reads a file of measurements in any known layout. Layout, encoding, delimiter and decimal mark

@@ -16,13 +16,13 @@ struct Course {
     double mean = 0;  ///< fitted mean of the series, in the unit of the series
     /// Change of the fitted trend from the first to the last value, in the unit of the series.
     double change = 0;
-    /// Standard error of the trend's `change` from the first to the last value, in the unit of the
-    /// series.
+    /// Standard error of the change of the fitted trend from the first to the last value, in the
+    /// unit of the series.
     double change_error = 0;
     /// Coefficient of the curvature (3 x^2 - 1)/2 of the trend, in the unit of the series; x
     /// increases from -1 at the first value to 1 at the last value.
     double bend = 0;
-    /// Standard error of the trend's coefficient of curvature `bend`, in the unit of the series.
+    /// Standard error of the coefficient of the curvature (3 x^2 - 1)/2, in the unit of the series.
     double bend_error = 0;
     /// Degrees of freedom of the standard errors of the trend: number of independent values minus
     /// three.
@@ -40,9 +40,9 @@ struct Course {
 std::optional<Course> course_of(std::span<const double> samples);
 
 /// Tests for each step whether torque or gap still approaches a steady value at the end of the
-/// step. To do so, the trend over the second half of the step must bend towards a constant value
-/// that is at least 0.5 % away. Returns one entry for each test with its p value, significant or
-/// not.
+/// step. Returns one entry for each test, significant or not. The p value is that of the change of
+/// the trend over the second half of the step. The p value is 1 unless the trend clearly bends
+/// towards a constant value that is at least 0.5 % away at the end of the step.
 std::vector<RecordingFinding> run_in_tests(const std::string& file,
                                            const std::vector<RecordedStep>& steps);
 
@@ -63,8 +63,8 @@ std::vector<StepTrend> step_trends(const std::string& file, const std::vector<Re
 /// most one test for each column, with its p value. The tested value is the weighted mean of the
 /// relative changes over the second halves of the steps. The standard error of the weighted mean is
 /// the larger of two estimates, from the scatter within steps and from the scatter between steps.
-/// At least three steps are needed. A drift must have one direction in at least three of four
-/// steps.
+/// At least three steps are needed. A change counts as a drift only if at least three of four steps
+/// change in one direction.
 /// @param trends trends of torque and gap in the steps, from `step_trends`
 /// @param unfinished findings on steps in which torque or gap still approaches its steady value;
 ///         the steps are left out

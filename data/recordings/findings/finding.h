@@ -36,12 +36,14 @@ struct RecordingFinding {
     /// run-in the distance from the steady value at the end of the step. Drifts and level changes
     /// are negative for a decrease.
     double size = 0;
-    /// Standard error of the fault's size `size`, in the SI unit of the column; 0: not estimated.
+    /// Standard error of the size of the fault, in the SI unit of the faulty column; 0: not
+    /// estimated.
     double size_error = 0;
     /// Size of the fault (`size`) divided by the mean of the faulty column [1]. For a saturation,
     /// `relative` is the share of the step's rows that are at the largest value.
     double relative = 0;
-    /// Standard error of the fault's relative size `relative` [1]; 0: not estimated.
+    /// Standard error of the size of the fault divided by the mean of the faulty column [1]; 0: not
+    /// estimated.
     double relative_error = 0;
     /// Period of the fault. The period of a wobble is a number of turns of the lid. The period of a
     /// stick-slip is the time [s] from one drop of the torque to the next drop. All other faults

@@ -24,10 +24,10 @@ struct RecordedStep {
     /// Reason why no part of the step is steady. The reason is empty if a part is steady, or if no
     /// transient was searched for.
     std::string why_unsteady = {};
-    /// Periodic parts of torque, normal force and gap (`periodic_columns`), significant or not.
-    /// They are fitted to the data after the transient or, if no part of the step is steady, to the
-    /// second half of the step. Empty if the lid does not turn, or if the data points are too few
-    /// or cover too few turns.
+    /// Periodic parts of torque, normal force and gap (`periodic_columns`), significant or not. The
+    /// periodic parts are fitted to the data points after the transient or, if no part of the step
+    /// is steady, to the second half of the step. The list is empty if the lid does not turn, or if
+    /// the data points are too few or cover too few turns.
     std::vector<PeriodicColumn> periodic = {};
     /// Number of data points at the beginning of the steady part that are not averaged, so that the
     /// average covers whole turns of the lid and a wobble does not bias the average.

@@ -9,8 +9,8 @@
 
 namespace pendular {
 
-/// Sudden drops of a series that rises slowly between the drops, as the torque does in stick-slip.
-/// Describes the drops by size, by frequency and by their excess over sudden rises.
+/// Sudden drops of a series that rises slowly between the drops, as the torque does in stick-slip:
+/// size of the drops, number of values from drop to drop, and excess of drops over sudden rises.
 struct Slips {
     double drop = 0;     ///< median size of a sudden drop, in the unit of the series
     double samples = 0;  ///< mean number of values from one sudden drop to the next

@@ -55,10 +55,11 @@ class RunStore {
     ///         number of threads and version of the solver
     bool add(const dem::RunResult& run, int physics_version = dem::physics_version);
 
-    /// Returns the stored run whose parameters are nearest to `parameters`, with its final state;
-    /// empty if no run qualifies. A run qualifies if it succeeded, has a stored final state, is
-    /// steady and not crystallised, has as many grains as `parameters` states, and is dry or wet
-    /// like `parameters`. The squared distance between the parameters of two runs is
+    /// Returns the stored run whose parameters are nearest to `parameters`, with its final state,
+    /// from which a new run can start; empty if no run qualifies. A run qualifies if it succeeded,
+    /// has a stored final state, is steady and not crystallised, has as many grains as `parameters`
+    /// states, and is dry or wet like `parameters`. The squared distance between the parameters of
+    /// two runs is
     ///     (d friction/0.1)^2 + (d ln I)^2 + (d ln kappa)^2 + (d ln P*)^2 + (d ln V0)^2
     /// with differences d, friction coefficient `friction`, inertial number I, stiffness number
     /// kappa, reduced pressure P* and bridge volume V0. The terms of P* and V0 count for wet runs
@@ -103,8 +104,8 @@ class RunStore {
     void demand_present() const;
 
   private:
-    /// Calls `take` for each row that the SQL text "`columns` FROM runs" selects, restricted by a
-    /// condition unless the condition is empty.
+    /// Calls `take` for each row of the table `runs` that satisfies an SQL condition. An empty
+    /// condition selects all rows.
     /// @param columns beginning of the SQL text, such as "SELECT id"
     void query(const std::string& columns, const std::string& condition,
                const std::function<void(SQLite::Statement&)>& take) const;

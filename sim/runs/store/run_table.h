@@ -15,9 +15,9 @@ namespace pendular {
 /// @throws std::runtime_error if the file cannot be written
 void write_runs(const std::filesystem::path& file, const std::vector<StoredRun>& runs);
 
-/// Returns a hash of a run's inputs and results, as 16 hexadecimal digits. The hash is that of the
-/// run's row in the CSV file of `write_runs`. The hash does not depend on whether the run comes
-/// from a CSV file, from a store or directly from the simulation.
+/// Returns a hash that identifies a run by its inputs and results, as 16 hexadecimal digits. The
+/// hash is that of the run's row in the CSV file of `write_runs`. The hash does not depend on
+/// whether the run comes from a CSV file, from a store or directly from the simulation.
 std::string run_fingerprint(const StoredRun& stored);
 
 /// Reads simulation runs from a CSV file that has the columns of `write_runs`, in any order.
