@@ -115,8 +115,7 @@ std::string on_fitted_readings(const ChangedStudy& changed, bool earlier_dry) {
         const Calibration& c = changed.after.calibration;
         return fmt::format(
             "The fits with and without {0} use all readings, dry and wet. Without {0}, a fit to "
-            "the "
-            "dry readings alone ('pendular calibrate') gives {1} = {2}.",
+            "the dry readings alone ('pendular calibrate') gives {1} = {2}.",
             changed.change.effect, c.parameters[0].name,
             with_error(c.fit.parameters(0), c.fit.standard_error(0), c.parameters[0].unit));
     }

@@ -80,7 +80,7 @@ int next(const std::vector<std::string>& arguments) {
     const std::string& assumed = next.rivals.front().name;
     if (next.plans.empty() && assumed != present_model && orders) {
         console.answer(fmt::format(
-            "The diagnosis found {} missing. Add it to the model before you take readings.",
+            "Add {} to the model before you take readings: the diagnosis found it missing.",
             assumed));
         console.line(fmt::format("The plan for a model with {}:", assumed));
     }

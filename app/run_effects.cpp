@@ -51,8 +51,7 @@ RunEffects::RunEffects(Options& options, const std::vector<std::string>& argumen
                       "--capillary-bridges.surface_tension");
           return {options, arguments,
                   "Physical effects of grains and liquid (values with their unit, as in \"3 uN\"; "
-                  "a number "
-                  "without a unit is in SI units)",
+                  "a number without a unit is in SI units)",
                   why_no_run_has};
       }()) {}
 

@@ -49,8 +49,7 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
     if (p.wetting) {
         console.line(fmt::format(
             "Reduced pressure {:g} and bridge volume {:g} a^3 give a liquid content of {}; {} of "
-            "the "
-            "liquid is in bridges without contact.",
+            "the liquid is in bridges without contact.",
             p.wetting->reduced_pressure, p.wetting->bridge_volume,
             with_error(run[dem::Observable::liquid_content].value,
                        run[dem::Observable::liquid_content].standard_error),
@@ -327,8 +326,7 @@ int simulate(const std::vector<std::string>& arguments) {
         "Simulates a sample of equal grains, dry or joined by liquid bridges, that is sheared at "
         "constant\n"
         "normal stress until the flow is steady, and prints time averages with standard errors. "
-        "The "
-        "results\n"
+        "The results\n"
         "hold for the simulated stiffness number, without correction. Options --EFFECT.PARAMETER "
         "add physical\n"
         "effects.",

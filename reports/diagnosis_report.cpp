@@ -183,8 +183,7 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
     if (const auto names = untested_effects(d, space); !names.empty()) {
         return fmt::format(
             "Inconclusive: chi2/dof is {:.2f} and {} could explain most of it, but too few "
-            "repeated "
-            "readings state the errors. Repeat more conditions with new fillings.",
+            "repeated readings state the errors. Repeat more conditions with new fillings.",
             chi2_per_dof(d.chi2, d.dof),
             names.size() > 1 ? "any one of " + some_of(names) : names.front());
     }
@@ -194,8 +193,7 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
     }
     if (d.effects.empty()) {
         return "Inconclusive: the errors of the readings are assumed, not measured, so that they "
-               "do "
-               "not tell whether an effect is missing.";
+               "do not tell whether an effect is missing.";
     }
     return fmt::format(
         "Inconclusive: the model describes the readings, but {} effect{} could go undetected at {} "
@@ -283,8 +281,7 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
         case Verdict::nothing_missing:
             return fmt::format(
                 "Nothing missing: no known effect improves the model, and every effect large "
-                "enough "
-                "to matter would have shown in these readings (chi2/dof {:.2f}).",
+                "enough to matter would have shown in these readings (chi2/dof {:.2f}).",
                 chi2_per_dof(d.chi2, d.dof));
         case Verdict::inconclusive:
             return inconclusive_line(d, space);
@@ -295,8 +292,7 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
         case Verdict::suspect_measurement:
             return fmt::format(
                 "Suspect measurement: an error in {} explains the residuals, and no physical "
-                "effect "
-                "does.",
+                "effect does.",
                 joined(d.suspects, "or"));
         default:
             return fmt::format("Unknown: something is missing that no known effect explains{}",
@@ -315,8 +311,8 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
         "  (chi2 change: predicted change of chi2 when the effect is added. Refitted: that change "
         "after a refit. Imitated: share of the effect that a change of the fitted parameters can "
         "reproduce. Power: probability that these readings detect the effect at its smallest size "
-        "of interest. p: probability that chance alone makes the most significant effect of the "
-        "table at least this significant.)");
+        "of interest. p: probability that chance alone makes the most significant of all tests at "
+        "least this significant.)");
     if (std::ranges::any_of(
             d.scan, [](const Finding& f) { return f.refitted_reduction.value_or(0) < 0; })) {
         lines.push_back(
@@ -336,14 +332,12 @@ std::vector<std::string> incomplete_lines(const Diagnosis& d, const std::array<d
                     "%, that of solid "
                     "fraction from {:.2f} % to {:.2f} %.",
                     effects, before[0], after[0], before[1], after[1])};
-    lines.push_back(
-        fmt::format("The diagnosis names {} as the leading effect in {} simulated repetitions of "
-                    "the experiment. The repetitions allow for the scatter of the readings, not "
-                    "for effects that Pendular does not know.",
-                    effects,
-                    d.leaders->rival_share == 0
-                        ? "all"
-                        : fmt::format("{:.1f} % of", 100 * (1 - d.leaders->rival_share))));
+    lines.push_back(fmt::format(
+        "The diagnosis names {} as the leading effect in {} simulated repetitions of "
+        "the experiment. The repetitions allow for the scatter of the readings, not "
+        "for effects that Pendular does not know.",
+        effects,
+        d.leaders->rival_share == 0 ? "all" : percent(1 - d.leaders->rival_share) + " of"));
     const std::string trend = strongest_trend(remaining);
     lines.push_back("A misfit remains with " + effects + " in the model" + trend);
     return lines;
@@ -353,8 +347,8 @@ std::string discrepancy_line(double size) {
     if (size == 0) return "";
     return fmt::format(
         "A systematic error of the model of about {:.1f} % of the shear stress would explain the "
-        "remaining misfit. Look for the cause before you accept this error. To "
-        "accept the error, write discrepancy = {:.2g} into section [model] of study.toml, which "
+        "remaining misfit. Look for the cause before you accept this error. To accept it, write "
+        "discrepancy = {:.2g} into section [model] of study.toml, which "
         "enlarges the standard errors and corrects no value.",
         100 * size, size);
 }
@@ -411,9 +405,9 @@ std::string unseen_line(const Finding& finding, const EffectParameter& p,
 std::vector<std::string> unseen_table(const Diagnosis& d, const ModelSpace& space,
                                       const std::vector<std::string>& effects) {
     if (d.verdict != Verdict::inconclusive || effects.empty()) return {};
-    std::vector<std::string> lines = {fmt::format(
+    std::vector<std::string> lines = {
         "Effects that could go undetected in these readings, each at its smallest size of "
-        "interest:")};
+        "interest:"};
     for (const std::string& effect : effects) {
         const Finding& finding = finding_of(d, space, effect);
         lines.push_back(unseen_line(finding, parameter_of(space, finding), effect));
@@ -428,11 +422,11 @@ std::string undetectable_line(const Diagnosis& d, const ModelSpace& space) {
         if (!finding.identifiable) names.push_back(space.candidates()[finding.candidate].name);
     }
     if (names.empty()) return "";
+    const bool several = names.size() > 1;
     return fmt::format(
-        "Besides, {} {} these readings too little to be detected at any size within the bounds of "
-        "{}.",
-        joined(names, "and"), names.size() == 1 ? "changes" : "change",
-        names.size() == 1 ? "its parameter" : "their parameters");
+        "{} {} these readings too little to be detected at any size within the bounds of {}.",
+        joined(names, "and"), several ? "change" : "changes",
+        several ? "their parameters" : "its parameter");
 }
 
 std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space, bool proposes) {
@@ -442,8 +436,7 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space, 
         lines.push_back(
             "To rule out an effect, measure the effect directly or add readings at conditions "
             "where the effect is larger. The readings that 'pendular next' plans reduce the "
-            "standard "
-            "errors of the fitted parameters; they are not planned to rule out effects.");
+            "standard errors of the fitted parameters; they are not planned to rule out effects.");
     }
     if (d.verdict == Verdict::unknown) {
         if (const Explanation* best = best_of(d.tried); best && !best->suspect) {
@@ -465,8 +458,7 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space, 
     if (d.errors_assumed) {
         lines.push_back(
             "The errors of the readings are assumed to be 2 %: repeated readings or _sd columns "
-            "give "
-            "a firmer verdict.");
+            "give a firmer verdict.");
     }
     return lines;
 }

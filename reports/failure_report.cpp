@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "reports/parameter_name.h"
+
 namespace pendular {
 namespace {
 
@@ -25,7 +27,7 @@ std::string sentence(const Check& check) {
                                check.covariate, p);
         case Check::Kind::score:
             return fmt::format("The fitted {} depends on the {} ({}), but should be constant.",
-                               check.of, check.covariate, p);
+                               parameter_in_words(check.of), check.covariate, p);
         case Check::Kind::runs:
             return fmt::format("Neighbouring readings of {} lie on one side of the model ({}).",
                                check.of, p);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 #include "reports/parameter_name.h"
 #include "reports/with_error.h"
@@ -144,14 +143,10 @@ std::vector<std::string> impact_lines(const ImpactTable& table, const Diagnosis&
 
 std::vector<std::string> by_impact(const ImpactTable& table,
                                    const std::vector<std::string>& effects) {
-    const auto shift = [&](const std::string& effect) {
-        const auto found = std::ranges::find_if(table.impacts, [&](const Impact& impact) {
-            return !impact.measurement && impact.name == effect;
-        });
-        return found == table.impacts.end() ? 0 : std::abs(found->at_interest.best()(0));
-    };
     std::vector<std::string> sorted = effects;
-    std::ranges::stable_sort(sorted, std::greater<>(), shift);
+    std::ranges::stable_sort(sorted, {}, [&](const std::string& effect) {
+        return std::ranges::find(table.impacts, effect, &Impact::name);
+    });
     return sorted;
 }
 

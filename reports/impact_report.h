@@ -17,9 +17,9 @@ namespace pendular {
 /// explains the misfit.
 std::vector<std::string> impact_lines(const ImpactTable& table, const Diagnosis& diagnosis);
 
-/// Returns names of effects, sorted by how much each effect shifts the fitted friction coefficient
-/// at its smallest size of interest, the largest shift first. Effects that `table` does not list
-/// come last, in the order of `effects`.
+/// Returns names of effects in the order in which `table` lists the effects that a verdict names:
+/// by the shift of the fitted friction coefficient at the smallest size of interest, the largest
+/// first. Effects that `table` does not list come last, in the order of `effects`.
 std::vector<std::string> by_impact(const ImpactTable& table,
                                    const std::vector<std::string>& effects);
 

@@ -4,7 +4,7 @@
 #   scripts/tidy.sh --all      all source files of the program; 10 s of the processor for each
 #   scripts/tidy.sh --input    source files that read what others wrote: files, studies, stores
 #   scripts/tidy.sh FILE...    these files
-# Exit code 1 if a check finds an error (WarningsAsErrors there).
+# Fails if a check finds an error (WarningsAsErrors there).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

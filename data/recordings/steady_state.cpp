@@ -113,8 +113,7 @@ std::string short_strain(const char* what, double strain, const StepSeries& seri
                          const Setting& setting) {
     return fmt::format(
         "{} covers a strain of {:.2g}, steady shear takes {:g} (least_strain in [import]); it "
-        "looks "
-        "like {}, unless the angular velocity is in another unit",
+        "looks like {}, unless the angular velocity is in another unit",
         what, strain, setting.least_strain, looks_like(series));
 }
 

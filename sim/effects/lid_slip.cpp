@@ -10,8 +10,7 @@ Effect lid_slip() {
     return {
         .summary =
             "grains slip along the lid, which makes the shear rate smaller than the velocity of "
-            "the "
-            "lid suggests",
+            "the lid suggests",
         .equation =
             "omega_shown = omega/(1 - fraction)      omega: angular velocity of a lid that shears "
             "the grains equally fast without slip",

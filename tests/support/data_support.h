@@ -19,8 +19,9 @@
 namespace pendular {
 
 /// Returns the path of a published recording of an instrument. The recordings are not part of the
-/// project, since their origins name no licence. Empty where $PENDULAR_SAMPLES, the folder of these
-/// files, is not set.
+/// project, since most of their origins name no licence; files of the same layouts (`look_alike`)
+/// test the same functions everywhere. Empty where $PENDULAR_SAMPLES, the folder of the recordings,
+/// is not set.
 /// @param name path of the recording in this folder
 /// @throws std::runtime_error where the folder does not contain the recording
 inline std::optional<std::filesystem::path> published_sample(const std::string& name) {
