@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs clang-tidy with the checks of .clang-tidy.
 #   scripts/tidy.sh            source files that the last commit or the working copy changed
-#   scripts/tidy.sh --all      all source files of the program; 10 s of the processor for each
+#   scripts/tidy.sh --all      all source files of the program; 11 s of the processor for each
 #   scripts/tidy.sh --input    source files that read what others wrote: files, studies, stores
 #   scripts/tidy.sh FILE...    these files
 # Fails if a check finds an error (WarningsAsErrors there).
