@@ -202,7 +202,7 @@ int change_study(Action what, const std::string& effect, const AddOptions& own,
         print_doubts(console, belief, 0,
                      changed.after_to_all
                          ? "Warning from 'pendular calibrate', which fits the dry readings alone: "
-                         : "Warning on the new fit: ");
+                         : "Warning about the new fit: ");
         const auto& readings = changed.before.calibration.readings;
         const bool earlier_dry = changed.before.calibration.fitted == readings.size() &&
                                  fitted_count(session->resolved(), readings) < readings.size();

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -25,9 +26,12 @@ namespace {
 /// Share and number of shares, parsed from a text such as "2/8", the second of eight shares.
 /// @throws InputError for any other text
 std::pair<int, int> share_from(const std::string& text) {
-    int share = 0, shares = 0, read = 0;
-    if (std::sscanf(text.c_str(), "%d/%d%n", &share, &shares, &read) != 2 ||
-        static_cast<std::size_t>(read) != text.size() || share < 1 || shares < share) {
+    int share = 0, shares = 0;
+    const char* const end = text.data() + text.size();
+    const auto [slash, fault] = std::from_chars(text.data(), end, share);
+    const bool has_both = fault == std::errc{} && slash != end && *slash == '/';
+    const auto [read, second_fault] = std::from_chars(has_both ? slash + 1 : end, end, shares);
+    if (second_fault != std::errc{} || read != end || share < 1 || shares < share) {
         throw InputError(fmt::format("--shard {}: write i/n with i from 1 to n, 2/8 say", text));
     }
     return {share, shares};

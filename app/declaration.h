@@ -60,9 +60,9 @@ struct OptionSection {
 struct CommandDeclaration {
     std::string usage, about, examples;
     std::vector<OptionSection> sections;
-    /// Kind of value that the first word after the command's name may have.
+    /// Kind of value that the command accepts as its first argument, the word after its name.
     ValueKind first_word = {ValueKind::Kind::none};
-    /// Kind of value that each word after the first word may have.
+    /// Kind of value that the command accepts as each further argument.
     ValueKind other_words = {ValueKind::Kind::none};
 };
 

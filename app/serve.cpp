@@ -55,7 +55,7 @@ Answer change_study(Action action, const std::string& effect, const CommonOption
     Answer answer{changed.written ? 200 : 422, answer_on(changed)};
     if (!changed.written) return answer;
     for (const std::string& reason : changed.after.belief.reasons)
-        answer.text += " Warning on the new fit: " + reason;
+        answer.text += " Warning about the new fit: " + reason;
     try {
         draw_ladder(changed.ladder, common.out_folder() / "figures");
     } catch (const std::exception& error) {

@@ -67,9 +67,9 @@ struct Reading {
     /// Measured values of the reading: first the magnitude of the shear stress [Pa], second the
     /// solid fraction [1].
     Eigen::Vector2d value = Eigen::Vector2d::Zero();
-    /// Covariance matrix of all errors of the reading: first of the shear stress [Pa], second of
-    /// the solid fraction [1]. The contribution of the scatter between replicates (repeated
-    /// readings at one condition) is increased if the replicates are few.
+    /// Covariance matrix of the total error of the reading. The first row and column are those of
+    /// the shear stress [Pa], the second those of the solid fraction [1]. If a condition has few
+    /// replicates (repeated readings), the contribution of their scatter is increased.
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
     /// Part of the reading's `covariance` that was added because the scatter between replicates
     /// (repeated readings at one condition) was estimated from few replicates: first of the shear

@@ -96,15 +96,18 @@ double round_step(double rough) {
     return decade * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
 }
 
+/// Width of a character of a number at an axis [in].
+constexpr double width_of_character = 0.09;
+
 /// Distance of the tics of a linear axis of this width [in], so that their numbers do not touch.
 double step_of_tics(AxisRange range, double width) {
-    constexpr double most = 7, of_character = 0.09, between_numbers = 0.15;
+    constexpr double most = 7, between_numbers = 0.15;
     const double span = range.second - range.first;
     double step = round_step(span / most);
     // Numbers have the most digits where they are no multiples of the next larger step.
     const double middle = step * std::round((range.first + span / 2) / step) + step;
     const auto characters = static_cast<double>(fmt::format("{:.6g}", middle).size());
-    while (span / step * (of_character * characters + between_numbers) > width) {
+    while (span / step * (width_of_character * characters + between_numbers) > width) {
         step = round_step(2.2 * step);
     }
     return step;
@@ -114,8 +117,9 @@ double step_of_tics(AxisRange range, double width) {
 std::vector<double> even_tics(AxisRange range) {
     const double step = round_step((range.second - range.first) / 4);
     std::vector<double> tics;
-    for (double k = std::ceil(range.first / step); k * step <= range.second; ++k) {
-        if (k > 0) tics.push_back(k * step);
+    const auto first = std::max(1L, std::lround(std::ceil(range.first / step)));
+    for (long k = first; static_cast<double>(k) * step <= range.second; ++k) {
+        tics.push_back(static_cast<double>(k) * step);
     }
     return tics;
 }
@@ -134,15 +138,34 @@ std::vector<double> multiples(AxisRange range, const std::vector<double>& digits
     return tics;
 }
 
-/// List of tics for a logarithmic axis, at least four: powers of ten, or 1, 2 and 5, or 1, 2, 3, 4
-/// and 6 times powers of ten. Where none of these are enough: round numbers at even distances.
-std::string tics_of_logarithm(AxisRange range) {
-    constexpr std::size_t enough = 4;
-    std::vector<double> tics;
-    for (const std::vector<double>& digits : {std::vector<double>{1}, {1, 2, 5}, {1, 2, 3, 4, 6}}) {
-        if (tics.size() < enough) tics = multiples(range, digits);
+/// Whether the numbers at these tics of a logarithmic axis of this width [in] do not touch.
+bool have_room(const std::vector<double>& tics, AxisRange range, double width) {
+    const auto width_of = [](double tic) {
+        return width_of_character * static_cast<double>(fmt::format("{:g}", tic).size());
+    };
+    for (std::size_t k = 1; k < tics.size(); ++k) {
+        const double distance =
+            std::log(tics[k] / tics[k - 1]) / std::log(range.second / range.first) * width;
+        if (distance < (width_of(tics[k - 1]) + width_of(tics[k])) / 2) return false;
     }
-    if (tics.size() < enough) tics = even_tics(range);
+    return true;
+}
+
+/// List of tics for a logarithmic axis of this width [in]: the first of several series of digits
+/// times powers of ten that has four tics (if none has, three) with numbers that do not touch.
+/// Where no series has, round numbers at even distances.
+std::string tics_of_logarithm(AxisRange range, double width) {
+    const std::vector<std::vector<double>> series = {
+        {1}, {1, 2, 5}, {1, 2, 3, 4, 6}, {1, 2, 3, 6}, {1, 3}};
+    std::vector<double> tics;
+    for (const std::size_t enough : {4, 3}) {
+        for (const std::vector<double>& digits : series) {
+            if (!tics.empty()) break;
+            const std::vector<double> some = multiples(range, digits);
+            if (some.size() >= enough && have_room(some, range, width)) tics = some;
+        }
+    }
+    if (tics.empty()) tics = even_tics(range);
     std::vector<std::string> texts;
     for (const double tic : tics)
         texts.push_back(fmt::format("{:g}", tic));
@@ -151,20 +174,22 @@ std::string tics_of_logarithm(AxisRange range) {
 
 /// Gnuplot commands for the axes of a panel and for their position on the page.
 std::string axes_script(const Panel& panel, const PanelPlace& place, const Page& page) {
+    constexpr double tall = 100;  // numbers above one another do not touch
     std::string text =
         "unset object\nunset arrow\nunset logscale\nunset key\nset format x '%g'\n"
         "set border 31 linewidth 1.2\nset grid xtics ytics linecolor rgb '#e4e4e4'\n"
         "set ytics nomirror autofreq format '% h'\n";
     if (panel.log_y) {
         text += panel.x_names.empty() ? "set logscale y\nset ytics format '10^{%T}'\n"
-                                      : "set logscale y\nset ytics (" + tics_of_logarithm(place.y) +
-                                            ") format '%g'\n";
+                                      : "set logscale y\nset ytics (" +
+                                            tics_of_logarithm(place.y, tall) + ") format '%g'\n";
     }
     if (!panel.y_names.empty()) text += "unset ytics\n";
     if (!panel.x_names.empty()) {
         text += "unset xtics\n";
     } else if (panel.log_x) {
-        text += "set logscale x\nset xtics nomirror (" + tics_of_logarithm(place.x) + ")\n";
+        text += "set logscale x\nset xtics nomirror (" +
+                tics_of_logarithm(place.x, place.right - place.left) + ")\n";
     } else {
         text += fmt::format("set xtics nomirror {:.6g}\n",
                             step_of_tics(place.x, place.right - place.left));

@@ -17,7 +17,7 @@ namespace {
 
 const std::string friction_label = "intergranular friction μ";
 const std::string inertial_label = "inertial number I = γ̇ (m/aσ_{22})^{1/2}";
-constexpr int curve_steps = 60;
+constexpr Eigen::Index curve_steps = 60;
 
 /// Inertial numbers that span those of the readings, none below the fidelity's lowest.
 std::vector<double> simulated_inertial_numbers(const Calibration& c) {
@@ -110,8 +110,9 @@ ModelCurve against_friction(const DryStudy& study, const Condition& condition) {
         .jacobian = {},
         .covariance = Eigen::MatrixXd::Zero(2 * (curve_steps + 1), 2 * (curve_steps + 1)),
         .run_noise = {}};
-    for (int k = 0; k <= curve_steps; ++k) {
-        x.push_back(range.lower(0) + (range.upper(0) - range.lower(0)) * k / curve_steps);
+    for (Eigen::Index k = 0; k <= curve_steps; ++k) {
+        x.push_back(range.lower(0) +
+                    (range.upper(0) - range.lower(0)) * static_cast<double>(k) / curve_steps);
         parameters(0) = x.back();
         const Prediction one = flow.predict(parameters, {condition});
         all.value.segment<2>(2 * k) = one.value;
@@ -242,7 +243,7 @@ InertialFigure inertial_figure_of(const DryStudy& study) {
         std::vector<Condition> conditions;
         // The curve ends at the largest simulated inertial number and is extrapolated to lower
         // ones.
-        for (int k = 0; k <= curve_steps; ++k) {
+        for (Eigen::Index k = 0; k <= curve_steps; ++k) {
             x.push_back(figure.low *
                         std::pow(figure.fastest / figure.low, k / double{curve_steps}));
             conditions.push_back(path.at(x.back()));

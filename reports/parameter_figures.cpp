@@ -73,11 +73,13 @@ Panel profile_panel(const Model& model, const Measured& measured, const Fit& bes
         const boost::math::interpolators::makima<std::vector<double>> difference(
             std::vector<double>(at), std::move(beyond));
         for (const double value : points) {
-            const double inside = std::clamp(value, at.front(), at.back());
-            profile.x.push_back(value);
-            profile.y.push_back(parabola_at(value) + difference(inside));
             parabola.x.push_back(value);
             parabola.y.push_back(parabola_at(value));
+            const double rise =
+                parabola_at(value) + difference(std::clamp(value, at.front(), at.back()));
+            if (rise > profile_reach * profile_reach) continue;  // the key is there
+            profile.x.push_back(value);
+            profile.y.push_back(rise);
         }
     }
     panel.curves = {profile, parabola};

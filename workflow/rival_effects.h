@@ -17,9 +17,9 @@ namespace pendular {
 std::vector<std::string> names_of(const std::vector<ListedEffect>& effects);
 
 /// Reads the alternatives to an effect from the result of an earlier diagnosis. An alternative is a
-/// set of effects without the effect `effect` that explained the readings as well as the sets with
-/// the effect. Empty where `file`, a diagnosis.json, does not exist or cannot be read, where no set
-/// with the effect explained the readings, and where the study's list of effects has changed since
+/// set of effects that does not contain `effect`, but that explained the readings equally well as
+/// the sets that contain it. The result is empty if `file` (a diagnosis.json) cannot be read, if no
+/// set with `effect` explained the readings, or if the study's list of effects has changed since
 /// the diagnosis.
 std::vector<std::vector<std::string>> rivals_in(const std::filesystem::path& file,
                                                 const Study& study, const std::string& effect);

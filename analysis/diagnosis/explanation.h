@@ -110,7 +110,7 @@ struct Finding {
     /// Reduction of chi2 [1] by a refit of the study's model with the candidate effect alone added.
     /// Empty if the model was not refitted.
     std::optional<double> refitted_reduction;
-    std::string decision;  ///< text with the conclusion on the candidate effect, as in "missing"
+    std::string decision;  ///< conclusion about the candidate effect, such as "missing"
     /// Whether the readings can reveal the effect. For an effect with a parameter, the score test
     /// must find the effect with the probability DiagnosisOptions::wanted_power at some value
     /// within the bounds of the parameter. For a switch (effect that is on or off), `power` must

@@ -8,8 +8,9 @@
 namespace pendular {
 namespace {
 
-/// Sizes that are compared: from 0.05 % to 20 %, each a quarter larger than the one before.
-constexpr double least = 0.0005, greatest = 0.2, step = 1.25;
+/// Sizes that are compared: from 0.05 % to 17 %, each a quarter larger than the one before.
+constexpr double least = 0.0005, step = 1.25;
+constexpr int sizes = 27;
 
 /// Smallest difference of the log likelihood at which an exact model is rejected, p = 0.05 with the
 /// size at the bound of its range (half of chi2 with one degree of freedom beyond 2.71).
@@ -39,7 +40,8 @@ double likely_discrepancy(const Measured& measured, const Prediction& prediction
     const Eigen::VectorXd residuals = measured.value - prediction.value;
     const double exact = log_likelihood(errors, residuals, prediction.jacobian);
     double best = 0, highest = exact + significant;
-    for (double size = least; size <= greatest; size *= step) {
+    for (int k = 0; k < sizes; ++k) {
+        const double size = least * std::pow(step, k);
         const double value =
             log_likelihood(errors + size * size * unit, residuals, prediction.jacobian);
         if (value > highest) {

@@ -83,21 +83,23 @@ struct EntryKinds {
 /// of the calibrated parameters can imitate. All tests use the projected whitened residuals P r of
 /// `WeightedResiduals`. The p values of all tests come from one set of random draws of errors, so
 /// that the p value of all tests together is exact. That p value is the share of draws in which the
-/// smallest p value of any test is as small as observed.
+/// smallest p value of all tests is at most the observed one.
 ///
-/// - Lack of fit: squared length of the residuals in the space of the conditions' means.
-/// - Score: the sum S(x) = sum_{x_i <= x} (L^-1 J)_i (L^-1 (y - f))_i over the entries i whose
+/// - Lack of fit: squared length of the part of the residuals that all readings at a condition have
+///   in common.
+/// - Score: the cumulative score S(x) = sum_{x_i <= x} (L^-1 J)_i (L^-1 (y - f))_i over the entries
+/// i whose
 ///   covariate x_i is at most x, for one parameter (y: measured values, f: predictions, J:
-///   derivative of f with respect to the parameter, L: Cholesky factor of the covariance). S
-///   returns to zero at the optimum and fluctuates like a Brownian bridge. The statistic is the
-///   largest distance of S from zero, divided by |L^-1 J|, the standard deviation that the sum over
+///   derivative of f with respect to the parameter, L: Cholesky factor of the covariance). At the
+///   optimum, the sum over all entries is zero, and S fluctuates like a Brownian bridge. The
+///   statistic is the largest |S(x)| divided by |L^-1 J|, the standard deviation that the sum over
 ///   all entries would have without the fit (after Hjort and Koning 2002).
-/// - Trend: component of the residuals of one observable along the measured value times the rank of
-///   the covariate.
-/// - Runs: negative number of changes of sign between successive readings of one observable. The
-///   test is made only without replicates.
-/// - Neighbours: r' K r with a Gaussian kernel K over the ranks of all covariates, at three
-///   lengths.
+/// - Trend: projection of the residuals of one observable onto a relative error that grows with the
+///   rank of the covariate (measured value times rank).
+/// - Runs: number of changes of sign between successive readings of one observable, with a minus
+///   sign, so that few changes make the statistic large. The test is made only without replicates.
+/// - Neighbours: r' K r, which is large if readings at similar conditions have similar residuals. K
+///   is a Gaussian kernel in the ranks of all covariates, with three widths.
 Checks check_fit(const WeightedResiduals& residuals, const EntryKinds& kinds,
                  const std::vector<Covariate>& covariates, const NullDraws& draws);
 

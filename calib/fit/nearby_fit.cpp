@@ -88,7 +88,8 @@ double chi2_at(const Model& model, const Measured& measured,
 /// @return whether the last step was short
 bool descend(const Model& model, const Measured& measured, const Eigen::MatrixXd* simulation,
              Eigen::VectorXd& at) {
-    Prediction here = simulation ? model.predict(at, PredictionPart::slopes) : model.predict(at);
+    const Prediction here =
+        simulation ? model.predict(at, PredictionPart::slopes) : model.predict(at);
     const Eigen::MatrixXd covariance =
         measured.covariance + (simulation ? *simulation : here.covariance);
     const Eigen::LLT<Eigen::MatrixXd> root(covariance);
@@ -97,10 +98,10 @@ bool descend(const Model& model, const Measured& measured, const Eigen::MatrixXd
     }
     double chi2 = root.matrixL().solve(measured.value - here.value).squaredNorm();
     for (int turn = 0; turn < most_steps; ++turn) {
-        if (turn > 0) here = model.predict(at, PredictionPart::slopes);
-        const Eigen::MatrixXd slopes = here.jacobian;
+        const Prediction tangent = turn == 0 ? here : model.predict(at, PredictionPart::slopes);
+        const Eigen::MatrixXd& slopes = tangent.jacobian;
         Eigen::VectorXd step =
-            best_parameters(Tangent(model, at, std::move(here)), measured, covariance, at, {}) - at;
+            best_parameters(Tangent(model, at, tangent), measured, covariance, at, {}) - at;
         if (turn == 0 && root.matrixL().solve(slopes * step).norm() < short_step) return true;
         double lower = chi2_at(model, measured, root, at + step);
         for (int halving = 0; !(lower <= chi2) && halving < most_halvings; ++halving) {

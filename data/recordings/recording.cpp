@@ -174,13 +174,12 @@ void append_interval(Recording& whole, const Recording& part, double number) {
     for (const auto column :
          {&Recording::shear_stress, &Recording::normal_stress, &Recording::shear_rate,
           &Recording::torque, &Recording::normal_force}) {
-        const bool first = whole.size() == 0;
-        if (!first && (whole.*column).size() != whole.size())
+        const bool lacked = (whole.*column).size() != whole.size() || (part.*column).empty();
+        if (whole.size() > 0 && lacked) {
             (whole.*column).clear();
-        else if (!first && (part.*column).empty())
-            (whole.*column).clear();
-        else
+        } else {
             append_column(whole.*column, part.*column);
+        }
     }
     append_column(whole.line, part.line);
     append_column(whole.height, part.height);

@@ -71,9 +71,9 @@ struct ChangePairs {
     std::size_t contact_history = 0;
     /// Whether the first value of the contact history (values that the effect keeps per pair) is
     /// the volume of the pair's bridge divided by V0. V0 is the mean volume of newly formed
-    /// bridges. The sign of the value has no meaning. If the member is true for an effect, the
-    /// liquid content of a sample is computed from the sum of the bridge volumes. If the member is
-    /// false for all effects, each bridge has the volume V0.
+    /// bridges. The sign of the value is ignored. If one of the effects in a sample has such a
+    /// history, the liquid content of the sample is computed from the sum of the bridge volumes.
+    /// Otherwise each bridge has the volume V0.
     bool volume_in_history = false;
     /// Function that returns the rate [1 per unit of shear strain] at which the volumes of the
     /// bridges on a grain become equal by flow of liquid (`LiquidExchange`). If the function is

@@ -1,6 +1,7 @@
 #include "sim/dem/shares.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "sim/dem/parts.h"
 
@@ -58,7 +59,8 @@ std::vector<Share> shares_of(const PairList& pairs, std::size_t grains, int part
     std::vector<Share> shares(static_cast<std::size_t>(parts));
     for (int part = 0; part < parts; ++part) {
         Share& share = shares[static_cast<std::size_t>(part)];
-        share.sections.assign(sections.begin() + part * each, sections.begin() + (part + 1) * each);
+        const auto first = sections.begin() + std::ptrdiff_t{part} * each;
+        share.sections.assign(first, first + each);
         if (parts == 1) {
             break;
         }

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -23,6 +26,17 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view units =
     "reduced units: grain diameter, grain mass and imposed normal stress are 1";
+
+/// Returns the number behind the first occurrence of `words` in a line; empty if there is none.
+template <typename Number>
+std::optional<Number> number_after(std::string_view line, std::string_view words) {
+    const auto at = line.find(words);
+    if (at == std::string_view::npos) return {};
+    line.remove_prefix(at + words.size());
+    Number value{};
+    const auto fault = std::from_chars(line.data(), line.data() + line.size(), value).ec;
+    return fault == std::errc{} ? std::optional(value) : std::nullopt;
+}
 
 std::string text_of(const Vector& v) {
     return fmt::format("{:.10g} {:.10g} {:.10g}", v[0], v[1], v[2]);
@@ -234,7 +248,7 @@ void Snapshots::resume(std::uint64_t step, double strain) {
         if (line == "ITEM: UNITS") {
             frame = keep = after - line.size() - 1;
         } else if (line == "ITEM: TIMESTEP" && std::getline(dump, line)) {
-            if (std::stoull(line) > step) {
+            if (number_after<std::uint64_t>(line, "").value_or(0) > step) {
                 keep = frame;
                 break;
             }
@@ -246,12 +260,11 @@ void Snapshots::resume(std::uint64_t step, double strain) {
     }
     std::ifstream collection(folder_ / "snapshots.pvd");
     for (std::string line; std::getline(collection, line);) {
-        Frame entry;
-        if (std::sscanf(line.c_str(), "<DataSet timestep=\"%lf\" part=\"0\" file=\"vtk/beads_%lu",
-                        &entry.strain, &entry.number) == 2 &&
-            entry.strain < strain + block_strain / 2) {
-            frames_.push_back(entry);
-            next_ = entry.number + 1;
+        const auto at = number_after<double>(line, "<DataSet timestep=\"");
+        const auto number = number_after<std::uint64_t>(line, "file=\"vtk/beads_");
+        if (at && number && *at < strain + block_strain / 2) {
+            frames_.push_back({.number = *number, .strain = *at});
+            next_ = *number + 1;
         }
     }
 }

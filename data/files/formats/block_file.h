@@ -60,8 +60,8 @@ struct Block {
 struct SkippedRows {
     int first_line = 0, last_line = 0;
     std::string reason;
-    /// Whether the skipped rows count among the rows (points) that the file declares for an
-    /// interval.
+    /// Whether the number of rows (points) that the file declares for an interval includes the
+    /// skipped rows.
     bool points = true;
 };
 

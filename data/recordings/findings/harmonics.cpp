@@ -36,12 +36,13 @@ bool enough_turns(std::span<const double> angle) {
 Eigen::MatrixXd harmonic_columns(std::span<const double> angle) {
     const auto n = static_cast<Eigen::Index>(angle.size());
     const Eigen::Map<const Eigen::ArrayXd> phase(angle.data(), n);
-    Eigen::MatrixXd columns(n, 2 + 2 * highest_per_turn);
+    Eigen::MatrixXd columns(n, Eigen::Index{2} + 2 * highest_per_turn);
     columns.col(0).setOnes();
     columns.col(1).setLinSpaced(n, -1, 1);
     for (int q = 1; q <= highest_per_turn; ++q) {
-        columns.col(2 * q) = (q * phase).cos();
-        columns.col(2 * q + 1) = (q * phase).sin();
+        const Eigen::Index cosine = Eigen::Index{2} * q;
+        columns.col(cosine) = (q * phase).cos();
+        columns.col(cosine + 1) = (q * phase).sin();
     }
     return columns;
 }
@@ -144,9 +145,10 @@ std::vector<Harmonic> harmonics(std::span<const double> samples, std::span<const
         const NoiseLevel level = noise_near(q, residuals, angle, noise);
         if (level.frequencies == 0) continue;
         const double spectrum = level.ratio * noise.spectrum(q * turns_covered(angle) / count);
-        const double amplitude = std::hypot(fit(2 * q), fit(2 * q + 1));
-        const Eigen::Matrix2d of_waves = spectrum * unit_covariance.block<2, 2>(2 * q, 2 * q);
-        const Eigen::Vector2d waves = fit.segment<2>(2 * q);
+        const Eigen::Index cosine = Eigen::Index{2} * q;
+        const Eigen::Matrix2d of_waves = spectrum * unit_covariance.block<2, 2>(cosine, cosine);
+        const Eigen::Vector2d waves = fit.segment<2>(cosine);
+        const double amplitude = waves.norm();
         const double f = waves.dot(of_waves.inverse() * waves) / 2, k = level.frequencies;
         result.push_back({q, amplitude, std::sqrt(of_waves.trace() / 2), std::pow(1 + f / k, -k)});
     }

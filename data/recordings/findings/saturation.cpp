@@ -201,13 +201,12 @@ void set_aside_saturated(const std::vector<Saturation>& saturated, const Recordi
         if (choice.keep_implausible) continue;
         std::erase_if(part.readings, [&](const Reading& reading) {
             const auto rows = lines_within(each.lines, reading.origin.line, reading.last_line);
-            const double all =
-                (reading.last_line - reading.origin.line) / recording.averaged_rows + 1;
+            const int all = (reading.last_line - reading.origin.line) / recording.averaged_rows + 1;
             if (static_cast<double>(rows) <= spoilt_share * all) return false;
             part.excluded.push_back(left_out(
                 reading,
-                fmt::format("set aside: step {}: saturated: in {} of {:.0f} rows the {}",
-                            reading.step, rows, all, limit_text(each.quantity, each.limit))));
+                fmt::format("set aside: step {}: saturated: in {} of {} rows the {}", reading.step,
+                            rows, all, limit_text(each.quantity, each.limit))));
             return true;
         });
     }

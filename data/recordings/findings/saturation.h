@@ -39,8 +39,8 @@ std::vector<Saturation> saturations(const Recording& recording,
                                     const std::vector<RecordedStep>& steps);
 
 /// Removes saturated data points from the lists of spikes (`RecordedStep::spikes`), so that the
-/// data points are not reported as spikes. `result.excluded` lists the data points as saturated,
-/// since their values were replaced like those of spikes.
+/// data points are not reported as spikes, and lists them in `result.excluded` as saturated. They
+/// are listed there because their values were replaced like those of spikes.
 /// @param saturated saturated columns of the recording
 /// @param file path of the recording
 void separate_from_spikes(const std::vector<Saturation>& saturated, const std::string& file,
