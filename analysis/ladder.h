@@ -24,16 +24,16 @@ struct LadderParameter {
 struct LadderStep {
     /// Number of the step in the ladder (the sequence of a study's models), counted from 0.
     int step = 0;
-    /// Kind of the step as a word. "add" or "drop": the model has one effect more or fewer than the
-    /// model before. "start": the model begins a new sequence.
+    /// Kind of the step: "add" if the model has one effect more than the model before, "drop" if
+    /// the model has one effect fewer, "start" if the model begins a new sequence.
     std::string change = "start";
     /// Name of the effect by which the model of this step differs from the model before. Empty if
     /// `change` is "start".
     std::string effect = {};
     /// Names of all effects that the model of this step contains.
     std::vector<std::string> effects;
-    /// Sets of effects, by name, any of which could have been added instead: each set explained the
-    /// readings as well as the effect that this step added.
+    /// Alternatives to the effect that this step added: sets of effects, by name, that do not
+    /// contain this effect but explained the readings equally well.
     std::vector<std::vector<std::string>> rivals = {};
     /// Fitted parameters of the model of this step. The first parameter is the friction
     /// coefficient.
@@ -59,8 +59,8 @@ struct LadderStep {
 
 /// Ladder: sequence of a study's fitted models in the order of time. A step whose `change` is "add"
 /// or "drop" has one effect more or fewer than the step before. The first step has `change`
-/// "start". A later step with "start" begins a new sequence, since effects, degrees of freedom or
-/// chi2 of the study's model had changed in another way since the step before.
+/// "start". A later step with "start" begins a new sequence. Such a step is needed if the effects,
+/// degrees of freedom or chi2 of the study's model changed in another way after the step before.
 using Ladder = std::vector<LadderStep>;
 
 /// Returns the step of a ladder (the sequence of a study's models) that describes the model of a
@@ -74,8 +74,8 @@ LadderStep ladder_step_of(const Calibration& calibration, const Comparison& comp
 /// after an effect was added or dropped, and `before` is the model before this change. If the last
 /// step of the ladder does not describe `before`, the function first appends `before` with `change`
 /// "start". The last step describes `before` if both have the same effects and degrees of freedom,
-/// and if chi2 differs by at most 5 % of chi2 + dof, as new simulation runs may cause. The appended
-/// steps are numbered.
+/// and if their chi2 differ by at most 5 % of chi2 + dof, which new simulation runs may cause. The
+/// function sets the number of each appended step (`LadderStep::step`).
 void add_step(Ladder& ladder, LadderStep before, LadderStep after);
 
 /// Whether chance can explain the reduction of chi2 from the model `from` to the model `to` of a

@@ -19,9 +19,9 @@ struct LeftOut {
     std::array<double, 2> rms_percent{};
     /// Number of fitted conditions, each of which was left out of one refit.
     std::size_t conditions = 0;
-    /// Number of conditions without which the other readings do not determine all fitted
-    /// parameters, or the refit does not converge. The refit is then repeated from the model's
-    /// starting values, which undetermined parameters keep.
+    /// Number of fitted conditions for which the refit to the other conditions does not determine
+    /// all parameters or does not converge. Such a refit is repeated from the model's starting
+    /// values, so that undetermined parameters keep these values.
     std::size_t undetermined = 0;
 };
 

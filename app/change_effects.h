@@ -8,8 +8,8 @@
 
 namespace pendular::app {
 
-/// Returns the names of the files and folders that `pendular add` and `pendular drop` write in the
-/// results folder: fit.json, fit_runs.csv, ladder.json and figures.
+/// Returns the names of the files and folders that `pendular add` and `pendular drop` write into
+/// the results folder: fit.json, fit_runs.csv, ladder.json and figures.
 std::vector<std::filesystem::path> outputs_of_change();
 
 /// Adds an effect to the study of a session or drops an effect from the study, and fits the study's
@@ -17,12 +17,12 @@ std::vector<std::filesystem::path> outputs_of_change();
 /// @param action whether to add or to drop the effect
 /// @param effect name of the effect
 /// @param fit options of the fits
-/// @param same_fidelity whether to use the fidelity (set of simulation settings) of
-///        the fit in the results folder
-/// @throws InputError where the effect cannot be added or dropped, where a fit is impossible, and
-///         where study.toml has changed since the session read study.toml
-/// @throws std::runtime_error where a file cannot be written
-/// @throws dem::Interrupted where the user requests a stop
+/// @param same_fidelity whether to use the fidelity (set of simulation settings) of the fit in the
+///        results folder
+/// @throws InputError if the effect cannot be added or dropped, if a fit is impossible, or if
+///         study.toml has changed since the session read study.toml
+/// @throws std::runtime_error if a file cannot be written
+/// @throws dem::Interrupted if the user requests a stop
 ChangedStudy change_effects(const Session& session, Action action, const std::string& effect,
                             const FitOptions& fit, bool same_fidelity);
 
@@ -33,7 +33,7 @@ std::string answer_on(const ChangedStudy& changed);
 
 /// Draws the figure of a ladder (the sequence of a study's models) to a folder, and returns the
 /// name of the figure.
-/// @throws std::runtime_error where gnuplot is missing or fails, and where a file cannot be written
+/// @throws std::runtime_error if gnuplot is missing or fails, or if a file cannot be written
 std::string draw_ladder(const Ladder& ladder, const std::filesystem::path& folder);
 
 }  // namespace pendular::app

@@ -21,7 +21,7 @@ void print_closures(const closures::ClosureValues& values, double stress_ratio, 
 /// If the earlier simulations do not allow this prediction, prints a sentence that says so.
 /// @param store user's file of simulations, which is used besides the simulations supplied with
 ///        Pendular; null: only the simulations supplied with Pendular are used
-/// @return the printed values; empty for a dry simulation and where the stress ratio of dry grains
+/// @return the printed values; empty if the simulation is dry or if the stress ratio of dry grains
 ///         is unknown
 std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& run,
                                                          const CommonOptions& common,

@@ -16,8 +16,8 @@ namespace pendular::app {
 struct Command {
     std::string_view name;
     std::string_view summary;
-    /// Function that runs the command with the words after the command's name, and returns the exit
-    /// code of the program, an `ExitCode`. The function throws InputError for wrong input.
+    /// Function that runs the command with the arguments after the command's name, and returns the
+    /// exit code of the program, an `ExitCode`. The function throws InputError for wrong input.
     int (*run)(const std::vector<std::string>& arguments);
 };
 
@@ -74,7 +74,7 @@ enum ExitCode {
 
 /// Runs the program `pendular` and returns the exit code. Prints the text of exceptions on standard
 /// error. Throws no std::exception.
-/// @param arguments words after the program's name on the command line, the command's name first
+/// @param arguments arguments of the program on the command line, the command's name first
 int run_program(const std::vector<std::string>& arguments);
 
 }  // namespace pendular::app

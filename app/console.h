@@ -13,10 +13,10 @@
 
 namespace pendular::app {
 
-/// Printer of a command's output in a fixed order: the answer, the evidence, the notes, the
-/// figures, the next command. Text goes to standard output, or to standard error where JSON takes
-/// standard output. Progress goes to standard error unless --quiet is given. Bold type appears on a
-/// terminal only, and never if NO_COLOR is set.
+/// Printer of a command's output: the answer, the evidence, the notes, the figures, the next
+/// command. Text goes to standard output or, if the option --json - sends JSON to standard output,
+/// to standard error. Progress goes to standard error unless --quiet is given. Bold type appears on
+/// a terminal only, and never if NO_COLOR is set.
 class Console {
   public:
     explicit Console(const CommonOptions& options) : options_(options) {}

@@ -5,14 +5,14 @@
 
 namespace pendular::app {
 
-/// Kind of value that an option, or a word after a command's name, accepts: text, a file, a folder,
-/// a study or one of a few words. The kind determines the placeholder in the help text and the
+/// Kind of value that an option or an argument of a command accepts: text, a file, a folder, a
+/// study or one of a few words. The kind determines the placeholder in the help text and the
 /// completion of the value in a shell.
 struct ValueKind {
     enum class Kind { none, text, file, folder, study, choice };
     Kind kind = Kind::text;
-    /// Accepted words. For the kind `choice`, no value but these words is accepted. For the kind
-    /// `file`, words that are accepted besides files, such as "-".
+    /// Accepted words. For the kind `choice`, only these words are accepted. For the kind `file`,
+    /// these words are accepted besides files, such as "-".
     std::vector<std::string> choices = {};
 
     /// Returns the word that stands for the value in the help text: FILE, DIR, STUDY, NAME or X.
@@ -55,8 +55,8 @@ struct OptionSection {
     std::vector<OptionDeclaration> options;
 };
 
-/// Declaration of a command: texts, options, and words after the command's name. The help text, the
-/// manual page and the completion in a shell are written from the declaration.
+/// Declaration of a command: its texts, options and arguments. The help text, the manual page and
+/// the completion in a shell are written from the declaration.
 struct CommandDeclaration {
     std::string usage, about, examples;
     std::vector<OptionSection> sections;
@@ -68,8 +68,8 @@ struct CommandDeclaration {
 
 /// Returns the texts and options of a command, as `run` declares them when the user requests the
 /// help of the command. Does not carry out the command.
-/// @param run function that carries out the command with the words after the command's name, and
-///        returns the exit code
+/// @param run function that carries out the command with the arguments after the command's name,
+///        and returns the exit code
 CommandDeclaration declaration_of(int (*run)(const std::vector<std::string>& arguments));
 
 }  // namespace pendular::app

@@ -25,7 +25,7 @@ class EffectOptions {
     /// @param meaning heading above these options in the help text
     /// @param why_not function that returns the reason why an effect has no option in this command;
     ///        empty: every effect has options
-    /// @throws InputError where an argument names an effect or parameter that does not exist, or an
+    /// @throws InputError if an argument names an effect or parameter that does not exist, or an
     ///         effect for which `why_not` returns a reason
     EffectOptions(Options& options, const std::vector<std::string>& arguments,
                   const std::string& meaning, const WhyNot& why_not = {});
@@ -34,13 +34,13 @@ class EffectOptions {
     /// order of `built_in_effects`. An effect whose parameters all have their neutral values (no
     /// effect) is left out, unless a parameter of the effect is a property of the liquid
     /// (`given_by_liquid`).
-    /// @throws InputError where a value is not a number, has a unit of the wrong dimension or is
-    ///         out of the parameter's bounds
+    /// @throws InputError if a value is not a number, has a unit of the wrong dimension or is
+    ///         outside the parameter's bounds
     std::vector<ActiveEffect> effects() const;
 
   private:
-    /// Options as the user typed them. The key is "EFFECT.PARAMETER". The value is the text after
-    /// the option, empty if the user did not give the option.
+    /// Values of the options as the user typed them. The key is "EFFECT.PARAMETER". The text is
+    /// empty if the user did not give the option.
     std::map<std::string, std::string> words_;
 };
 

@@ -29,7 +29,7 @@ struct ImportFileOptions {
     void declare(Options& options);
     /// Checks, for the import of a study, that the user gave no option that applies to a single
     /// file only, such as --layout. The option --figures is allowed.
-    /// @throws InputError where an option for a single file was given; the message says that
+    /// @throws InputError if an option for a single file was given; the message says that
     ///         study.toml must state the setting instead
     void refuse_for_studies(const Options& options) const;
 };
@@ -45,9 +45,9 @@ bool is_bare_file(const std::filesystem::path& path);
 /// Runs `pendular import FILE` and returns the exit code. Prints layout, columns, intervals (steps
 /// of constant set points) and checks of a file of measurements. Makes a new study from the file if
 /// the user requested a new study.
-/// @throws InputError where the file cannot be read, where the folder for the new study already
-///         contains a file that has the name of a file of the new study, and where option --tidy
-///         names a file that cannot be written or has other content than a table of --tidy
+/// @throws InputError if the file cannot be read, if the folder for the new study already contains
+///         a file that has the name of a file of the new study, or if option --tidy names a file
+///         that cannot be written or has other content than a table of --tidy
 int import_file(const std::filesystem::path& path, const ImportFileOptions& options,
                 Console& console);
 

@@ -37,16 +37,16 @@ class OpenSession {
     ///        `changes` waits until no other command is changing the study
     /// @throws InputError for a mistake in the study's files, for results that would replace an
     ///         input, for a negative seed, and for a store that cannot be read
-    /// @throws std::runtime_error where a store that the user named cannot be written, and where
-    ///         another command keeps changing the study for longer than a minute or
-    ///         $PENDULAR_LOCK_SECONDS [s]
-    /// @throws dem::Interrupted where the user stops the command while the command waits
+    /// @throws std::runtime_error if a store that the user named cannot be written, or if another
+    ///         command keeps changing the study for longer than a minute or $PENDULAR_LOCK_SECONDS
+    ///         [s]
+    /// @throws dem::Interrupted if the user stops the command while the command waits
     OpenSession(Console& console, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
                 Access access = Access::reads);
     /// Opens a session without a console, such as for `pendular serve`. Notes and progress go to
-    /// `listener`. Long computations end at a request of `stop`.
-    /// @param stop request to stop long computations
+    /// `listener`.
+    /// @param stop token; long computations end if a stop is requested through the token
     /// @param listener callback for notes and progress; may be empty
     /// @param files paths in the folder for results that the command writes to
     /// @param seed seed of all random numbers, 0 or more
@@ -54,10 +54,10 @@ class OpenSession {
     ///        `changes` waits until no other command is changing the study
     /// @throws InputError for a mistake in the study's files, for results that would replace an
     ///         input, for a negative seed, and for a store that cannot be read
-    /// @throws std::runtime_error where a store that the user named cannot be written, and where
-    ///         another command keeps changing the study for longer than a minute or
-    ///         $PENDULAR_LOCK_SECONDS [s]
-    /// @throws dem::Interrupted where a stop is requested while the command waits
+    /// @throws std::runtime_error if a store that the user named cannot be written, or if another
+    ///         command keeps changing the study for longer than a minute or $PENDULAR_LOCK_SECONDS
+    ///         [s]
+    /// @throws dem::Interrupted if a stop is requested while the command waits
     OpenSession(const std::stop_token& stop, const Listener& listener, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
                 Access access = Access::reads);

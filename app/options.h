@@ -17,7 +17,7 @@
 
 namespace pendular::app {
 
-/// Returns the seed of random numbers that the user gave by option --seed.
+/// Checks and returns the seed of random numbers that the user gave by option --seed.
 /// @throws InputError for a negative seed
 std::uint64_t checked_seed(std::int64_t seed);
 
@@ -26,8 +26,7 @@ struct CommonOptions {
     /// File to which the command writes the result as JSON, or "-" for standard output. Empty if
     /// the command writes no JSON.
     std::optional<std::string> json;
-    /// Folder for the results of the command, as the user gave the folder by option --out. Empty
-    /// without this option.
+    /// Folder for the results of the command, given by option --out. Empty without this option.
     std::optional<std::filesystem::path> out;
     /// Fidelity: settings of the simulations, such as number of grains, stiffness number and
     /// strain.
@@ -47,13 +46,13 @@ struct CommonOptions {
     /// Returns the folder for results: the folder of option --out or, without this option,
     /// STUDY/out.
     std::filesystem::path out_folder() const;
-    /// Returns the study as the user named the study, as a word of a command line, quoted where a
-    /// shell needs quotes.
+    /// Returns the path of the study, as the user typed it, for use in a command line. The path is
+    /// quoted if it has characters that a shell interprets.
     std::string study_word() const;
 };
 
-/// Returns a path as a word of a command line. The word is in quotes if the path has characters
-/// that a shell interprets.
+/// Returns a path as an argument for a command line. The argument is quoted if the path has
+/// characters that a shell interprets.
 std::string shell_word(const std::filesystem::path& path);
 
 /// Command-line options of one command of `pendular`: declares, parses and documents the options.
@@ -63,7 +62,8 @@ class Options {
     /// @param usage line of the help text after "Usage: pendular"
     /// @param about description of the command, after the usage line of the help text
     /// @param examples example commands, the end of the help text, with line ends
-    /// @param takes_study whether the command needs one word that names a study or a file
+    /// @param takes_study whether the command needs a first argument that names a study, a file or
+    ///        a folder
     Options(std::string usage, std::string about, std::string examples, bool takes_study);
 
     /// Adds the option --NAME of this command. `parse` stores the value of the option in `value`.
@@ -86,15 +86,14 @@ class Options {
     void set_threads(int by_default, std::string meaning) {
         default_threads_ = by_default, threads_meaning_ = std::move(meaning);
     }
-    /// Sets the beginning of the error message that appears if no word follows the command's name.
-    /// The beginning is the name and the meaning of the missing word, such as "OUT, the folder for
-    /// the new study,".
+    /// Sets the name and the meaning of the command's first argument, for the error message that
+    /// this argument is missing, such as "OUT (the folder for the new study)".
     void set_first_word(std::string name_and_meaning) {
         missing_word_ = std::move(name_and_meaning);
     }
     /// Leaves common options (names without "--") out of the help text, the manual and the
-    /// completion of words, because the command makes no use of these options. `parse` still
-    /// accepts the options, so that scripts can give equal options to every command.
+    /// completion in a shell, because the command makes no use of these options. `parse` still
+    /// accepts the options, so that scripts can give the same options to every command.
     void leave_out(std::set<std::string> unused) { unused_ = std::move(unused); }
     /// Sets the text on option --fidelity in the help text, for a command that makes no simulation.
     void set_fidelity(std::string meaning) { fidelity_meaning_ = std::move(meaning); }
@@ -102,16 +101,16 @@ class Options {
     void set_store(std::string meaning) { store_meaning_ = std::move(meaning); }
     /// Sets the text on option --out, the folder for results, in the help text.
     void set_out(std::string meaning) { out_meaning_ = std::move(meaning); }
-    /// Makes the command accept any number of words that belong to no option. If the command reads
-    /// a study, these words follow the name of the study.
-    /// @param words list in which `parse` stores these words
-    /// @param kind kind of value that the words may have, such as files
+    /// Makes the command accept any number of arguments that belong to no option. If the command
+    /// reads a study, these arguments follow the name of the study.
+    /// @param words list in which `parse` stores these arguments
+    /// @param kind kind of value that these arguments may have, such as files
     void take(std::vector<std::string>* words, ValueKind kind = {}) {
         words_ = words, words_kind_ = std::move(kind);
     }
     /// Adds the option --NAME [MINUTES], a limit of time that `parse` stores in `seconds` [s].
     /// Without the option, `seconds` is empty. If no number follows the option, `alone` is used.
-    /// @param alone limit [min] where no number follows the option; infinity: no limit
+    /// @param alone limit [min] if no number follows the option; infinity: no limit
     /// @param description text for the help, which must state the default
     void add_time(const char* name, std::optional<double>* seconds, double alone,
                   const std::string& description);
@@ -119,12 +118,12 @@ class Options {
     /// given, else to false.
     void add_switch(const char* name, bool* value, const std::string& description);
 
-    /// Parses the words after the command's name, and stores the values of the command's options.
-    /// Returns the values of the options that every command has. If the user gave --help, prints
-    /// the help text and returns nothing.
-    /// @throws InputError for an unknown option (with the nearest known option), for a missing or
-    ///         malformed value or study, for too many words, and for a file of --json or a folder
-    ///         for results that cannot be written
+    /// Parses the arguments after the command's name, and stores the values of the command's
+    /// options. Returns the values of the options that every command has. If the user gave --help,
+    /// prints the help text and returns nothing.
+    /// @throws InputError for an unknown option (the message names the nearest known option), for a
+    ///         missing or malformed value or study, for too many arguments, and for a file of
+    ///         --json or a folder for results that cannot be written
     std::optional<CommonOptions> parse(const std::vector<std::string>& arguments);
     /// Whether the parsed arguments contain the option `name` (without "--").
     bool given(const std::string& name) const {
@@ -148,15 +147,15 @@ class Options {
 
     std::string usage_, about_, examples_;
     bool takes_study_;
-    /// Name and meaning of the command's first word, for the message that this word is missing. If
-    /// the text is empty, the first word is a study.
+    /// Name and meaning of the command's first argument, for the message that this argument is
+    /// missing. If the text is empty, the first argument is a study.
     std::string missing_word_;
     std::vector<std::string>* words_ = nullptr;
     ValueKind words_kind_;
     /// Kinds of value that the options of the command accept. The key is the name of the option.
     std::map<std::string, ValueKind> kinds_;
-    /// Limits of time [min] that apply where no number follows an option of `add_time`. The key is
-    /// the name of the option. The value is the limit as text.
+    /// Limits of time [min] that apply if no number follows an option of `add_time`. The key is the
+    /// name of the option with "--". The value is the limit as text.
     std::map<std::string, std::string> times_;
     /// Default of option --threads; 0: one thread for each core of the processor.
     int default_threads_ = 0;

@@ -7,19 +7,19 @@ namespace pendular::app {
 
 /// Checks, before a long computation, that `path` can be written, as a folder if `folder` is true,
 /// else as a file. Creates nothing.
-/// @throws InputError where `path` is empty or cannot be written; the message names `option`, the
+/// @throws InputError if `path` is empty or cannot be written; the message names `option`, the
 ///         command-line option that gave the path
 void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder);
 
 /// Checks that writing a table to `file` replaces nothing but an earlier table, whose first
 /// characters are `first`. A missing or empty file is accepted.
-/// @throws InputError where the file contains anything else, such as a recording
+/// @throws InputError if the file contains anything else, such as a recording
 void demand_table(const std::filesystem::path& file, const std::string& first);
 
 /// Checks that writing JSON to `file`, which the option `option` names, replaces nothing but JSON.
 /// A missing or empty file is accepted.
-/// @throws InputError where the first character of the file shows that the file is not JSON but,
-///         for example, a recording
+/// @throws InputError if the first character of the file shows that the file is not JSON but, for
+///         example, a recording
 void demand_json(const std::filesystem::path& file, const std::string& option);
 
 }  // namespace pendular::app

@@ -7,7 +7,7 @@
 
 namespace pendular::app {
 
-/// Returns a text as a sentence. The first letter becomes a capital if the first word has
+/// Returns a text as a sentence. The first letter becomes a capital if the first word consists of
 /// lower-case letters only. A full stop is added unless the text ends in ".", "?", a line end, or a
 /// command after ": pendular ".
 std::string as_sentence(std::string text);
@@ -27,7 +27,7 @@ std::string progress_sentence(const Event& event);
 std::optional<double> progress_share(const Event& event);
 
 /// Returns a text on simulations in progress that states the share done, the number done and the
-/// time left, as in "45 %, 1 of 3 simulations done, 20 s left".
+/// time left, such as "45 %, 1 of 3 simulations done, 20 s left".
 std::string progress_numbers(const EnsembleProgress& progress);
 
 }  // namespace pendular::app

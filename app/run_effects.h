@@ -11,23 +11,23 @@
 
 namespace pendular::app {
 
-/// Physical effects of a single simulation, as the user gives the effects by options. A scale
-/// converts parameters in SI units to the reduced units of the simulation. The scale consists of
-/// diameter and density of the grains, normal stress, and surface tension.
+/// Physical effects of a single simulation, set by command-line options. A scale converts
+/// parameters in SI units to the reduced units of the simulation. The scale consists of diameter
+/// and density of the grains, normal stress, and surface tension.
 class RunEffects {
   public:
     /// Adds the options for the effects, --EFFECT.PARAMETER, and for the scale (grains, normal
     /// stress, surface tension) to a command.
     /// @param arguments words of the command line
-    /// @throws InputError where an argument names an effect or parameter that does not exist, or an
+    /// @throws InputError if an argument names an effect or parameter that does not exist, or an
     ///         effect that a single simulation cannot have
     RunEffects(Options& options, const std::vector<std::string>& arguments);
 
     /// Returns the parameters of a simulation with the effects of the parsed options applied.
-    /// @throws InputError where an option's value is malformed or out of bounds, where the user
-    ///         gave a normal stress for wet grains (whose reduced pressure gives the normal stress)
-    ///         or a surface tension for dry grains, and for an effect that cannot change this
-    ///         simulation, such as an effect of the liquid for dry grains
+    /// @throws InputError if an option's value is malformed or out of bounds, if the user gave a
+    ///         normal stress for wet grains (whose reduced pressure gives the normal stress) or a
+    ///         surface tension for dry grains, or if an effect cannot change this simulation, such
+    ///         as an effect of the liquid for dry grains
     dem::RunParameters changed(const dem::RunParameters& run, const Options& options);
 
     /// Prints a line with the effects that `RunEffects::changed` applied, and with the friction

@@ -15,7 +15,7 @@ std::unique_ptr<RunStore> open_store(const CommonOptions& options) {
         std::error_code error;
         std::filesystem::create_directories(options.store.parent_path(), error);
         if (error || access(options.store.parent_path().c_str(), W_OK) != 0) {
-            print_line(stderr, fmt::format("note: {} cannot be written, so that no simulation is "
+            print_line(stderr, fmt::format("Note: {} cannot be written, so that no simulation is "
                                            "kept; --store FILE names another place",
                                            options.store.parent_path().string()));
             return nullptr;

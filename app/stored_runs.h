@@ -14,12 +14,12 @@ namespace pendular::app {
 /// null.
 /// @throws InputError for a file that is not a store, is corrupt or is from a newer version of the
 ///         program
-/// @throws std::runtime_error where a store that the user named cannot be written
+/// @throws std::runtime_error if a store that the user named cannot be written
 std::unique_ptr<RunStore> open_store(const CommonOptions& options);
 
 /// Converts a word of the command line to the number of a stored simulation. Does not check that
 /// the store (the user's file of simulations) has a simulation with this number.
-/// @throws InputError where the word is not a whole number
+/// @throws InputError if the word is not a whole number
 std::int64_t run_number(const std::string& word);
 
 }  // namespace pendular::app

@@ -13,13 +13,13 @@ namespace pendular::app {
 /// since no command can change the study.
 class StudyLock {
   public:
-    /// Locks a study. While another process has the lock, names this process on standard error and
-    /// waits for at most a minute or $PENDULAR_LOCK_SECONDS [s].
+    /// Locks a study. If another process has the lock, names the other process on standard error
+    /// and waits for at most a minute or $PENDULAR_LOCK_SECONDS [s].
     /// @param folder folder of the study
     /// @param stop request to stop waiting
-    /// @throws dem::Interrupted where a stop is requested while waiting
-    /// @throws std::runtime_error where the process that has the lock keeps the lock for longer
-    ///         than the waiting time
+    /// @throws dem::Interrupted if a stop is requested while waiting
+    /// @throws std::runtime_error if another process keeps the lock for longer than the waiting
+    ///         time
     StudyLock(const std::filesystem::path& folder, const std::stop_token& stop);
 
   private:

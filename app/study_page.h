@@ -36,9 +36,9 @@ struct StudyPage {
 /// @param switches largest number of effects that a reader of the page can switch on and off
 /// @param version version number of the page, by which a browser finds out that `pendular serve`
 ///        has a newer page; empty: a page that needs no server
-/// @throws InputError where the study cannot be diagnosed, such as with too few readings, and where
+/// @throws InputError if the study cannot be diagnosed, such as with too few readings, or if
 ///         ladder.json cannot be read
-/// @throws dem::Interrupted where the user requests a stop
+/// @throws dem::Interrupted if the user requests a stop
 StudyPage study_page(const Session& session, const CommonOptions& common, std::size_t switches,
                      std::optional<std::size_t> version = {});
 

@@ -66,13 +66,14 @@ double height(double solid_fraction, const AnnularCell& cell);
 /// sample height [m]. The function inverts `shear_rate`.
 double angular_velocity(double shear_rate, double height, const AnnularCell& cell);
 
-/// Returns the covariance matrix (2 x 2) of the errors of a reading (mean over a step of steady
-/// shear): first of the shear stress [Pa], second of the solid fraction [1]. The matrix follows to
-/// first order from the covariance matrix C of the errors of the measured quantities: first of the
-/// torque [N m], second of the sample height [m].
+/// Returns the 2 x 2 covariance matrix of the errors of a reading (mean over a step of steady
+/// shear). The first row and column are those of the shear stress [Pa], the second those of the
+/// solid fraction [1]. The matrix follows, to first order, from the covariance matrix C of the
+/// errors of the torque [N m] and the sample height [m].
 ///     J C J^T      J = diag(d(shear stress)/d(torque), d(solid fraction)/d(height))
 /// @param height sample height at which the derivatives are taken [m]
-/// @param torque_height_covariance covariance matrix C of torque and sample height
+/// @param torque_height_covariance covariance matrix C. The first row and column are those of the
+///         torque, the second those of the sample height.
 Eigen::Matrix2d covariance_of_reading(double height,
                                       const Eigen::Matrix2d& torque_height_covariance,
                                       const AnnularCell& cell);

@@ -25,7 +25,8 @@ PrintedUnit printed_unit(const EffectParameter& parameter);
 std::string printed_value(double value, const EffectParameter& parameter);
 
 /// Returns a value [SI unit] of an effect's parameter as one argument of a shell command, in the
-/// printed unit (`printed_unit`). The text is in quotes if the value has a unit, as in "10 deg".
+/// printed unit (`printed_unit`). If the value has a unit, the text is in double quotes, which are
+/// part of the text: "10 deg".
 std::string printed_word(double value, const EffectParameter& parameter);
 
 /// Returns the lower and upper bound of an effect's parameter as text in the printed unit

@@ -42,9 +42,9 @@ struct SharedError {
     /// Number that identifies the cause of the shared error, such as one filling of the cell.
     /// Shared errors with equal numbers are fully correlated.
     std::size_t source = 0;
-    /// Standard errors that the shared error causes: first of the shear stress [Pa], second of the
-    /// solid fraction [1]. The standard errors are increased if they were estimated from few
-    /// fillings of the cell.
+    /// Standard errors of the shear stress [Pa] (index 0) and of the solid fraction [1] (index 1)
+    /// that the shared error causes. The standard errors are increased if they were estimated from
+    /// few fillings of the cell.
     Eigen::Vector2d size = Eigen::Vector2d::Zero();
     /// Whether the size of the shared error is known; otherwise the size was estimated from
     /// replicates (repeated readings at one condition).
@@ -56,7 +56,7 @@ struct SharedError {
 /// failure.
 struct Reading {
     Position origin;  ///< file of the reading, with the first line that was used
-    /// Last line of the file that was used for the reading; 0: the line in `origin`.
+    /// Last line of the file that was used for the reading; 0: equal to the line in `origin`.
     int last_line = 0;
     /// Number, in the file, of the step of constant set points from which the reading was made,
     /// from 1; 0: unknown.
@@ -68,25 +68,27 @@ struct Reading {
     /// solid fraction [1].
     Eigen::Vector2d value = Eigen::Vector2d::Zero();
     /// Covariance matrix of the total error of the reading. The first row and column are those of
-    /// the shear stress [Pa], the second those of the solid fraction [1]. If a condition has few
-    /// replicates (repeated readings), the contribution of their scatter is increased.
+    /// the shear stress [Pa], the second those of the solid fraction [1]. If the scatter between
+    /// replicates (repeated readings at one condition) was estimated from few replicates, the
+    /// contribution of the scatter is increased.
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
     /// Part of the reading's `covariance` that was added because the scatter between replicates
-    /// (repeated readings at one condition) was estimated from few replicates: first of the shear
-    /// stress [Pa], second of the solid fraction [1].
+    /// (repeated readings at one condition) was estimated from few replicates. The first row and
+    /// column are those of the shear stress [Pa], the second those of the solid fraction [1].
     Eigen::Matrix2d widened_by = Eigen::Matrix2d::Zero();
     /// Errors that the reading has in common with other readings, such as the error of one filling
-    /// of the cell. The shared errors are contained in `covariance`.
+    /// of the cell. The matrix `covariance` includes the shared errors.
     std::vector<SharedError> shared;
     /// Degrees of freedom of the estimated scatter between replicates (repeated readings at one
-    /// condition): first of the shear stress, second of the solid fraction. The degrees of freedom
-    /// are infinite if the scatter is known.
+    /// condition), for the shear stress (index 0) and the solid fraction (index 1). The degrees of
+    /// freedom are infinite if the covariance of the reading does not depend on an estimated
+    /// scatter.
     Eigen::Vector2d scatter_freedom = Eigen::Vector2d::Constant(INFINITY);
     /// Index in `ReplicateScatter::groups` of the group of files to which the reading's file
     /// belongs.
     std::size_t scatter_group = 0;
-    /// Rounding steps of the reading: first of the shear stress [Pa], second of the solid fraction
-    /// [1]. The rounding step is the unit of the last digit in the table from which the reading was
+    /// Rounding steps of the shear stress [Pa] (index 0) and of the solid fraction [1] (index 1).
+    /// The rounding step is the unit of the last digit in the table from which the reading was
     /// read, or 0 if the value was not rounded.
     Eigen::Vector2d resolution = Eigen::Vector2d::Zero();
     /// Duration of the steady shear over which the reading was averaged [s]; 0: unknown.
@@ -103,9 +105,9 @@ struct Reading {
     int replicates = 1;
 
     /// Returns the covariance matrix of the reading's errors without the increase for few
-    /// replicates (repeated readings at one condition): first of the shear stress [Pa], second of
-    /// the solid fraction [1]. The matrix is for statistical tests that allow for the small number
-    /// of replicates themselves.
+    /// replicates (repeated readings at one condition). The first row and column are those of the
+    /// shear stress [Pa], the second those of the solid fraction [1]. The matrix is for statistical
+    /// tests that themselves allow for the small number of replicates.
     Eigen::Matrix2d estimated_covariance() const { return covariance - widened_by; }
     /// Returns the stress ratio of the reading [1]: shear stress divided by normal stress.
     double stress_ratio() const { return value(0) / condition.normal_stress; }
@@ -113,10 +115,10 @@ struct Reading {
 
 /// Rows of a file, or a whole reading, that were left out, with the reason.
 struct Excluded {
-    /// Kind of the data that were left out. `rows` are single rows, such as a spike.
-    /// `beside_plateau` are rows of a step outside of the steady part of the step, such as a
-    /// transient. `step_without_plateau` is a whole step without a steady part. `reading` is a
-    /// whole reading.
+    /// Kind of the data that were left out. `rows` are rows of a file, such as a spike or a step in
+    /// which the lid rests. `beside_plateau` are rows of a step outside of the steady part of the
+    /// step, such as a transient. `step_without_plateau` is a whole step without a steady part.
+    /// `reading` is a whole reading.
     enum class Kind { rows, beside_plateau, step_without_plateau, reading };
     Position origin;     ///< file and first line of the rows that were left out
     int last_line = 0;   ///< last line of the rows that were left out
@@ -139,39 +141,39 @@ struct Doubt {
     bool set_aside = true;
 };
 
-/// Scatter between replicates (repeated readings at one condition) in excess of the scatter within
-/// the recorded steps. Variances and mean squares of the stress ratio are divided by the squared
-/// stress ratio. Variances and mean squares of the solid fraction are divided by the squared solid
-/// fraction.
+/// Scatter between replicates (repeated readings at one condition), estimated or stated by the
+/// user. Variances and mean squares are relative: for the stress ratio, they are divided by the
+/// squared stress ratio, and for the solid fraction, by the squared solid fraction.
 struct ReplicateScatter {
     /// Scatter between steps that were repeated at one condition, in a group of files with common
     /// conditions.
     struct Group {
         std::vector<std::string> files;  ///< paths of the files in the group
         /// Covariance matrix [1] of the relative deviations between repeated steps at the normal
-        /// stress `reference_stress`, minus the contribution of the scatter within each step: first
-        /// of the stress ratio, second of the solid fraction.
+        /// stress `reference_stress`, minus the contribution of the scatter within each step. The
+        /// first row and column are those of the stress ratio, the second those of the solid
+        /// fraction.
         Eigen::Matrix2d excess = Eigen::Matrix2d::Zero();
         /// Mean squares [1] of the relative deviations between replicates (repeated readings at one
-        /// condition), including the scatter within steps: first of the stress ratio, second of the
-        /// solid fraction. Groups that share one estimate have equal mean squares.
+        /// condition), including the scatter within steps, for the stress ratio (index 0) and the
+        /// solid fraction (index 1). Groups that share one estimate have equal mean squares.
         Eigen::Vector2d mean_square = Eigen::Vector2d::Zero();
-        /// Degrees of freedom of `mean_square`: first for the stress ratio, second for the solid
-        /// fraction.
+        /// Degrees of freedom of `mean_square`, for the stress ratio (index 0) and the solid
+        /// fraction (index 1). The degrees of freedom are 0 if the study has no replicates, and
+        /// infinite if the user stated the scatter.
         Eigen::Vector2d freedom = Eigen::Vector2d::Zero();
     };
     /// Groups of files that have conditions in common. Every file of the study is in one group.
     std::vector<Group> groups;
     /// Exponents [1] that describe how the scatter between repeated steps depends on the normal
-    /// stress: first for the stress ratio, second for the solid fraction.
+    /// stress, for the stress ratio (index 0) and the solid fraction (index 1).
     ///     standard deviation ~ (normal stress/reference_stress)^-exponent
     Eigen::Vector2d load_exponent = Eigen::Vector2d::Zero();
-    /// Standard errors [1] of the exponents with which the scatter depends on the normal stress
-    /// (`load_exponent`): first for the stress ratio, second for the solid fraction; 0 if the
-    /// exponents were not estimated.
+    /// Standard errors [1] of the exponents `load_exponent`, for the stress ratio (index 0) and the
+    /// solid fraction (index 1); 0 if the exponents were not estimated.
     Eigen::Vector2d load_exponent_error = Eigen::Vector2d::Zero();
-    /// Degrees of freedom of the correlation between the deviations of stress ratio and of solid
-    /// fraction; infinite if the correlation is known.
+    /// Degrees of freedom of the estimated correlation between the deviations of stress ratio and
+    /// of solid fraction; infinite if the correlation was not estimated.
     double correlation_freedom = INFINITY;
     /// Normal stress [Pa] at which the scatter between repeated steps has the covariance matrix
     /// `Group::excess`: geometric mean of the normal stresses of all readings.
@@ -179,27 +181,28 @@ struct ReplicateScatter {
 
     /// Error that all steps of one filling of the cell have in common, in stress ratio or in solid
     /// fraction. The variance of the error follows from a two-way analysis of variance (by
-    /// conditions and by files), and is increased if there are few fillings:
+    /// conditions and by files):
     ///     variance = (between - within)/steps
     struct Filling {
         /// Variance [1] of the filling error of the stress ratio or the solid fraction, divided by
-        /// the squared value. The variance is increased if there are few fillings.
+        /// the squared value. The variance is increased if it was estimated from few fillings.
         double variance = 0;
         /// Mean square of the relative deviations between files (fillings) [1]. The mean square
         /// includes a prior, which counts like one difference between files.
         double between = 0;
         /// Mean square of the relative deviations between the steps of one file [1].
         double within = 0;
-        /// Degrees of freedom of the mean square `between`, one for the prior included. The degrees
-        /// of freedom are 0 if no two files have a condition in common. The degrees of freedom are
-        /// infinite if `variance` counts as known: the user stated the scatter, or the files do not
-        /// differ significantly.
+        /// Degrees of freedom of the mean square `between`, including one for the prior. The
+        /// degrees of freedom are 0 if no two files have a condition in common. The degrees of
+        /// freedom are infinite if the program treats `variance` as known: the user stated the
+        /// scatter, or the files do not differ significantly.
         double freedom_between = 0;
         double freedom_within = 0;  ///< degrees of freedom of the mean square `within`
         /// Effective number of conditions that two files (fillings) have in common.
         double steps = 1;
     };
-    /// Errors of the fillings of the cell: first in the stress ratio, second in the solid fraction.
+    /// Errors of the fillings of the cell, in the stress ratio (index 0) and in the solid fraction
+    /// (index 1).
     std::array<Filling, 2> filling;
     /// Whether the user stated the scatter between replicates (repeated readings at one condition)
     /// in the table [scatter] of study.toml.
@@ -212,12 +215,12 @@ struct Measurements {
     /// Readings in the order of the entries of study.toml. Readings of one entry are in the order
     /// of the file names.
     std::vector<Reading> readings;
-    /// Scatter between replicates (repeated readings at one condition), which the covariances of
-    /// the readings contain.
+    /// Scatter between replicates (repeated readings at one condition), which is included in the
+    /// covariances of the readings.
     ReplicateScatter scatter;
     /// Rows of files, and whole readings, that were left out, with the reasons.
     std::vector<Excluded> excluded;
-    /// Messages about measured values that are probably wrong. Most of the values were set aside.
+    /// Messages about measured values that are probably wrong.
     std::vector<Doubt> doubts;
     /// Faults found in the rows of the recordings, such as a wobble of the lid.
     std::vector<RecordingFinding> findings;

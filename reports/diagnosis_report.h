@@ -18,20 +18,19 @@ std::string verdict_line(const Diagnosis& diagnosis, const ModelSpace& space, co
 
 /// Returns the power of an effect's score test (test without a refit) as text, such as "0.83". The
 /// power is the probability [1] that the readings show an effect of the smallest size of interest.
-/// The text is "-" where the test is significant (p < 0.05), since the power matters only for a
-/// test that found no effect.
+/// The text is "-" if the test is significant (p < 0.05), since the power matters only for a test
+/// that found no effect.
 std::string power_text(const Finding& finding);
 
 /// Returns a diagnosis's estimate of the first parameter of an effect as text, with standard error
-/// and unit. The estimate comes from a refit with the effect. If no refit converged and determines
-/// the parameter, the estimate comes from the score test (test without a refit). An estimate at a
-/// bound of the parameter has no standard error. For an effect that is on or off, the text is
-/// "switch".
+/// and unit. The estimate comes from a refit with the effect. If no converged refit determines the
+/// parameter, the estimate comes from the score test (test without a refit). An estimate at a bound
+/// of the parameter has no standard error. For an effect that is on or off, the text is "switch".
 /// @param finding result for the effect, an element of `diagnosis.scan`
 std::string estimate_of(const Diagnosis& diagnosis, const Finding& finding,
                         const ModelSpace& space);
 
-/// Returns the text of a reduction of chi2 [1] as a negative number, such as "-686.7" for a
+/// Returns the text of the change of chi2 [1] for a given reduction of chi2, such as "-686.7" for a
 /// reduction of 686.7.
 std::string chi2_change(double reduction);
 
@@ -47,10 +46,10 @@ std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const Model
 /// one file), explains the residuals.
 std::string fit_line(const Diagnosis& diagnosis);
 
-/// Returns sentences on a diagnosis that found effects which explain most of the misfit but not all
-/// of the misfit. The first sentence states the relative RMS errors without and with these effects.
-/// The second sentence states the percentage of simulated repetitions of the experiment in which
-/// the best model contains these effects. The third sentence states the trend that remains in the
+/// Returns sentences on a diagnosis in which known effects explain most of the misfit, but not all
+/// of it. The first sentence states the relative RMS errors without and with these effects. The
+/// second sentence states the percentage of simulated repetitions of the experiment in which the
+/// best model contains these effects. The third sentence states the trend that remains in the
 /// residuals. Returns an empty list for any other diagnosis.
 /// @param before relative RMS errors [%] without the effects: first of the shear stress, second of
 ///        the solid fraction
@@ -92,8 +91,8 @@ std::string undetectable_line(const Diagnosis& diagnosis, const ModelSpace& spac
 
 /// Returns sentences of advice after a diagnosis, such as which readings to repeat or to add. If
 /// the readings do not tell which of several effects is missing, a sentence says how similarly
-/// these effects change the readings. A further sentence says if the standard errors of readings
-/// are assumed rather than measured.
+/// these effects change the readings. If the standard errors of the readings are assumed rather
+/// than measured, a further sentence says so.
 /// @param proposes whether the diagnosis proposes a change of the model, of unknown physical cause
 std::vector<std::string> advice_on(const Diagnosis& diagnosis, const ModelSpace& space,
                                    bool proposes = false);

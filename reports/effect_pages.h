@@ -14,8 +14,7 @@ namespace pendular {
 struct EffectStatus {
     /// Whether study.toml lists the effect, so that the study's model has the effect.
     bool listed = false;
-    /// Reason why the effect does not apply to the study. If there is no reason, the effect
-    /// applies.
+    /// Reason why the effect does not apply to the study. Empty if the effect applies.
     std::optional<Obstacle> obstacle;
 };
 

@@ -11,14 +11,15 @@
 namespace pendular {
 
 /// Returns the study for which the figures of effects' signatures are drawn. The signature of an
-/// effect is the change of the readings by the effect. Grains, liquid and cell are the defaults of
+/// effect is the change of the readings that it causes. Grains, liquid and cell are the defaults of
 /// `pendular virtual-lab`. The study lists `effects`, so that the emulator of the study (which
 /// interpolates between simulations) also uses simulations with these effects.
 Study signature_study(const std::vector<Effect>& effects);
 
-/// Returns the dry and the wet condition (normal stress, inertial number, liquid content) at which
-/// figures show the change of the readings by an effect (signature of the effect). Along each curve
-/// of a figure, one quantity varies, and all others are those of the dry or of the wet condition.
+/// Returns the dry and the wet condition (normal stress, inertial number, liquid content) of the
+/// figures that show how an effect changes the readings (signature of the effect). Along each curve
+/// of a figure, one quantity varies. All other quantities keep their values at the dry or the wet
+/// condition.
 std::vector<Condition> signature_conditions(const Study& study);
 
 /// Returns a figure of how an effect of the smallest size of interest changes the predicted
@@ -31,9 +32,9 @@ std::vector<Condition> signature_conditions(const Study& study);
 /// and height of the sample [mm]. For effects on grains, a band shows one standard error of the
 /// change.
 /// @param simulation emulator, which interpolates between the simulations known for the study
-/// @throws std::invalid_argument where the emulator has no simulation with the effect
-/// @throws std::domain_error where, with the effect, no possible state of the grains gives the
-///         normal stress and height that the instrument shows at a condition of the figure
+/// @throws std::invalid_argument if the emulator has no simulation with the effect
+/// @throws std::domain_error if, with the effect, no possible state of the grains gives the normal
+///         stress and height that the instrument shows at a condition of the figure
 Figure signature_figure(const Effect& effect, const Study& study,
                         const std::shared_ptr<const EmulatedSimulation>& simulation);
 

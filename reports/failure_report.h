@@ -30,9 +30,9 @@ std::vector<std::string> checks_table(const Checks& checks);
 ///        alone makes the measurement deviate from the model by at least as much as observed
 std::string deviating_line(std::vector<std::pair<std::string, double>> measurements);
 
-/// Returns lines of text that say where a model fails. First come the significant tests of the
-/// residuals. The last line names the conditions and files whose readings deviate most from the
-/// model, if there are any.
+/// Returns lines of text that say where a model fails. The first lines state the significant tests
+/// of the residuals. The last line names the conditions and files whose readings deviate most from
+/// the model, if there are any.
 std::vector<std::string> failure_table(const WhereItFails& where);
 
 }  // namespace pendular

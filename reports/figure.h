@@ -23,8 +23,9 @@ struct Curve {
     /// Standard errors of the values y of the curve, in the unit of the y axis. Standard errors are
     /// drawn as error bars or as the half-width of a band.
     std::vector<double> y_error;
-    /// Texts at the points of the curve: at the end of each of the `bars`, inside each of the
-    /// `cells`, or inside the end of each of the `bars_across` that the edge of the panel cuts off.
+    /// Texts at the points of the curve. The style `bars` draws a text at the end of each bar, and
+    /// `cells` draws a text inside each cell. `bars_across` draws a text only in a bar that the
+    /// edge of the panel cuts off, inside the end of the bar.
     std::vector<std::string> names = {};
     /// Value y at which each bar of the curve begins. If the list is empty, the bars begin at the x
     /// axis.
@@ -80,8 +81,8 @@ struct Panel {
     std::vector<std::string> y_names = {};
     /// Whether the y axis of the panel includes zero. A logarithmic axis never includes zero.
     bool y_from_zero = false;
-    /// Smallest reach of the y axis, in the unit of the axis: the axis extends at least from
-    /// -`y_least` to `y_least`; 0: no limit.
+    /// Value, in the unit of the y axis, such that the axis extends at least from -`y_least` to
+    /// `y_least`; 0: no limit.
     double y_least = 0;
     /// Least and greatest value on the y axis, without the headroom. If empty, the range follows
     /// from the data.

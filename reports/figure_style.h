@@ -17,10 +17,10 @@ inline const std::string solid_fraction_label = "solid fraction Φ_S";
 inline const std::string measured_colour = "#1b1b1b", model_colour = "#0b62a4",
                          calibrated_colour = "#c0392b", run_colour = "#5b9bd5",
                          explaining_colour =
-                             "#606060";  ///< colour of legend entries that hold for all series
+                             "#606060";  ///< colour of key (legend) entries common to all series
 
-/// Values of a reading or prediction as figures draw them, with their standard errors: first the
-/// stress ratio [1], second the solid fraction [1].
+/// Stress ratio [1] and solid fraction [1] of a reading or of a prediction, in this order, with
+/// their standard errors, as figures draw them.
 struct Shown {
     std::array<double, 2> value, error;
 };
@@ -56,8 +56,9 @@ MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibrat
 /// @param places indices of the readings in the calibration
 bool mean_suffices(const std::vector<std::size_t>& places, const Calibration& calibration);
 
-/// Largest difference between the prediction of a reading and the mean or curve that a figure draws
-/// in place of the prediction, divided by the standard error of the measured value [1].
+/// Largest allowed difference between the prediction of a reading and the mean or curve that a
+/// figure draws in place of this prediction, divided by the standard error of the measured value
+/// [1].
 constexpr double same_point = 0.25;
 
 /// Adds a point with an error bar of one standard error to a curve.

@@ -10,7 +10,7 @@ namespace pendular {
 // units and file names from a user must be escaped by `plain_text` or `broken_name` first.
 
 /// Returns a text from a user, escaped for a figure, so that gnuplot shows the text as the user
-/// wrote it and no character acts as markup. Control characters, line ends among them, become
+/// wrote it and no character acts as markup. Control characters, including line ends, become
 /// blanks.
 std::string plain_text(const std::string& text);
 
@@ -23,8 +23,9 @@ std::string unescaped(const std::string& text);
 std::size_t shown_characters(const std::string& text);
 
 /// Breaks a name into short lines for the x axis of a figure, such as "capillary-", "shear-",
-/// "stress", and escapes the lines as `plain_text` does. Lines break at line ends, after hyphens
-/// where a line would exceed 10 characters, and inside words of more than 24 characters.
+/// "stress", and escapes the lines as `plain_text` does. A line breaks at a line end, after a
+/// hyphen if the line would otherwise exceed 10 characters, and inside a word of more than 24
+/// characters.
 std::vector<std::string> broken_name(const std::string& name);
 
 /// Returns a text as a gnuplot string in double quotes, in which gnuplot neither executes a command

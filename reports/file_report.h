@@ -11,13 +11,14 @@ namespace pendular {
 /// of constant set points) and rows in the file.
 std::string file_sentence(const FileView& view);
 
-/// Returns a sentence on a file of measurements that states the character encoding, the delimiter
-/// of cells and the decimal mark.
+/// Returns a sentence that states the character encoding, the delimiter of cells and the decimal
+/// mark of a file of measurements.
 std::string encoding_sentence(const FileView& view);
 
 /// Returns a table of the columns of a file of measurements, one line per column below a heading.
-/// The line states the name and the unit of the column, the quantity as which the column is read,
-/// and in how many intervals (steps of constant set points) the column occurs.
+/// The line states the name and the unit of the column, and the quantity that the program reads
+/// from the column. If some intervals (steps of constant set points) lack the column, the line also
+/// states the number of intervals that have it.
 std::vector<std::string> columns_table(const FileView& view);
 
 /// Returns a table of the intervals (steps of constant set points) of a file of measurements, one

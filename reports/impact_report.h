@@ -9,17 +9,18 @@ namespace pendular {
 
 /// Returns at most two sentences on how much effects or errors of measurement shift the fitted
 /// friction coefficient. The sentences concern the effects or errors that the verdict of the
-/// diagnosis names, at their estimated sizes. With the verdicts nothing-missing and inconclusive,
-/// the sentences state the largest shifts by effects at their smallest sizes of interest, as in
-/// "With wall-friction in the model (coefficient = 0.05), the friction coefficient fitted to all
-/// readings would be 0.1080 instead of 0.1200." Shifts below 0.3 standard errors of the friction
-/// coefficient are left out. Returns an empty list if the verdict is unknown: no known effect
-/// explains the misfit.
+/// diagnosis names, at their estimated sizes. If the verdict is nothing-missing or inconclusive,
+/// the sentences concern the first effects in `table`, at their smallest sizes of interest: "With
+/// wall-friction in the model (coefficient = 0.05), the friction coefficient fitted to all readings
+/// would be 0.1080 instead of 0.1200." Shifts below 0.3 standard errors of the friction coefficient
+/// are left out. Returns an empty list if the verdict is unknown (no known effect explains the
+/// misfit).
 std::vector<std::string> impact_lines(const ImpactTable& table, const Diagnosis& diagnosis);
 
-/// Returns names of effects in the order in which `table` lists the effects that a verdict names:
-/// by the shift of the fitted friction coefficient at the smallest size of interest, the largest
-/// first. Effects that `table` does not list come last, in the order of `effects`.
+/// Returns names of effects from a verdict, sorted by the shift that each effect causes in the
+/// fitted friction coefficient at its smallest size of interest, the largest shift first. Effects
+/// that `table` does not list come last, in the order of `effects`.
+/// @param effects names of effects that the verdict of the diagnosis names
 std::vector<std::string> by_impact(const ImpactTable& table,
                                    const std::vector<std::string>& effects);
 

@@ -40,7 +40,7 @@ class Ink {
     /// Returns the gnuplot commands that define the data of all shapes. A gnuplot process needs
     /// these commands once, before the commands of `script`.
     std::string data_blocks() const;
-    /// Returns the gnuplot commands that draw all shapes and texts on a page of this width and
+    /// Returns the gnuplot commands that draw all shapes and texts on a page of the given width and
     /// height [inch].
     std::string script(double width, double height) const;
 

@@ -16,7 +16,7 @@ constexpr double band_opacity = 0.16;
 
 /// Returns the parts of a figure that are drawn above the axes and lines: error bars, symbols,
 /// bars, cells, names along the axes, and keys (legends).
-/// @param page layout of this figure, as `page_of` returns the layout
+/// @param page layout of this figure, computed by `page_of`
 Ink marks_of(const Figure& figure, const Page& page);
 
 }  // namespace pendular

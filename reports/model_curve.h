@@ -68,12 +68,11 @@ struct CurveGroup {
     ConditionPath path(const std::vector<Reading>& readings, const Coordinate& along) const;
 };
 
-/// Divides readings of steady shear, and points of failure, into at most 8 groups each such that
-/// one model curve represents the predictions of each group. Tries one group, then division by one
-/// quantity of `apart`, then by several quantities in the order of `apart`. `CurveGroup::curve`
-/// states whether a curve represents the group. Points of failure and readings of steady shear are
-/// divided separately. If the readings contain points of failure and steady shear, the names of
-/// groups of points of failure say so.
+/// Divides readings into groups such that one model curve represents the predictions of each group,
+/// if possible. Tries one group, then division by one quantity of `apart`, then by several
+/// quantities in the order of `apart`. `CurveGroup::curve` states whether a curve represents the
+/// group. Readings of steady shear and points of failure are divided separately, into at most 8
+/// groups each. If the readings contain both, the names of groups of points of failure say so.
 /// @param members indices in the calibration of the readings to divide
 /// @param along quantity along the x axis of the figure
 std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,

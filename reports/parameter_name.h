@@ -4,8 +4,8 @@
 
 namespace pendular {
 
-/// Returns the name of a fitted parameter as in a sentence: "friction coefficient" for `friction`,
-/// the parameter's own name otherwise.
+/// Returns the name of a fitted parameter for use in a sentence: "friction coefficient" for
+/// `friction`, the unchanged name for any other parameter.
 inline std::string parameter_in_words(const std::string& parameter) {
     return parameter == "friction" ? "friction coefficient" : parameter;
 }

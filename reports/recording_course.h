@@ -19,8 +19,8 @@ struct AveragedWindow {
     /// last row of the range (`end`).
     std::size_t begin = 0, end = 0;
     Kind kind = Kind::used;
-    /// Line of the recording's file at which the range begins, by which the reading that averages
-    /// the range is found; 0: no reading averages the range.
+    /// Line of the recording's file at which the range begins. The line identifies the reading that
+    /// averages the range; 0: no reading averages the range.
     int line = 0;
 };
 
@@ -29,9 +29,9 @@ struct AveragedWindow {
 const char* text_of(AveragedWindow::Kind kind);
 
 /// Returns the ranges of rows of a recording that are averaged: the steady parts whose means are
-/// the readings of a study, readings that were set aside, and steps that reach no plateau. Where
-/// both `readings` and `excluded` are empty, returns the ends of preshears and the smoothed peaks
-/// of intervals that were sheared to failure.
+/// the readings of a study, readings that were set aside, and steps that reach no plateau. If both
+/// `readings` and `excluded` are empty, returns the ends of preshears and the smoothed peaks of
+/// intervals that were sheared to failure.
 /// @param readings readings (measured states) of a study; readings from files other than `view` are
 ///        ignored
 /// @param excluded rows that a study left out
@@ -64,8 +64,8 @@ class RecordingCourse {
     std::optional<double> mean(const AveragedWindow& window) const;
 
   private:
-    /// Value of the quantity in each row of the recording, in the unit of the quantity; not a
-    /// number where the value is unknown.
+    /// Value of the quantity in each row of the recording, in the unit of the quantity. The value
+    /// is NaN if it is unknown.
     std::vector<double> values_;
     bool shear_, is_stress_ = false;
 };

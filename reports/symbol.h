@@ -4,9 +4,8 @@
 
 namespace pendular {
 
-/// Point of a drawing: a point on a page [inch], or a point of a symbol of area 1, whose
-/// coordinates are divided by the square root of the drawn symbol's area [1]. The coordinate y
-/// grows upwards.
+/// Point of a drawing, with y upwards. The coordinates of a point on a page are in inches. The
+/// coordinates of a point of a symbol are divided by the square root of the symbol's area [1].
 struct PaperPoint {
     double x = 0, y = 0;
 };

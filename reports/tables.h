@@ -49,7 +49,7 @@ std::string freedom_text(int degrees_of_freedom);
 std::string misfit_text(const Misfit& misfit);
 
 /// Returns a table of the contributions to chi2 [1]: first of shear stress and solid fraction,
-/// second of each condition, third, where there are several files, of each file. The sum of the
+/// second of each condition, third of each file, if there are several files. The sum of the
 /// contributions of shear stress and solid fraction is the chi2 of all readings. The sums over all
 /// conditions and over all files are the chi2 of all readings too.
 std::vector<std::string> misfit_table(const Comparison& comparison);

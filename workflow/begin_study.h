@@ -15,20 +15,20 @@ namespace pendular {
 /// state, such as the density of the grains, are guessed. study.toml marks guessed values with
 /// "GUESS" in a comment.
 ///
-/// In steady.csv, each row is the mean over the last tenth of the data points of a preshear. Only
-/// preshears that reached a plateau are used if there are any. In failure.csv, each row is a
-/// smoothed peak of the shear stress. The standard deviation of the shear stress is the difference
-/// between the largest measured shear stress and the smoothed peak. Standard deviations of the
-/// shear stress are at least 1 %. The tables state the inertial number 0 and a solid fraction of
-/// 0.60 +- 0.1, which carries no information. If the file of measurements states bulk densities,
-/// steady.csv contains bulk densities in place of solid fractions, with the mass of the liquid
-/// subtracted and with a standard deviation of 1 %.
+/// In steady.csv, each row is the mean over the last tenth of the data points of a preshear. If any
+/// preshear reached a plateau, preshears without a plateau are left out. In failure.csv, each row
+/// is a smoothed peak of the shear stress. The standard deviation of the shear stress is the
+/// difference between the largest measured shear stress and the smoothed peak. Standard deviations
+/// of the shear stress are at least 1 %. The tables state the inertial number 0 and a solid
+/// fraction of 0.60 +- 0.1, which carries no information. If the file of measurements states bulk
+/// densities, steady.csv contains bulk densities in place of solid fractions, with the mass of the
+/// liquid subtracted and with a standard deviation of 1 %.
 /// @param view file of measurements, as read
-/// @param format user's statement of how the file is to be read, such as the decimal sign
-/// @throws InputError where the file contains neither steady shear nor points of failure, where
-///         study.toml cannot state the name of the file, where the file has the name of another
-///         file of the study, and where neither number nor name nor test tells apart two intervals
-///         with different roles
+/// @param format user's settings for reading the file, such as the decimal sign
+/// @throws InputError if the file contains neither steady shear nor points of failure, if the name
+///         of the file contains a character that study.toml cannot contain, if the file has the
+///         name of another file of the study, such as steady.csv, or if neither its number nor its
+///         name nor its test distinguishes an interval from the intervals with other roles
 std::map<std::string, std::string> begin_study(const FileView& view, const FileFormat& format);
 
 }  // namespace pendular

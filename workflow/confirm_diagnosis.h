@@ -12,20 +12,20 @@ namespace pendular {
 /// standard errors of the best models' parameters, trains the emulator (which interpolates
 /// simulations) on the new runs, and repeats the diagnosis. The rounds end when the verdict is firm
 /// (`Confirmation::settled`) or when `seconds` have passed. The user's file of simulations
-/// (`SessionOptions::store`) keeps all runs, so that the same command continues where an earlier
+/// (`SessionOptions::store`) keeps all runs, so that a repeated command continues where the earlier
 /// command ended.
 /// @param seconds time that runs and diagnoses may take together [s]; the first diagnosis is made
 ///        in any case
-/// @throws InputError where the study has too few readings, where all readings have one condition,
-///         where there are too few earlier runs, and where a reading is outside the range that can
-///         be simulated
-/// @throws dem::Interrupted where the user requests a stop; the message says how to continue
+/// @throws InputError if the study has too few readings, if all readings have one condition, if
+///         there are too few earlier runs, or if a reading is outside the range that can be
+///         simulated
+/// @throws dem::Interrupted if the user requests a stop; the message says how to continue
 StudyDiagnosis confirm_diagnosis(const ResolvedStudy& study, const Measurements& measurements,
                                  const SessionOptions& session, double seconds);
 
 /// Returns the JSON of the simulations that tested the verdict of a diagnosis: number of runs, time
 /// that runs and diagnoses took together [s], whether the verdict is firm, and the reason why the
-/// verdict is not firm. Null where no simulations were requested.
+/// verdict is not firm. Null if no simulations were requested.
 nlohmann::ordered_json to_json(const std::optional<Confirmation>& confirmed);
 
 }  // namespace pendular

@@ -17,17 +17,18 @@ namespace pendular {
 ///        (effects that may be added)
 std::vector<std::string> names_of(const Explanation& explanation, const ModelSpace& space);
 
-/// Returns the JSON of a diagnosis (search for effects that a study's model lacks), as in
-/// out/diagnosis.json: the verdict, the effects that the verdict names, the test of each candidate
-/// effect, and the refitted models.
+/// Returns the JSON of a diagnosis (search for effects that a study's model lacks), which is the
+/// main part of out/diagnosis.json: the verdict, the effects that the verdict names, the test of
+/// each candidate effect, and the refitted models.
 /// @param space models that were diagnosed, with the candidate effects (effects that may be added)
-/// @param evidence readings that were diagnosed, with the measurements suspected of errors
+/// @param evidence readings that were diagnosed, with the suspect measurements (parts of the
+///        measurement that may be wrong)
 /// @param checks tests of the residuals of the study's model without further effects
 nlohmann::ordered_json to_json(const Diagnosis& diagnosis, const ModelSpace& space,
                                const Evidence& evidence, const Checks& checks);
 
 /// Returns the JSON with the number of simulated repetitions of the experiment (`of`) and the
-/// number of repetitions that give the same verdict as the readings (`same`). Null where no
+/// number of repetitions that give the same verdict as the readings (`same`). Null if no
 /// repetitions were simulated.
 nlohmann::ordered_json to_json(const std::optional<Repeated>& repeated);
 

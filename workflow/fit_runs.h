@@ -21,16 +21,16 @@ nlohmann::ordered_json run_names(const std::vector<dem::RunResult>& runs);
 
 /// Writes the training runs of a fit (simulations on which its emulator is trained) that are not in
 /// the atlas (the simulations supplied with Pendular) to FOLDER/fit_runs.csv. Removes
-/// FOLDER/fit_runs.csv where the atlas contains all of `runs`.
-/// @throws std::runtime_error where the file cannot be written
+/// FOLDER/fit_runs.csv if the atlas contains all of `runs`.
+/// @throws std::runtime_error if the file cannot be written
 void write_own_runs(const std::filesystem::path& folder, const std::vector<dem::RunResult>& runs);
 
 /// Returns the training runs (simulations on which an emulator is trained) that a fit file names,
 /// in the order of `names`. The runs are read from the atlas (the simulations supplied with
 /// Pendular) and from fit_runs.csv beside the fit file.
-/// @param names JSON array of the fingerprints (hashes) of the runs; files of earlier versions
-///        contain whole runs instead, which are returned as they are
-/// @throws InputError where a named run is neither in the atlas nor in fit_runs.csv
+/// @param names JSON array of the fingerprints (hashes) of the runs; a file of an earlier version
+///        contains the runs themselves in place of their fingerprints
+/// @throws InputError if a named run is neither in the atlas nor in fit_runs.csv
 std::vector<dem::RunResult> named_runs(const nlohmann::ordered_json& names,
                                        const std::filesystem::path& fit_file);
 

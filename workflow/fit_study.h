@@ -12,8 +12,8 @@
 namespace pendular {
 
 /// Options for all computations on a study, such as fits and diagnoses: settings of the
-/// simulations, seed, threads, store of the simulations, stop request, and the listener to progress
-/// reports.
+/// simulations, seed, threads, store of the simulations, stop request, and listener (callback) for
+/// progress reports.
 struct SessionOptions {
     Fidelity fidelity;       ///< settings of the simulations, such as the number of grains
     std::uint64_t seed = 1;  ///< seed of simulations and of random draws of errors
@@ -57,16 +57,15 @@ bool begins_cold(const Study& study, const SessionOptions& session, const FitOpt
 /// atlas (the simulations supplied with Pendular) and of the store (the user's file of
 /// simulations). If there are too few runs or `options.cold` is set, the emulator is trained on
 /// runs that the fit simulates.
-/// @throws InputError where there is nothing to fit, where a reading cannot be simulated, where the
-///         study has effects on grains but no earlier simulations exist, and where the atlas cannot
-///         be read
-/// @throws dem::Interrupted where the user requests a stop; the message says how to continue
+/// @throws InputError if there is nothing to fit, if a reading cannot be simulated, if the study
+///         has effects on grains but no earlier simulations exist, or if the atlas cannot be read
+/// @throws dem::Interrupted if the user requests a stop; the message says how to continue
 Calibration fit_study(const ResolvedStudy& study, const Measurements& measurements,
                       const SessionOptions& session, const FitOptions& options);
 
-/// Returns the exception to throw where the user stopped simulations. The message of the exception
-/// names the file `store` of the user's simulations, which keeps the finished runs, and says how to
-/// continue. If `store` is null, the message is the default message.
+/// Returns the exception to throw after the user has stopped simulations. The message of the
+/// exception names the file `store` of the user's simulations, which keeps the finished runs, and
+/// says how to continue. If `store` is null, the message is the default message.
 dem::Interrupted interrupted_with(const RunStore* store);
 
 }  // namespace pendular

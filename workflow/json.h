@@ -10,14 +10,14 @@
 
 namespace pendular {
 
-/// Returns the JSON of a study's measurements, as `pendular import --json` writes it: every
+/// Returns the JSON of a study's measurements, as `pendular import STUDY --json` writes it: every
 /// reading, every excluded range of rows with the reason, the scatter between replicates (readings
 /// at the same condition), reasons to doubt readings, faults of files and recordings, and notes.
 /// Readings are in SI units.
 nlohmann::ordered_json to_json(const Measurements& measurements);
 
-/// Returns the JSON of the comparison of the readings with the predictions of a fitted model, as in
-/// out/compare.json.
+/// Returns the JSON of the comparison of the readings with the predictions of a fitted model, as
+/// written to out/compare.json.
 /// @param lines cohesion lines: Mohr-Coulomb lines fitted to measured and to predicted stress
 ///        ratios of wet readings
 /// @param where tests of the residuals, and the groups of readings that deviate significantly from
@@ -25,10 +25,10 @@ nlohmann::ordered_json to_json(const Measurements& measurements);
 nlohmann::ordered_json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
                                const WhereItFails& where);
 
-/// Writes a JSON object to a file, after the key `"format"` with the version of the program's JSON.
-/// The text is first written to a temporary file, which is then renamed, so that an earlier file
-/// survives a full disk.
-/// @throws std::runtime_error where the file cannot be written
+/// Writes a JSON object to a file. The first key, "format", contains the version of the program's
+/// JSON formats. The text is first written to a temporary file, which is then renamed, so that an
+/// earlier file is kept if the disk is full.
+/// @throws std::runtime_error if the file cannot be written
 void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json);
 
 }  // namespace pendular

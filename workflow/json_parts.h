@@ -17,11 +17,11 @@ namespace pendular {
 
 /// Returns the JSON of a shear stress [Pa] and a solid fraction [1], each with its standard error.
 /// @param value first the shear stress, second the solid fraction
-/// @param covariance covariance of the errors of `value`
+/// @param covariance covariance matrix of the errors of `value`
 nlohmann::ordered_json pair_of(const Eigen::Vector2d& value, const Eigen::Matrix2d& covariance);
 
 /// Returns the JSON of the misfit of a set of readings: chi2, degrees of freedom and the p value of
-/// chi2, which is 1 where there are no degrees of freedom.
+/// chi2, which is 1 if there are no degrees of freedom.
 nlohmann::ordered_json misfit_json(const Misfit& misfit);
 
 /// Returns the JSON of one reading and its prediction: file, step and condition of the reading,

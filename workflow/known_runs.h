@@ -10,22 +10,21 @@
 
 namespace pendular {
 
-/// Returns the earlier simulation runs that can train an emulator for a study: first the runs of
-/// the atlas (the simulations supplied with Pendular), then the runs of the store (the user's file
-/// of simulations), latest first. A run can train the emulator if it has no effects other than
-/// those that the study lists, at least 1000 grains (or the number of grains of `fidelity`, if
-/// smaller), a Poisson ratio within 0.1 of that of the study's grains and, if wet, the study's
-/// bridge force law (`runs_serving`). If more than `most_known` runs can train the emulator, the
-/// oldest runs of the store are left out and the listener receives a note. Empty where fewer than
-/// 20 runs can train the emulator.
+/// Returns the earlier simulation runs that can train an emulator (which interpolates simulations)
+/// for a study: first the runs of the atlas (the simulations supplied with Pendular), then the runs
+/// of the store (the user's file of simulations), latest first. A run can train the emulator if it
+/// was made with the present version of the simulated physics (`dem::physics_version`), and if its
+/// effects, number of grains, Poisson ratio and bridge force law suit the study (`runs_serving`).
+/// If more than `most_known` runs can train the emulator, the oldest runs of the store are left out
+/// and the listener receives a note. Empty if fewer than 20 runs can train the emulator.
 /// @param store user's file of simulations; null: only the atlas is used
-/// @throws InputError where the atlas cannot be read
+/// @throws InputError if the atlas cannot be read
 std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,
                                     const RunStore* store, const Listener& listener = {});
 
 /// Returns the hyperparameters (amplitudes and lengths) of the emulator's Gaussian processes from
-/// the file beside the atlas (the simulations supplied with Pendular). Empty where the file does
-/// not exist.
+/// the file beside the atlas (the simulations supplied with Pendular). Empty if the file does not
+/// exist.
 EmulatorHyperparameters atlas_hyperparameters();
 
 /// Largest number of runs on which an emulator (which interpolates simulations) is trained. The

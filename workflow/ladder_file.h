@@ -7,19 +7,19 @@
 
 namespace pendular {
 
-/// Returns the JSON of one step of a ladder (the sequence of a study's models), as in ladder.json:
-/// a model of the study with its effects, its fitted parameters, its chi2, and the relative RMS
-/// errors of its predictions [%].
+/// Returns the JSON of one step of a ladder (the sequence of a study's models), as written to
+/// ladder.json: a model of the study with its effects, its fitted parameters, its chi2, and the
+/// relative RMS errors of its predictions [%].
 nlohmann::ordered_json to_json(const LadderStep& ladder_step);
 
-/// Reads a ladder (the sequence of a study's models) from a file such as ladder.json. Empty where
-/// the file does not exist.
-/// @throws InputError where the file is incomplete, has another format or contains no ladder
+/// Reads a ladder (the sequence of a study's models) from a file such as ladder.json. Empty if the
+/// file does not exist.
+/// @throws InputError if the file is incomplete, has another format or contains no ladder
 Ladder read_ladder(const std::filesystem::path& file);
 
-/// Writes a ladder (the sequence of a study's models) to a file such as ladder.json. Where writing
+/// Writes a ladder (the sequence of a study's models) to a file such as ladder.json. If writing
 /// fails, an earlier file is unchanged.
-/// @throws std::runtime_error where the file cannot be written
+/// @throws std::runtime_error if the file cannot be written
 void write_ladder(const std::filesystem::path& file, const Ladder& ladder);
 
 }  // namespace pendular

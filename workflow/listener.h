@@ -27,8 +27,8 @@ struct Event {
     /// Number of the round (`number`) in an event of the kind `round`. In an event of the kind
     /// `refits`, number of refits that are done (`number`) and of all refits (`total`).
     std::size_t number = 0, total = 0;
-    /// Fit at the end of a round, in an event of the kind `round`. Valid only while the listener is
-    /// called.
+    /// Fit at the end of a round, in an event of the kind `round`. The pointer is valid only while
+    /// the listener is called.
     const Fit* fit = nullptr;
 };
 
@@ -36,7 +36,7 @@ struct Event {
 /// The callback is called from one thread at a time. A listener may be empty.
 using Listener = std::function<void(const Event&)>;
 
-/// Calls a listener (callback for notes and progress reports) with an event. Does nothing where the
+/// Calls a listener (callback for notes and progress reports) with an event. Does nothing if the
 /// listener is empty.
 inline void tell(const Listener& listener, const Event& event) {
     if (listener) listener(event);

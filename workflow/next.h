@@ -18,16 +18,16 @@ struct NextMeasurement {
     /// results can be predicted.
     std::vector<Point> points;
     /// Plan of readings for each of `points`, sorted by how well the readings would tell the rival
-    /// models apart, the best first (`separating_plans`). Empty where there is only one model.
+    /// models apart, the best first (`separating_plans`). Empty if there is only one model.
     std::vector<Plan> plans;
-    /// Standard errors that the parameters of the only model would have after readings at each of
-    /// `points`, sorted by the gain in precision, the largest first. Empty where there are several
-    /// rival models.
+    /// Standard errors that the parameters of the only model would have after `most_repeats`
+    /// measurements at each of `points`, sorted by the gain in precision, the largest first. Empty
+    /// if there are several rival models.
     std::vector<Sharpening> sharpenings;
     /// Readings to make in order to tell the rival models apart. The series has no steps if no
     /// readings can tell the models apart, or if there is only one model.
     Series series = {};
-    /// Largest number of readings that the instrument allows at one point (`most_repeats`) and in
+    /// Largest number of readings that the instrument allows at one point (`most_repeats`), and in
     /// total (`most_readings`).
     int most_repeats = 1, most_readings = 1;
     /// Number of possible measurements that the instrument can make but that are not in `points`:
@@ -61,8 +61,8 @@ Eigen::VectorXd error_of(const Forecast& forecast);
 /// determines its parameters most precisely. The instrument is described in the table [rig] of
 /// study.toml. Without this table, the range of the readings is used. The diagnosis and the study
 /// must outlive the result.
-/// @throws InputError where none of the instrument's conditions is near an earlier simulation run,
-///         and where [rig] lists a direct measurement of an effect that does not apply to the study
+/// @throws InputError if none of the instrument's conditions is near an earlier simulation run, or
+///         if [rig] lists a direct measurement of an effect that does not apply to the study
 NextMeasurement next_measurement(const ResolvedStudy& study, const StudyDiagnosis& diagnosis);
 
 }  // namespace pendular

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "data/files/write_whole.h"
+#include "data/study/study_edit.h"
 #include "data/study/study_table.h"
 
 namespace pendular {
@@ -14,20 +15,19 @@ constexpr const char* beginning =
     "# pendular add STUDY --proposed NUMBER, or copy its table [[effect]] to study.toml and list\n"
     "# its name in the effects of [model].\n";
 
-std::string quoted(const std::string& text) {
-    return fmt::format("\"{}\"", text);
-}
-
 }  // namespace
 
 std::string effect_table(const WrittenEffect& effect) {
-    std::string text = fmt::format("[[effect]]\nname = \"{}\"\n", effect.name);
-    if (!effect.summary.empty()) text += fmt::format("summary = \"{}\"\n", effect.summary);
-    text += fmt::format(
-        "parameter = \"{}\"\nunit = \"{}\"\nlower = {:.6g}\nupper = {:.6g}\nmatters = {:.6g}\n",
-        effect.parameter, effect.unit, effect.lower, effect.upper, effect.smallest_of_interest);
+    // The texts may come from a file of somebody else.
+    std::string text = fmt::format("[[effect]]\nname = {}\n", toml_string(effect.name));
+    if (!effect.summary.empty()) text += fmt::format("summary = {}\n", toml_string(effect.summary));
+    text +=
+        fmt::format("parameter = {}\nunit = {}\nlower = {:.6g}\nupper = {:.6g}\nmatters = {:.6g}\n",
+                    toml_string(effect.parameter), toml_string(effect.unit), effect.lower,
+                    effect.upper, effect.smallest_of_interest);
+    if (effect.neutral != 0) text += fmt::format("neutral = {:.6g}\n", effect.neutral);
     for (const Formula& formula : effect.formulas) {
-        text += fmt::format("{} = \"{}\"\n", formula.target, formula.text);
+        text += fmt::format("{} = {}\n", formula.target, toml_string(formula.text));
     }
     return text;
 }
@@ -41,7 +41,7 @@ void write_proposed(const std::filesystem::path& file, const ProposedEffects& pr
     for (const auto& names : proposed.proposals) {
         std::vector<std::string> words;
         for (const std::string& name : names) {
-            words.push_back(quoted(name));
+            words.push_back(toml_string(name));
         }
         text += fmt::format("\n[[proposal]]\neffects = [{}]\n", fmt::join(words, ", "));
     }

@@ -9,8 +9,8 @@
 
 namespace pendular {
 
-/// Effects that a diagnosis proposes where no known effect explains the readings, as in
-/// proposed.toml of the results folder. A proposal is a set of effects that would together explain
+/// Effects that a diagnosis proposes if no known effect explains the readings, as written to
+/// proposed.toml in the results folder. A proposal is a set of effects that would together explain
 /// the readings.
 struct ProposedEffects {
     /// Names of the effects of each proposal, in the order of the diagnosis.
@@ -19,25 +19,24 @@ struct ProposedEffects {
     std::vector<WrittenEffect> effects;
 };
 
-/// Returns the definition of an effect, by formulas, as the text of a table [[effect]] for
-/// study.toml.
+/// Returns the text of a table [[effect]] that defines an effect by formulas, for study.toml.
 std::string effect_table(const WrittenEffect& effect);
 
 /// Writes the effects that a diagnosis proposes to a file: tables [[proposal]] with names of
-/// effects, and tables [[effect]] that can be copied to study.toml. Removes the file where there is
-/// no proposal.
-/// @throws std::runtime_error where the file cannot be written
+/// effects, and tables [[effect]] that can be copied to study.toml. Removes the file if there is no
+/// proposal.
+/// @throws std::runtime_error if the file cannot be written
 void write_proposed(const std::filesystem::path& file, const ProposedEffects& proposed);
 
-/// Reads the effects that a diagnosis proposed from a file such as proposed.toml. Empty where the
-/// file does not exist.
-/// @throws InputError where the file was not written by `write_proposed`
+/// Reads the effects that a diagnosis proposed from a file such as proposed.toml. Empty if the file
+/// does not exist.
+/// @throws InputError if the file does not have the form that `write_proposed` writes
 ProposedEffects read_proposed(const std::filesystem::path& file);
 
 /// Returns the names of the effects of one proposal (set of effects) of a diagnosis.
 /// @param file file of the proposals, such as out/proposed.toml
 /// @param number number of the proposal, from 1
-/// @throws InputError where the file has no proposal with the number or cannot be read
+/// @throws InputError if the file cannot be read or has no proposal with this number
 std::vector<std::string> proposal(const std::filesystem::path& file, std::int64_t number);
 
 }  // namespace pendular

@@ -14,11 +14,12 @@ namespace pendular {
 struct RecordingEvidence {
     /// Fault that the import found in the recordings.
     RecordingFinding finding;
-    /// Share [1] of the misfit that the fault may explain: the reduction of chi2 if the shear
-    /// stresses of the affected readings (for a fault of the height, the solid fractions) were all
-    /// multiplied by one fitted factor, divided by chi2 - dof of the study's model (dof: degrees of
-    /// freedom). A change that the calibrated parameters can imitate does not count. Negative if
-    /// not computed, since no affected reading was tested or the diagnosis found no misfit.
+    /// Share [1] of the misfit that the fault may explain: a reduction of chi2 divided by the
+    /// excess chi2 - dof of the study's model (dof: degrees of freedom), at most 1. The reduction
+    /// results from multiplying the shear stresses of all affected readings by one fitted factor.
+    /// For a fault of the height, the factor multiplies the solid fractions. A change that the
+    /// calibrated parameters can imitate does not count. Negative if no affected reading was
+    /// tested, or if the diagnosis found no misfit.
     double explains = -1;
     /// Whether multiplying the affected readings by one fitted factor would reduce chi2
     /// significantly (p < 0.01), and by more than the score test (test without a refit) predicts
@@ -38,13 +39,14 @@ struct RecordingEvidence {
 std::vector<RecordingEvidence> recording_evidence(const StudyDiagnosis& diagnosis,
                                                   const std::vector<RecordingFinding>& findings);
 
-/// Returns the text "The recordings themselves show: ..." with up to two sentences on faults of the
-/// recordings, followed by the number of further sentences. If the first fault explains most of the
-/// misfit, a sentence adds the share that the fault explains. Empty where `evidence` is empty.
+/// Returns a text for the user, "The recordings themselves show: ...", with up to two sentences on
+/// faults of the recordings and the number of sentences left out. If the first fault explains most
+/// of the misfit, the text states the share of the misfit that this fault explains. Empty if
+/// `evidence` is empty.
 std::string recordings_line(const std::vector<RecordingEvidence>& evidence);
 
 /// Returns a JSON array of faults found inside recordings, with one object for each fault. Each
-/// object contains the share of the misfit that the fault explains [1], or null where the share was
+/// object contains the share of the misfit that the fault explains [1], or null if the share was
 /// not computed.
 nlohmann::ordered_json to_json(const std::vector<RecordingEvidence>& evidence);
 

@@ -18,7 +18,7 @@ class Reproduction {
     /// Compares the published numbers with the runs of the atlas (the simulations supplied with
     /// Pendular) and of a store (the user's file of simulations).
     /// @param store user's file of simulations; null: only the atlas is used
-    /// @throws InputError where there are too few runs
+    /// @throws InputError if there are too few runs
     Reproduction(const Fidelity& fidelity, const RunStore* store);
     Reproduction(const Reproduction&) = delete;
     Reproduction& operator=(const Reproduction&) = delete;

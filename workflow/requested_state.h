@@ -24,25 +24,25 @@ struct RequestedState {
 
     /// Checks that the requested state is possible. The numbers must lie within their ranges, and
     /// the amount of liquid of a wet state must be given in exactly one way.
-    /// @throws InputError where the state is not possible; the message names the option of
-    ///         `pendular predict` to change
+    /// @throws InputError if the state is not possible; the message names the option of `pendular
+    ///         predict` to change
     void check_supported() const;
 
     /// Returns the requested state in the coordinates of the emulator: friction coefficient,
     /// inertial number, 1/P* (P*: reduced pressure) and bridge volume. A liquid content is
     /// converted to a bridge volume by means of the coordination number that the emulator predicts.
     /// @param known range of states in which the earlier simulation runs allow predictions
-    /// @throws InputError for a wet state where no earlier run is wet, and for a dry state where no
-    ///         earlier run is dry
+    /// @throws InputError if the state is wet but no earlier run is wet, or if the state is dry but
+    ///         no earlier run is dry
     FlowState state(const Emulator& emulator, const KnownRange& known) const;
     /// Returns a request for the state `state` that gives the amount of liquid in the same way as
-    /// the present request: as a liquid content or, otherwise, as a bridge volume.
+    /// this request: as a liquid content or, otherwise, as a bridge volume.
     RequestedState with(const FlowState& state, const Emulator& emulator) const;
 
-    /// Returns a text that describes the requested state, as in "friction 0.3, inertial number
+    /// Returns a text that describes the requested state, such as "friction 0.3, inertial number
     /// 0.01, reduced pressure 1, liquid content 0.03".
     std::string text() const;
-    /// Returns the options of `pendular predict` that request the state, as in "--friction 0.3".
+    /// Returns the options of `pendular predict` that request the state, such as "--friction 0.3".
     std::string options() const;
 };
 
@@ -53,7 +53,7 @@ dem::RunParameters run_of(const FlowState& state, const Fidelity& fidelity,
                           double stiffness_number);
 
 /// Returns the reason why a run with the parameters `run` cannot be simulated, such as a number
-/// outside its range. Empty where the run can be simulated.
+/// outside its range. Empty if the run can be simulated.
 std::string why_impossible(const dem::RunParameters& run);
 
 /// Returns the command line of `pendular simulate` that simulates a run with the parameters `run`,
@@ -73,7 +73,7 @@ std::string unsupported_text(const RequestedState& requested, const FlowState& s
 /// Corrects the bridge volume of a state outside the range of the earlier simulation runs. The
 /// bridge volume follows from the requested liquid content and the coordination number. The
 /// emulator cannot predict the coordination number at `state` reliably, so that the coordination
-/// number at the nearest state within the range is used. Returns `state` unchanged where no liquid
+/// number at the nearest state within the range is used. Returns `state` unchanged if no liquid
 /// content is requested.
 FlowState with_known_coordination(const RequestedState& requested, FlowState state,
                                   const Emulator& emulator, const KnownRange& known);

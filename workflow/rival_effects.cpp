@@ -118,8 +118,9 @@ std::string rivals_line(const std::vector<RivalModel>& rivals, double chi2,
     if (models.empty()) return "";
     const std::string methods = direct_methods({effects.begin(), effects.end()}, catalogue);
     return fmt::format(
-        "Other models fit as well as the present one (chi2 {:.2f}) or better: {}.{}", chi2,
-        fmt::join(models, "; "),
+        "The readings do not rule out these other models: {}. The chi2 of the present model is "
+        "{:.2f}.{}",
+        fmt::join(models, "; "), chi2,
         methods.empty() ? "" : fmt::format(" Effects that can be measured directly: {}.", methods));
 }
 

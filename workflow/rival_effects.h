@@ -25,27 +25,29 @@ std::vector<std::vector<std::string>> rivals_in(const std::filesystem::path& fil
                                                 const Study& study, const std::string& effect);
 
 /// Fits the models in which an alternative (set of effects) replaces one effect that the study
-/// lists. The alternatives explained the readings as well as the listed effect when that effect was
-/// added (`LadderStep::rivals`). All other effects that the study lists stay in the model. Returns
-/// the models that the readings do not rule out. Akaike's criterion, chi2 + 2 (number of
-/// parameters), of a returned model exceeds that of the study's model by less than 7.
+/// lists, and returns the models that the readings do not rule out. All other effects that the
+/// study lists stay in the model. When the listed effect was added, each alternative explained the
+/// readings equally well (`LadderStep::rivals`). The readings rule out a model if Akaike's
+/// criterion, chi2 + 2 (number of parameters), exceeds the criterion of the study's model by 7 or
+/// more.
 /// @param diagnosis diagnosis of the study, whose readings and emulator are used
 /// @param ladder sequence of the study's models, with the alternatives to each added effect
 /// Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002), section 2.6.
 std::vector<RivalModel> rivals_alive(const StudyDiagnosis& diagnosis, const ResolvedStudy& study,
                                      const Ladder& ladder);
 
-/// Returns a text on rival models, in which other effects replace one effect that the study lists
-/// and which the readings do not rule out. The text names the effects of the models, their chi2,
-/// and the methods to measure the effects directly. Empty where `rivals` is empty.
+/// Returns a text for the user on rival models. In a rival model, other effects replace one effect
+/// that the study lists. The text states the effects and the chi2 [1] of each rival model, and how
+/// the effects can be measured directly. Empty if `rivals` is empty.
 /// @param chi2 chi2 of the study's model [1]
 std::string rivals_line(const std::vector<RivalModel>& rivals, double chi2,
                         const EffectCatalogue& catalogue);
 
-/// Returns how effects can be measured directly, without shearing grains: "contact-angle by ...;
-/// torque-gain by ...". Effects without a direct measurement are left out; empty if none is left.
+/// Returns a text that states how each effect can be measured directly, without shearing grains,
+/// such as "contact-angle by ...; torque-gain by ...". Effects that cannot be measured directly are
+/// left out. Empty if no effect can be measured directly.
 /// @param effects names of effects
-/// @param most largest number of effects in the text
+/// @param most largest number of effects that the text contains
 std::string direct_methods(const std::vector<std::string>& effects,
                            const EffectCatalogue& catalogue, std::size_t most = SIZE_MAX);
 

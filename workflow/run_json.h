@@ -13,8 +13,8 @@ namespace pendular {
 /// error}, both in the unit of the number.
 nlohmann::ordered_json uncertain(double value, double error);
 
-/// Returns the JSON of the parameter values of a model's effects, in the units of the parameters.
-/// The keys are "EFFECT.PARAMETER", as in "torque-offset.torque".
+/// Returns the JSON of the parameter values of a model's effects, in the units of the parameters. A
+/// key has the form "EFFECT.PARAMETER", such as "torque-offset.torque".
 nlohmann::ordered_json effects_json(const std::vector<ActiveEffect>& effects);
 
 /// Returns the JSON of a simulation run: each observable as {"value", "stderr"}, and all parameters
@@ -28,8 +28,8 @@ nlohmann::ordered_json to_json(const dem::RunResult& run);
 nlohmann::ordered_json closures_json(const closures::ClosureValues& values);
 
 /// Reads the result of a simulation run from the JSON that `to_json` writes for a run. Observables
-/// that earlier versions did not write are zero.
-/// @throws nlohmann::json::exception where a key is missing or has another type
+/// that are missing from the JSON of an earlier version are zero.
+/// @throws nlohmann::json::exception if a key is missing or its value has a wrong type
 dem::RunResult run_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace pendular

@@ -41,20 +41,20 @@ struct ComparedStudy {
 /// Session on a study. The session reads the files of the study once, then calibrates, compares,
 /// predicts, diagnoses, plans measurements and changes effects. Long computations report their
 /// progress to the listener in the options of the session, and nothing is printed. Only
-/// `calibrate`, `add` and `drop` write files: first results to the results folder, then a change of
-/// effects to study.toml.
+/// `calibrate`, `add` and `drop` write to the results folder. `add` and `drop` then write the
+/// changed study.toml. New simulation runs are added to the store (`SessionOptions::store`).
 class Session {
   public:
-    /// Reads a study and all its recordings, and checks them before any computation. Results will
-    /// go to `outputs.folder` or, where that is empty, to STUDY/out.
+    /// Reads a study and all its recordings, and checks them before any computation. Results are
+    /// written to `outputs.folder` or, if `outputs.folder` is empty, to STUDY/out.
     /// @param study folder of the study, or its study.toml
-    /// @throws InputError where a file of the study or an effect that the study lists is wrong,
-    ///         where a result would replace a file of the study, and where the study would read a
-    ///         result as a measurement
+    /// @throws InputError if a file of the study or an effect that the study lists is wrong, if a
+    ///         result would replace a file of the study, or if the study would read a result as a
+    ///         measurement
     explicit Session(const std::filesystem::path& study, SessionOptions options = {},
                      OutputPlaces outputs = {});
-    /// Opens a session on a study that `read_input` has read. Results go to `folder`. The caller
-    /// must have checked that the results replace no file of the study (`protect_inputs`).
+    /// Opens a session on a study that `read_input` has read. Results are written to `folder`. The
+    /// caller must have checked that the results replace no file of the study (`protect_inputs`).
     Session(StudyInput input, SessionOptions options, std::filesystem::path folder);
 
     const Study& study() const { return input_.study; }
@@ -66,23 +66,23 @@ class Session {
 
     /// Fits the parameters of the study's model to the readings, and writes fit.json and
     /// fit_runs.csv to the results folder.
-    /// @throws InputError where there is nothing to fit, and where a reading cannot be simulated
-    /// @throws std::runtime_error where a file cannot be written
-    /// @throws dem::Interrupted where the user requests a stop; the message says how to continue
+    /// @throws InputError if there is nothing to fit, or if a reading cannot be simulated
+    /// @throws std::runtime_error if a file cannot be written
+    /// @throws dem::Interrupted if the user requests a stop; the message says how to continue
     CalibratedStudy calibrate(const FitOptions& fit = {}) const;
     /// Compares the readings of the study with the predictions of the fit in the results folder.
     /// Writes no file.
     /// @param cohesion options of the cohesion lines (Mohr-Coulomb lines through wet readings);
     ///        empty: the options of the fit
-    /// @throws InputError where the folder has no readable fit.json, and where the study has
-    ///         changed since it was fitted
+    /// @throws InputError if the folder has no readable fit.json, or if the study has changed since
+    ///         it was fitted
     ComparedStudy compare(const std::optional<CohesionOptions>& cohesion = {}) const;
     /// Predicts the readings of the study's instrument at several conditions from the fit in the
     /// results folder. The result contains, for each condition in order, first the shear stress
     /// [Pa] and second the solid fraction [1]. The covariance includes errors of the fit and of the
     /// simulation.
-    /// @throws InputError where the folder has no readable fit.json, where the study has changed
-    ///         since it was fitted, and where a condition cannot be simulated
+    /// @throws InputError if the folder has no readable fit.json, if the study has changed since it
+    ///         was fitted, or if a condition cannot be simulated
     Prediction predict(const std::vector<Condition>& conditions) const;
     /// Tests which physical effect is missing from the study's model. If other effects could have
     /// replaced an added effect equally well, the models with the other effects are fitted too.
@@ -94,42 +94,40 @@ class Session {
     /// @param repetitions number of repetitions of the experiment that are simulated (readings with
     ///        new random errors) and diagnosed, to count how often the diagnosis gives the same
     ///        verdict as for the readings; 0: no repetitions
-    /// @throws InputError where there are too few readings or too few earlier simulation runs,
-    ///         where a reading is outside the range that can be simulated, and where ladder.json
-    ///         cannot be read
-    /// @throws dem::Interrupted where the user requests a stop
+    /// @throws InputError if there are too few readings or too few earlier simulation runs, if a
+    ///         reading is outside the range that can be simulated, or if ladder.json cannot be read
+    /// @throws dem::Interrupted if the user requests a stop
     StudyDiagnosis diagnose(std::optional<double> confirming_seconds = {},
                             std::size_t repetitions = 0) const;
     /// Plans the next measurement of the study from its diagnosis. The measurement tells apart the
     /// models that fit or, if only one model fits, determines its parameters most precisely. The
     /// session and the diagnosis must outlive the result.
-    /// @throws InputError where none of the conditions that the instrument can measure is near an
+    /// @throws InputError if none of the conditions that the instrument can measure is near an
     ///         earlier simulation run
     NextMeasurement next(const StudyDiagnosis& diagnosis) const;
     NextMeasurement next(StudyDiagnosis&& diagnosis) const = delete;
-    /// Adds an effect to study.toml and fits the study before and after the change. Where the fit
-    /// after the change does not converge, no file is changed. This session keeps the study without
-    /// the effect. Open a new session for the changed study.
+    /// Adds an effect to study.toml and fits the study before and after the change. If the fit
+    /// after the change does not converge, no results are written and study.toml is not changed.
+    /// This session keeps the study without the effect. Open a new session for the changed study.
     /// @param effect name of a known effect, or of an effect in proposed.toml of the results folder
     /// @param same_fidelity whether to use the fidelity (set of simulation settings) of the fit in
     ///        the results folder, if there is a fit
-    /// @throws InputError where the effect cannot be added, where ladder.json cannot be read, where
-    ///         a fit is impossible, and where study.toml has changed since the session read it
-    /// @throws std::runtime_error where a file cannot be written
-    /// @throws dem::Interrupted where the user requests a stop
+    /// @throws InputError if the effect cannot be added, if ladder.json cannot be read, if a fit is
+    ///         impossible, or if study.toml has changed since the session read it
+    /// @throws std::runtime_error if a file cannot be written
+    /// @throws dem::Interrupted if the user requests a stop
     ChangedStudy add(const std::string& effect, const FitOptions& fit = {},
                      bool same_fidelity = true) const;
-    /// Removes an effect from study.toml and fits the study before and after the change. Where the
-    /// fit after the change does not converge, no file is changed. This session keeps the study
-    /// with the effect. Open a new session for the changed study.
+    /// Removes an effect from study.toml and fits the study before and after the change. If the fit
+    /// after the change does not converge, no results are written and study.toml is not changed.
+    /// This session keeps the study with the effect. Open a new session for the changed study.
     /// @param effect name of an effect that study.toml lists
     /// @param same_fidelity whether to use the fidelity (set of simulation settings) of the fit in
     ///        the results folder, if there is a fit
-    /// @throws InputError where the study does not list the effect, where ladder.json cannot be
-    ///         read, where a fit is impossible, and where study.toml has changed since the session
-    ///         read it
-    /// @throws std::runtime_error where a file cannot be written
-    /// @throws dem::Interrupted where the user requests a stop
+    /// @throws InputError if the study does not list the effect, if ladder.json cannot be read, if
+    ///         a fit is impossible, or if study.toml has changed since the session read it
+    /// @throws std::runtime_error if a file cannot be written
+    /// @throws dem::Interrupted if the user requests a stop
     ChangedStudy drop(const std::string& effect, const FitOptions& fit = {},
                       bool same_fidelity = true) const;
 

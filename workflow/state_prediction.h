@@ -22,10 +22,10 @@ struct StatePrediction {
     std::vector<EmulatedObservable> observables;
     /// Stiffness number of the grains for which the predictions hold [1].
     double stiffness_number = 1000;
-    /// Text that names each quantity of the state (friction coefficient, inertial number, reduced
-    /// pressure, bridge volume) that is outside the range of this quantity in the simulation runs
-    /// on which the emulator is trained, as in "friction 0.9 is above 0.6". Empty where all
-    /// quantities are within their ranges.
+    /// Text that names the quantities of the state (friction coefficient, inertial number, reduced
+    /// pressure, bridge volume) that are outside their ranges in the simulation runs on which the
+    /// emulator is trained, such as "friction 0.9 is above 0.6". Empty if all quantities are within
+    /// their ranges.
     std::string beyond;
     /// Number of simulation runs on which the emulator is trained.
     std::size_t runs = 0;
@@ -50,8 +50,8 @@ struct VariedQuantity {
     /// "reduced-pressure=0.5:10". The values are evenly spaced in the logarithm, except for the
     /// friction coefficient and for a range that does not begin above 0.
     /// @param points number of values along the range
-    /// @throws InputError where the text has another form, where the range does not increase, and
-    ///         where `points` is below 2
+    /// @throws InputError if the text has another form, if the range does not increase, or if
+    ///         `points` is below 2
     static VariedQuantity parsed(const std::string& text, int points);
     /// Returns value k of the varied quantity [1], for k from 0 (`from`) to points - 1 (`to`).
     double at(int k) const;
@@ -62,7 +62,7 @@ struct VariedQuantity {
 /// Predictions along a curve of states of steady shear that differ in one quantity. States outside
 /// the range of the earlier simulation runs are left out.
 struct PredictionCurve {
-    std::string variable;    ///< name of the varied quantity, as in `VariedQuantity`
+    std::string variable;    ///< name of the varied quantity (`VariedQuantity::name`)
     std::vector<double> at;  ///< value of the varied quantity at each predicted state [1]
     /// States of steady shear for which the curve has predictions, in the order of `at`.
     std::vector<FlowState> states;
@@ -73,11 +73,11 @@ struct PredictionCurve {
     std::vector<closures::ClosureValues> closures;
     /// Stiffness number of the grains for which the predictions hold [1].
     double stiffness_number = 1000;
-    /// Number of states of the curve that are left out, since no earlier simulation run is near the
-    /// states.
+    /// Number of states of the curve that are left out, since they are outside the range of the
+    /// earlier simulation runs.
     int left_out = 0;
-    /// Reason why the first state that was left out cannot be predicted. Empty where no state was
-    /// left out.
+    /// Reason why the first state that was left out cannot be predicted. Empty if no state was left
+    /// out.
     std::string why_left_out;
 };
 
@@ -87,11 +87,11 @@ class StatePredictor {
   public:
     /// Trains an emulator (which interpolates simulations) on the earlier runs of the atlas (the
     /// simulations supplied with Pendular) and of the store (the user's file of simulations).
-    /// @param fidelity settings of the runs that messages and `run_for` suggest where a state
-    ///        cannot be predicted
+    /// @param fidelity settings of the simulation runs that messages and `run_for` suggest for
+    ///        states that cannot be predicted
     /// @param store user's file of simulations; null: only the atlas is used
     /// @param stiffness_number stiffness number of the grains to predict [1]
-    /// @throws InputError where there are too few earlier runs to train an emulator, and where the
+    /// @throws InputError if there are too few earlier runs to train an emulator, or if the
     ///         stiffness number is below 100
     StatePredictor(const Fidelity& fidelity, const RunStore* store, double stiffness_number);
     StatePredictor(const StatePredictor&) = delete;
@@ -99,41 +99,42 @@ class StatePredictor {
 
     /// Checks that solid fractions can be predicted for grains of the stiffness number
     /// `stiffness_number` [1], which must be 100 or more.
-    /// @throws InputError where the stiffness number is below 100
+    /// @throws InputError if the stiffness number is below 100
     static void check_stiffness_number(double stiffness_number);
 
     const Emulator& emulator() const { return emulator_; }
     double stiffness_number() const { return stiffness_number_; }
 
     /// Whether a requested state can be predicted from the earlier simulation runs: the state lies
-    /// within the convex hull of the states of the runs, and the predicted errors are small enough.
-    /// @throws InputError for a wet state where no earlier run is wet, and for a dry state where no
-    ///         earlier run is dry
+    /// within the convex hull of the states of the runs, the standard errors of the predictions are
+    /// small enough, and the predicted values are physical (`KnownRange`).
+    /// @throws InputError if the state is wet but no earlier run is wet, or if the state is dry but
+    ///         no earlier run is dry
     bool supports(const RequestedState& requested) const;
     /// Predicts all observables, such as stress ratio, solid fraction and coordination numbers, at
     /// a requested state of steady shear.
-    /// @throws InputError where the state is outside the range of the earlier simulation runs (the
-    ///         message names the nearest state within the range), and where the predicted solid
+    /// @throws InputError if the state is outside the range of the earlier simulation runs (the
+    ///         message names the nearest state within the range), or if the predicted solid
     ///         fraction is not that of a dense flow
     StatePrediction at(const RequestedState& requested) const;
     /// Predicts all observables along a curve of states: the state `requested`, with the varied
     /// quantity set to each of its values. States outside the range of the earlier simulation runs
     /// are left out.
-    /// @throws InputError where fewer than two states of the curve can be predicted, and where a
-    ///         predicted solid fraction is not that of a dense flow
+    /// @throws InputError if fewer than two states of the curve can be predicted, or if a predicted
+    ///         solid fraction is not that of a dense flow
     PredictionCurve along(RequestedState requested, const VariedQuantity& varied) const;
 
     /// Returns the values of the closures (analytical formulas) of Badetti et al. (2018) for the
     /// state of a wet simulation run. The values are computed from the observables of the run and
-    /// the stress ratio that the emulator predicts for dry grains that have the friction
-    /// coefficient and the inertial number of the run. Empty for a run of dry grains, where no
-    /// earlier runs are near the dry state, and where the run has a damping of contacts other than
-    /// the default damping or an effect that also changes dry flow.
+    /// the stress ratio that the emulator predicts for dry grains with the friction coefficient,
+    /// inertial number and stiffness number of the run. Empty if the run is dry, if the earlier
+    /// runs do not support a prediction at the dry state, if the damping of the contacts is not the
+    /// default damping, or if an effect of the run also changes dry flow.
     std::optional<closures::ClosureValues> closures_of(const dem::RunResult& run) const;
 
-    /// Returns the parameters of the run that simulates a requested state which cannot be predicted
-    /// from the earlier runs.
-    /// @throws InputError where the state cannot be simulated
+    /// Returns the parameters of the run that simulates a requested state, for a state that cannot
+    /// be predicted from the earlier runs.
+    /// @throws InputError if the state cannot be simulated
     dem::RunParameters run_for(const RequestedState& requested) const;
 
   private:

@@ -28,9 +28,8 @@ struct StudyChange {
 /// Checks a change of the effects that a study lists, and prepares the changed study. Nothing is
 /// written. If the study's catalogue lacks an effect to add, the effect is taken from `proposed`,
 /// and its table [[effect]] is added to the new text of study.toml too.
-/// @throws InputError where an effect to add is unknown (the message names the nearest known
-///         effect), does not apply to the study or is listed already, and where an effect to drop
-///         is not listed
+/// @throws InputError if an effect to add is unknown (the message names the nearest known effect),
+///         does not apply to the study or is listed already, or if an effect to drop is not listed
 StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect,
                         const std::vector<WrittenEffect>& proposed = {});
 
@@ -41,15 +40,16 @@ struct Fitted {
     Comparison comparison;
     /// Summary of the fit, as a step of the ladder (the sequence of the study's models).
     LadderStep ladder_step;
-    /// Judgement whether the fit can be believed. The judgement contains no reasons for a fit
-    /// before the change, since only the fit after the change is judged.
+    /// Judgement whether the fit can be believed. Only the fit after the change is judged. For the
+    /// fit before the change, the judgement is empty.
     Belief belief = {};
     /// Number of conditions in the cross-validation, each predicted by a fit to the other
     /// conditions. 0 if no cross-validation was made.
     std::size_t left_out = 0;
-    /// Number of conditions without which the other readings do not determine every parameter of
-    /// the model, or the refit does not converge (`LeftOut::undetermined`). The prediction of such
-    /// a condition depends on the starting values of the fit.
+    /// Number of conditions that the cross-validation cannot predict reliably: the readings of the
+    /// other conditions do not determine every parameter of the model, or the fit to these readings
+    /// does not converge (`LeftOut::undetermined`). The prediction of such a condition depends on
+    /// the starting values of the fit.
     std::size_t undetermined = 0;
 };
 /// Compares all readings of a study with the predictions of a calibration, and computes the
@@ -71,27 +71,27 @@ nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& befo
 /// and last writes study.toml.
 /// @param before, after models before and after the change, fitted to the same readings
 /// @param fit fit of the changed study, for fit.json
-/// @throws InputError where study.toml has changed since it was read; nothing is written
-/// @throws std::runtime_error where a file cannot be written; study.toml is then unchanged
+/// @throws InputError if study.toml has changed since it was read; nothing is written
+/// @throws std::runtime_error if a file cannot be written; study.toml is then unchanged
 void apply_change(const StudyChange& change, const LadderStep& before, LadderStep after,
                   const Fitted& fit, Ladder& ladder, const std::filesystem::path& folder);
 
 /// Result of adding or dropping an effect of a study: the fits before and after the change.
 struct ChangedStudy {
     StudyChange change;
-    /// Fit of the study before the change. If the study's own fit uses only the dry readings before
-    /// the change but all readings after the change, `before` is a fit to all readings.
+    /// Fit of the study before the change. If the fit after the change uses all readings, `before`
+    /// is a fit to all readings too, even if the study was fitted to the dry readings only.
     Fitted before;
     /// Fit of the study after the change, which fit.json contains if `written` is true.
     Fitted after;
     /// Fit of the changed study to all readings, for comparison with `before`, if `before` is a fit
-    /// to all readings and `after` is a fit to the dry readings only. Empty otherwise, and where
-    /// the fit `after` did not converge.
+    /// to all readings and `after` is a fit to the dry readings only. Empty otherwise, or if the
+    /// fit `after` did not converge.
     std::optional<Fitted> after_to_all;
     /// Ladder (the sequence of the study's models). The last model is the changed model if
     /// `written` is true.
     Ladder ladder;
-    /// Whether the change was written to study.toml. False where the fit after the change did not
+    /// Whether the change was written to study.toml. False if the fit after the change did not
     /// converge.
     bool written = false;
 
@@ -114,14 +114,14 @@ struct ChangeOptions {
 /// Adds an effect to a study or drops an effect, and fits the study before and after the change.
 /// The fit before the change is read from the results folder if that fit was made with comparable
 /// settings. Otherwise the study before the change is fitted again. Then fit.json and ladder.json
-/// are written to the results folder and, last, study.toml is written. Nothing is written where the
+/// are written to the results folder and, last, study.toml is written. Nothing is written if the
 /// fit after the change does not converge.
 /// @param effect name of the effect; an effect to add may be defined in proposed.toml of the
 ///        results folder
-/// @throws InputError where the effect cannot be added or dropped, where ladder.json cannot be
-///         read, where a fit is impossible, and where study.toml has changed since it was read
-/// @throws std::runtime_error where a file cannot be written; study.toml is then unchanged
-/// @throws dem::Interrupted where the user requests a stop; the message says how to continue
+/// @throws InputError if the effect cannot be added or dropped, if ladder.json cannot be read, if a
+///         fit is impossible, or if study.toml has changed since it was read
+/// @throws std::runtime_error if a file cannot be written; study.toml is then unchanged
+/// @throws dem::Interrupted if the user requests a stop; the message says how to continue
 ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measurements,
                           Action change, const std::string& effect, SessionOptions session,
                           const ChangeOptions& options);

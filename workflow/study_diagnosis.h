@@ -43,22 +43,23 @@ struct Confirmation {
     /// emulator's predictions, and the noise of all runs hardly enlarges the standard errors of
     /// fitted parameters and predicted readings.
     bool settled = false;
-    /// Reason why the verdict is not firm. Empty where the verdict is firm.
+    /// Reason why the verdict is not firm. Empty if the verdict is firm.
     std::string open = {};
 };
 
 /// Largest number of readings that a diagnosis tests one by one. If there are more readings, the
-/// diagnosis divides the readings into `most_tested` bins and tests the mean of each bin. The time
-/// of the tests is proportional to the third power of the number of readings.
+/// diagnosis divides the readings into bins of similar readings, as a rule `most_tested` bins, and
+/// tests the mean of each bin (`binned_readings`). The time of the tests is proportional to the
+/// third power of the number of readings.
 inline constexpr std::size_t most_tested = 200;
 
 /// Diagnosis of a study (search for effects that its model lacks), with the readings, models and
 /// errors on which the diagnosis is based.
 struct StudyDiagnosis {
     /// Readings that are tested, dry readings first: the readings of the study or, if there are
-    /// more than `most_tested`, means of neighbouring readings.
+    /// more than `most_tested` readings, means of readings at similar conditions.
     std::vector<Reading> readings;
-    /// Number of readings of the study, before any means were taken.
+    /// Number of readings of the study, before readings are averaged in bins.
     std::size_t measured = 0;
     /// Models that were tested: the study's model with any set of candidate effects added.
     std::unique_ptr<StudyModels> models;
@@ -69,15 +70,15 @@ struct StudyDiagnosis {
     /// Column of the recordings that was probably read in a wrong unit, which would explain the
     /// misfit. Empty if no column was found.
     std::optional<UnitMistake> mistake = {};
-    /// Whether the verdict is `suspect_measurement` whatever the tests say, since a column may be
-    /// in a wrong unit or implausible readings were kept.
+    /// Whether the verdict is `suspect_measurement` regardless of the statistical tests, because a
+    /// column may be in a wrong unit or because implausible readings were kept.
     bool overruled = false;
     /// Rival models that the readings do not rule out, with other effects in place of one effect
     /// that the study lists.
     std::vector<RivalModel> rivals = {};
     /// Proposed changes of the predictions, defined by formulas and not by known physical effects,
-    /// that would explain the readings. Empty where known effects explain all of the misfit, or
-    /// where leading effects explain most of the misfit and no proposal is clearly better.
+    /// that would explain the readings. Empty if known effects explain all of the misfit, or if
+    /// leading effects explain most of the misfit and no proposal is clearly better.
     std::vector<Proposal> proposals = {};
     /// Simulations that tested the verdict. Empty if no simulations were requested.
     std::optional<Confirmation> confirmed = {};
@@ -92,26 +93,26 @@ struct StudyDiagnosis {
 /// Tests which physical effect is missing from a study's model, with an emulator (which
 /// interpolates simulations). The emulator is trained on the runs of the atlas (the simulations
 /// supplied with Pendular) and of the store (the user's file of simulations). Nothing is simulated.
-/// @throws InputError where the readings contain no more measured values than the model has
-///         parameters, where all readings have one condition, where there are too few runs, where
-///         the study lists an effect that no run has, and where a reading is outside the range that
-///         can be simulated
-/// @throws dem::Interrupted where the user requests a stop
+/// @throws InputError if the readings contain no more measured values than the model has
+///         parameters, if all readings have one condition, if there are too few runs, if the study
+///         lists an effect that no run has, or if a reading is outside the range that can be
+///         simulated
+/// @throws dem::Interrupted if the user requests a stop
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session);
 /// Tests which physical effect is missing from a study's model, with an emulator (which
 /// interpolates simulations) that is trained on the runs `known`. Nothing is simulated.
-/// @throws InputError where the readings contain no more measured values than the model has
-///         parameters, where all readings have one condition, where the study lists an effect that
-///         no run has, and where a reading is outside the range that can be simulated
-/// @throws dem::Interrupted where the user requests a stop
+/// @throws InputError if the readings contain no more measured values than the model has
+///         parameters, if all readings have one condition, if the study lists an effect that no run
+///         has, or if a reading is outside the range that can be simulated
+/// @throws dem::Interrupted if the user requests a stop
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session, KnownRuns known);
 
 /// Returns the earlier simulation runs on which the emulator for a diagnosis of a study is trained,
 /// from the atlas (the simulations supplied with Pendular) and the store (the user's file of
 /// simulations). A run may have any effect, listed in the study or not.
-/// @throws InputError where there are fewer than 20 runs that can train the emulator
+/// @throws InputError if there are fewer than 20 runs that can train the emulator
 KnownRuns runs_for_diagnosis(const ResolvedStudy& study, const SessionOptions& session);
 
 /// Tests the residuals of the study's fitted model, without further effects. The tests find where
@@ -121,39 +122,39 @@ KnownRuns runs_for_diagnosis(const ResolvedStudy& study, const SessionOptions& s
 Checks checks_of(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
 /// Tests where the model with the leading effects (effects that explain most of the misfit but not
-/// all of it) still deviates from the readings. Empty where the diagnosis has no leading effects.
+/// all of it) still deviates from the readings. Empty if the diagnosis has no leading effects.
 /// @param seed seed of the random errors from which the p values are computed
 std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
 /// Computes by how much each effect and each error of measurement shifts the fitted parameters of a
-/// study's model. Empty where a column is in a wrong unit, since the fitted numbers are then
+/// study's model. Empty if a column is in a wrong unit, since the fitted numbers are then
 /// meaningless.
 /// @param threads largest number of threads
 std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size_t threads);
 
 /// Simulates `count` repetitions of the experiment (readings with new random errors), diagnoses
-/// each repetition, and counts the repetitions with the same verdict as the readings. Empty where
-/// `count` is 0, where no model fits the readings, and where the verdict is a suspect measurement
+/// each repetition, and counts the repetitions with the same verdict as the readings. Empty if
+/// `count` is 0, if no model fits the readings, or if the verdict is a suspect measurement
 /// regardless of the tests (`StudyDiagnosis::overruled`).
-/// @throws dem::Interrupted where the user requests a stop
+/// @throws dem::Interrupted if the user requests a stop
 std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& diagnosis,
                                          const SessionOptions& session, std::size_t count);
 
 /// Returns the standard deviation of a discrepancy, relative to the shear stress [1], that would
 /// account for the remaining misfit if study.toml stated the discrepancy. A discrepancy is an error
 /// of the predicted shear stress that varies smoothly between conditions. The remaining misfit is
-/// that of the model with the leading effects (effects that explain most of the misfit) or, if
-/// there are none, of the best refitted model. Returns 0 where a model fits, no discrepancy is
-/// significant, or the misfit varies too quickly with the conditions.
+/// the misfit of the model with the leading effects (effects that explain most of the misfit) or,
+/// if there are none, of the best refitted model. Returns 0 if a model fits, if no discrepancy is
+/// significant, or if the misfit varies too quickly with the conditions.
 /// @param stated discrepancy that study.toml already states, relative to the shear stress [1]; the
 ///        result is the root of the sum of the squares of both discrepancies
 double remaining_discrepancy(const StudyDiagnosis& diagnosis, double stated);
 
 /// Returns the rival models, which the next measurement should tell apart: the models that fit the
-/// readings according to a diagnosis. If no model fits, returns the model with the leading effects
-/// (effects that explain most of the misfit) or, if there are none, the study's model. If there is
-/// then only one model, also returns the models in which other effects replace one effect that the
-/// study lists (`StudyDiagnosis::rivals`).
+/// readings according to a diagnosis. If no model fits, the function returns the model with the
+/// leading effects (effects that explain most of the misfit) or, if there are none, the study's
+/// model. If this gives only one model, the function also returns the models in which other effects
+/// replace one effect that the study lists (`StudyDiagnosis::rivals`).
 std::vector<Rival> rivals_of(const StudyDiagnosis& diagnosis);
 
 }  // namespace pendular

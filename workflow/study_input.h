@@ -20,8 +20,8 @@ struct StudyInput {
 
 /// Reads a study and its recordings.
 /// @param file study.toml, or the folder that contains study.toml
-/// @throws InputError where a file of the study is wrong, where a listed effect is unknown, is
-/// defined wrongly or does not apply to the study, and where a direct measurement is wrong
+/// @throws InputError if a file of the study is wrong, if a listed effect is unknown, is defined
+///         wrongly or does not apply to the study, or if a direct measurement is wrong
 StudyInput read_input(const std::filesystem::path& file);
 
 /// Returns the path of the folder of a study, given the path of the folder or of the study.toml in
@@ -43,7 +43,7 @@ struct OutputPlaces {
 /// must replace none of the files from which the study was read (study.toml, the recordings, and
 /// links to these files). No link may lead output out of the results folder. No `file` pattern of
 /// the study may match an output file, since the study would then read this file as a measurement.
-/// @throws InputError where output would replace an input, leave the folder or match a pattern; the
+/// @throws InputError if output would replace an input, leave the folder or match a pattern; the
 ///         message says what to do
 void protect_inputs(const Study& study, const OutputPlaces& outputs);
 
@@ -51,11 +51,11 @@ void protect_inputs(const Study& study, const OutputPlaces& outputs);
 /// (`outputs`) do not replace the files of the study.
 /// @param file study.toml, or the folder that contains study.toml
 /// @throws InputError if a file of the study is wrong, if a listed effect is unknown, is defined
-/// wrongly or does not apply to the study, if a direct measurement is wrong, or if an output would
-/// replace a file of the study or match the pattern of its recordings
+///         wrongly or does not apply to the study, if a direct measurement is wrong, or if an
+///         output would replace a file of the study or match the pattern of its recordings
 StudyInput read_input(const std::filesystem::path& file, const OutputPlaces& outputs);
 
-/// Returns the shear cell that study.toml in the folder of `file` describes. Empty where study.toml
+/// Returns the shear cell that study.toml in the folder of `file` describes. Empty if study.toml
 /// does not exist, cannot be read or describes no cell.
 std::optional<AnnularCell> cell_beside(const std::filesystem::path& file);
 

@@ -62,10 +62,10 @@ struct SwitchedModels {
     /// effects than the largest number of effects to switch (`SwitchOptions::most`).
     std::vector<std::string> always = {};
     /// Fitted model of each combination of effects. The combination with index i contains effect k
-    /// of `switches` if bit k of i is 1. Empty where a combination cannot be fitted.
+    /// of `switches` if bit k of i is 1. An element is empty if its combination cannot be fitted.
     std::vector<std::optional<SwitchedModel>> models = {};
-    /// Reason why each combination of effects cannot be fitted, as in "the readings are impossible
-    /// with these effects". Empty where the combination is fitted.
+    /// Reason why each combination of effects cannot be fitted, such as "the readings are
+    /// impossible with these effects". The reason is empty if the combination is fitted.
     std::vector<std::string> why_not = {};
     /// Index in `models` of the combination that has the effects which the study lists.
     std::size_t current = 0;
@@ -76,7 +76,7 @@ struct SwitchedModels {
 /// the verdict is inconclusive), the effects of all models that fit, the effects whose refits
 /// reduce chi2 most, and finally the other candidate effects in the order of their score tests.
 /// Nothing is simulated.
-/// @throws dem::Interrupted where the user requests a stop
+/// @throws dem::Interrupted if the user requests a stop
 SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis& diagnosis,
                                const SessionOptions& session, const SwitchOptions& options = {});
 

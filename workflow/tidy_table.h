@@ -6,8 +6,8 @@
 
 namespace pendular {
 
-/// First characters of every table that `tidy_table` returns, by which an earlier table is
-/// recognised before a new table replaces it.
+/// First characters of every table that `tidy_table` returns. By these characters, the program
+/// recognises an earlier table before a new table replaces it.
 constexpr const char* tidy_table_begin = "test,interval,role,line";
 
 /// Returns the data points of all intervals of a file of measurements as the text of one CSV table

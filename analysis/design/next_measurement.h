@@ -16,44 +16,46 @@ namespace pendular {
 /// number) with every liquid content, every filling (volume of beads in the cell) and every waiting
 /// time. Normal stresses and shear rates (or inertial numbers) are evenly spaced in the logarithm.
 /// @param time time of the study's last reading [s], at which the waiting times begin
-/// @throws InputError if a direct measurement names an effect that is unknown, has no parameter or
-///         does not apply to the study, or if the direct measurement has a wrong unit
+/// @throws InputError if a direct measurement of the rig is not valid: for example, the effect is
+///         unknown, does not apply to the study or has no parameter to measure, or a unit is wrong
+///         (`direct_measurement`)
 std::vector<Point> points_of(const Rig& rig, const ResolvedStudy& study, double time);
 
 /// Returns the rig (possible measurements of an instrument) of a study whose study.toml has no
-/// table [rig]. The rig has the ranges of normal stress and inertial number, and the liquid
-/// contents, of `readings`. The range of inertial numbers begins at 1e-3 if a reading has the
-/// inertial number 0.
+/// table [rig]. The rig has the liquid contents and the ranges of normal stress and inertial number
+/// of `readings`. The range of inertial numbers begins at 1e-3 if a reading has the inertial number
+/// 0.
 Rig rig_of(const std::vector<Reading>& readings);
 
-/// Returns typical relative standard errors [1] of one reading: of the shear stress (first) and of
-/// the solid fraction (second). Each is the root mean square, over `readings`, of the standard
+/// Returns typical relative standard errors [1] of the shear stress (first) and of the solid
+/// fraction (second) of one reading. Each is the root mean square, over `readings`, of the standard
 /// error divided by the measured value.
 Eigen::Vector2d relative_errors(const std::vector<Reading>& readings);
 
-/// Plan of a next measurement that is to show which of several rival models is right: readings at
-/// one point (possible measurement), with the result that each model predicts.
+/// Plan of a next measurement that is to show which of several rival models is right. The plan
+/// consists of readings at one point (possible measurement), with the result that each model
+/// predicts.
 struct Plan {
     std::size_t point = 0;  ///< index of the point in the list of points that were compared
     /// Predictions of the rival models for a measurement at the point, with the covariances of
     /// their errors, in the order of the list of rival models.
     std::vector<Forecast> forecasts;
-    /// Covariance of the errors of one measurement at the point, in products of the units of the
-    /// measured values. A reading has a 2 x 2 matrix, in the order shear stress [Pa], solid
-    /// fraction [1]. A direct measurement of an effect's parameter has one value and therefore one
-    /// variance.
+    /// Covariance matrix of the errors of one measurement at the point, in products of the units of
+    /// the measured values. For a reading, the first row and column are for the shear stress [Pa],
+    /// the second for the solid fraction [1]. For a direct measurement of an effect's parameter,
+    /// the only entry is the variance.
     Eigen::MatrixXd noise;
     /// Number of readings to make at the point: the smallest number that tells as many pairs of
-    /// rival models apart as the largest allowed number does. 0 if not even the largest allowed
-    /// number tells a pair apart.
+    /// rival models apart as the largest allowed number does. The number is 0 if even the largest
+    /// allowed number tells no pair apart.
     int repeats = 0;
     /// Pairs of rival models that `repeats` readings tell apart, as indices into the list of rival
     /// models. A test at 5 % significance tells the two models of each pair apart with a
     /// probability of at least 0.8.
     std::vector<std::pair<std::size_t, std::size_t>> separated;
-    /// How well readings at the point tell the rival models apart [1], the larger the better:
-    /// criterion T of Buzzi-Ferraris and Forzatti, summed over all pairs of rival models, at the
-    /// largest allowed number of readings (see `separating_plans`).
+    /// Measure of how well readings at the point tell the rival models apart [1]; larger is better.
+    /// The measure is the criterion T of Buzzi-Ferraris and Forzatti, summed over all pairs of
+    /// rival models, at the largest allowed number of readings (see `separating_plans`).
     double separation = 0;
     /// Noncentrality D' S_1^-1 D of the chi2 test that tells two rival models apart [1], summed
     /// over all pairs of rival models, at the largest allowed number of readings (see
@@ -61,14 +63,14 @@ struct Plan {
     /// tells a pair of models apart.
     double noncentrality = 0;
     /// Cost of `repeats` readings at the point, including refilling of the cell and waiting time
-    /// [cost of a dry reading]. If `repeats` is 0, the cost of one reading.
+    /// [cost of a dry reading]. If `repeats` is 0, `cost` is the cost of one reading.
     double cost = 0;
 };
 
-/// Returns a plan of readings for each of `points` (possible measurements), sorted by how well
-/// readings at the point tell rival models apart. Plans that tell more pairs of models apart come
-/// first, then cheaper plans, then plans of larger criterion T. For n readings at a point and the
-/// rival models i and j,
+/// Returns a plan of readings for each of `points` (possible measurements), the best plan first.
+/// Plans that tell more pairs of rival models apart come first. Among plans that tell equally many
+/// pairs apart, cheaper plans come first, and among equally cheap plans, plans of larger criterion
+/// T. For n readings at a point and the rival models i and j,
 ///     T = D' S^-1 D + tr(2 V S^-1)/n,   D = f_i - f_j,
 ///     S = 2 V/n + J_i C_i J_i' + J_j C_j J_j' + 2 C_f,
 /// with the predicted values f, the derivatives J of the predicted values with respect to the
@@ -88,7 +90,7 @@ std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
 /// Returns the readings to make next in order to tell rival models apart. The function returns the
 /// readings of the first of `plans` or, if a series of readings at several points
 /// (`separating_series`) tells more pairs of models apart, that series.
-/// @param plans plans for `points` as `separating_plans` sorts the plans, at least one
+/// @param plans plans for `points` in the order of `separating_plans`; at least one plan
 /// @param relative_noise relative standard errors [1] of the shear stress (first) and of the solid
 ///        fraction (second) of one reading
 /// @param rig instrument, which limits the number of readings at one point and in total

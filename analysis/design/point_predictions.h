@@ -19,10 +19,9 @@ inline Eigen::Index entries_at(const Point& point) {
 /// parameters, and the covariance of the errors of the values that come from the simulation.
 Prediction predicted_at(const Rival& rival, const std::vector<Point>& points);
 
-/// Returns the variances of the measurement errors of the values that are measured at several
-/// points, in the squared units of the values and in the order of the points. A reading has two
-/// values, first the shear stress and second the solid fraction. A direct measurement of an
-/// effect's parameter has one value.
+/// Returns the variances of the measurement errors at several points, in the squared units of the
+/// measured values and in the order of the points. A reading has two values, first the shear stress
+/// and second the solid fraction. A direct measurement of an effect's parameter has one value.
 /// @param shown expected values of the measurements, in the order of the returned variances
 /// @param relative_noise relative standard errors [1] of the shear stress (first) and of the solid
 ///        fraction (second) of one reading; direct measurements have their own standard errors

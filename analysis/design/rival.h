@@ -15,11 +15,10 @@ inline constexpr const char* present_model = "the model as it is";
 
 /// Rival model: one of several fitted models of a study that measurements are to tell apart.
 struct Rival {
-    /// Name of the rival model: names of the effects that the model adds to the study's model, or
-    /// `present_model` if the model adds no effect.
+    /// Names of the effects that the rival model adds to the study's model, or `present_model` if
+    /// the rival model adds no effect.
     std::string name;
-    /// Predictor that gives the readings according to the rival model, at any values of the model's
-    /// parameters.
+    /// Predictor of the readings by the rival model, for any values of the model's parameters.
     std::shared_ptr<const Predictor> model;
     /// Fitted values of the rival model's parameters, in the order and units of
     /// `model->parameters()`.
@@ -38,8 +37,8 @@ struct Point {
     /// Direct measurement of an effect's parameter, without shearing grains. Empty if the point is
     /// a reading of steady shear.
     std::optional<DirectMeasurement> direct = {};
-    /// Cost of refilling the cell before the first reading at the point [cost of a dry reading]. 0
-    /// if the volume of beads at the point is that of the study.
+    /// Cost of refilling the cell before the first reading at the point [cost of a dry reading].
+    /// The cost is 0 if the volume of beads at the point equals the volume of beads in the study.
     double first_cost = 0;
     /// Waiting time from the study's last reading to the measurement at the point [s].
     double wait = 0;
@@ -49,23 +48,23 @@ struct Point {
 };
 
 /// Prediction of a rival model (one of several models to be told apart) for the measurement at one
-/// point, with its errors.
+/// point, with the errors of the prediction.
 struct Forecast {
     /// Values that the rival model predicts at the point. A reading has two values, first the shear
     /// stress [Pa] and second the solid fraction [1]. A direct measurement has the value of the
     /// measured parameter [its unit].
     Eigen::VectorXd value;
-    /// Covariance of the errors of `value` that come from errors of the rival model's fitted
+    /// Covariance matrix of the errors of `value` that come from errors of the rival model's fitted
     /// parameters.
     Eigen::MatrixXd from_parameters;
-    /// Covariance of the errors of `value` that come from errors of the simulation.
+    /// Covariance matrix of the errors of `value` that come from errors of the simulation.
     Eigen::MatrixXd from_simulation;
 };
 
 /// Smallest noncentrality of the chi2 distribution [1] at which a test at 5 % significance tells
 /// two rival models apart with a probability of 0.8. `telling_noncentrality` holds for the two
-/// observables of a reading, and is also used for several points together. `telling_directly` holds
-/// for the one value of a direct measurement.
+/// observables of a reading, and is also used for the readings at several points together.
+/// `telling_directly` holds for the one value of a direct measurement.
 inline constexpr double telling_noncentrality = 9.63, telling_directly = 7.85;
 
 }  // namespace pendular

@@ -17,8 +17,8 @@ struct Series {
         /// Number of readings to make at the point.
         int readings = 0;
     };
-    /// Readings at each point of the series, in the order of increasing waiting time. Empty if even
-    /// the largest number of readings allowed tells no pair of rival models apart.
+    /// Readings at each point of the series, in the order of increasing waiting time. The list is
+    /// empty if even the largest allowed number of readings tells no pair of rival models apart.
     std::vector<Step> steps;
     /// Pairs of rival models that the series tells apart, as indices into the list of rival models.
     /// A test at 5 % significance tells the two models of each pair apart with a probability of at
@@ -32,17 +32,18 @@ struct Series {
     int readings() const;
 };
 
-/// Returns a series of readings that tells apart, at low cost, as many pairs of rival models as a
-/// greedy search can. The models i and j are told apart if D' S^-1 D, for all points of the series
+/// Returns a series of readings that tells many pairs of rival models apart at low cost, as found
+/// by a greedy search. The models i and j are told apart if D' S^-1 D, for all points of the series
 /// together, is at least `telling_noncentrality`. D is the difference between the predictions of
 /// both models, and
 ///     S = V/n + J_i C_i J_i' + J_j C_j J_j' + C_f,
 /// with the covariance V/n of n readings, the derivatives J of the predictions with respect to the
 /// parameters, the covariance C of the parameters, and the covariance C_f of the simulation's
-/// errors, averaged over both models. S contains the errors that points share, so that a second
-/// point with the same error as the first adds little. The search adds one reading at a time. Each
-/// reading is added at the point where the reading most increases, for its cost, D' S^-1 D of the
-/// pairs not yet told apart. Finally the search removes readings that turned out to be unnecessary.
+/// errors, averaged over both models. S contains the correlations between the errors at different
+/// points, so that a second point with the error of the first point adds little. The search adds
+/// one reading at a time, at the point where the reading most increases D' S^-1 D of the pairs not
+/// yet told apart, relative to the cost of the reading. Finally the search removes readings that
+/// turned out to be unnecessary.
 /// @param relative_noise relative standard errors [1] of the shear stress (first) and of the solid
 ///        fraction (second) of one reading
 /// @param most_repeats largest number of readings at one point

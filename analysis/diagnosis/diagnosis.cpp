@@ -123,9 +123,10 @@ void Diagnostician::sharpen(const Addition& addition, Signature& signature, Scor
         if (signature.taken_at == taken_at) {
             return;  // the amplitude is at its bound
         }
-        const double information = test.information;
+        // The power is computed near the neutral value.
+        const double length = test.length, information = test.information;
         test = score_test(*residuals_, signature, false);
-        test.information = information;  // the power is computed near the neutral value
+        test.length = length, test.information = information;
     }
 }
 

@@ -18,10 +18,12 @@ enum class Verdict {
     /// are assumed, not measured.
     inconclusive,
     missing,  ///< the model lacks the effects in `Diagnosis::effects`
-    /// Several models with different further effects fit, and no effect is in all of the models.
+    /// Several models fit that add different effects to the study's model, and no added effect is
+    /// common to all of these models.
     indistinguishable,
-    unknown,             ///< the model does not fit, and no known effect explains why
-    suspect_measurement  ///< an error of one part of the measurement would explain the misfit
+    unknown,  ///< the model does not fit, and no known effect explains why
+    /// No effect explains the misfit, but an error of one part of the measurement would.
+    suspect_measurement
 };
 /// Returns the name of a verdict for output, such as "nothing-missing".
 std::string_view to_string(Verdict verdict);
@@ -41,11 +43,15 @@ struct Diagnosis {
     std::optional<Leaders> leaders;
     /// Names of the suspect measurements (parts of the measurement) whose error alone would explain
     /// the misfit, such as "the readings of dry_1.csv". If effects explain the misfit too, the list
-    /// contains only suspect measurements that explain the readings at least as well
-    /// (`Explanations::akaike`).
+    /// contains only suspect measurements that explain the readings at least as well as the best
+    /// model with effects, by Akaike's criterion (`Explanations::akaike`).
     std::vector<std::string> suspects;
-    /// Models that fit the readings with the fewest further effects: the study's model alone, if it
-    /// fits, or else refitted models.
+    /// Models that fit the readings and between which the readings cannot decide. If the study's
+    /// model fits, the set contains this model alone. Otherwise, the set contains the refitted
+    /// models with one further effect that fit, and the models with two further effects that are
+    /// needed or that fit clearly better. If no effects explain the misfit, the set contains the
+    /// refitted models with an error of one suspect measurement (part of the measurement that may
+    /// be wrong) that fit.
     std::vector<Explanation> confidence_set;
     /// All models that were refitted, whether they fit the readings or not.
     std::vector<Explanation> tried;
@@ -64,17 +70,17 @@ struct Diagnosis {
     Fit fit;  ///< fit of the model without further effects
     /// chi2 [1] of all measured values in the fit of the model without further effects.
     double chi2 = 0;
-    /// Degrees of freedom of the chi2 of all measured values in the fit of the model without
-    /// further effects.
+    /// Degrees of freedom of `chi2`: number of measured values minus number of fitted values.
     int dof = 0;
     /// p values [1] of the tests of the model without further effects. `lack_of_fit_p` is the p
     /// value of the test for lack of fit of the conditions' means. `further_p` is the p value of
     /// the most significant candidate effect (not in the model) or suspect measurement (part of the
     /// measurement that may be wrong), corrected for the number of tests.
     double lack_of_fit_p = 0, further_p = 0;
-    /// Covariances of the emulator's errors, in products of the units of the readings, in the
-    /// change of the readings by an effect at its smallest size of interest (amplitude 1). The
-    /// emulator interpolates simulations. One entry for each candidate effect (not in the model).
+    /// Errors of the predicted change of the readings by each candidate effect (not in the model),
+    /// as covariances in products of the units of the readings. The change is predicted by the
+    /// emulator (which interpolates simulations) and divided by the amplitude of the effect (1 at
+    /// the smallest size of interest). The list has the order of ModelSpace::candidates().
     std::vector<ModelSpace::ChangeErrors> change_errors;
     bool errors_assumed = false;  ///< whether the errors of some readings are assumed, not measured
 
@@ -88,12 +94,12 @@ struct Diagnosis {
 
 /// Tests whether a study's model is complete and, if not, which physical effects explain the
 /// residuals. The diagnosis fits the model, tests the residuals for every candidate effect (not in
-/// the model), refits the model with the significant effects, and keeps the models that fit with
-/// the fewest further effects. A model fits if it passes two tests, each at half of
-/// `options.significance`: the test for lack of fit, and the test for the most significant effect
-/// or suspect measurement that the model does not contain. All p values come from one set of random
-/// draws of errors. If no model fits, the diagnosis names the effects that explain most of the
-/// misfit, if there are any.
+/// the model), refits the model with significant effects and with errors of significant suspect
+/// measurements, and keeps the models that fit (`Diagnosis::confidence_set`). A model fits if it
+/// passes two tests, each at half of `options.significance`: the test for lack of fit, and the test
+/// for the most significant effect or suspect measurement that the model does not contain. All p
+/// values come from one set of random draws of errors. If no model fits, the diagnosis names the
+/// effects that explain most of the misfit, if there are any.
 /// @param space study's model and the candidate effects
 /// @param evidence readings with their errors and with parts of the measurement that may be wrong
 /// @throws InputError if the number of measured values does not exceed the number of fitted values

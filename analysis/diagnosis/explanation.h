@@ -19,26 +19,24 @@ namespace pendular {
 /// Suspect measurement: part of the measurement that may be wrong, such as all readings of one
 /// condition.
 struct SuspectMeasurement {
-    /// Name of the part of the measurement, as in "the readings of dry_1.csv".
+    /// Name of the part of the measurement, such as "the readings of dry_1.csv".
     std::string name;
-    /// Change of the measured values by each kind of error that the part of the measurement may
-    /// have, at amplitude 1 of the error, in the units of the measured values. A row for each
-    /// measured value (two for each reading, one for each direct measurement), a column for each
-    /// kind of error.
+    /// Change of the measured values [their units] by each kind of error that the part of the
+    /// measurement may have, at amplitude 1 of the error: a row for each measured value (two for
+    /// each reading, one for each direct measurement), a column for each kind of error.
     Eigen::MatrixXd columns;
-    /// Quantity that each kind of error changes, as in "shear stress". Empty if `name` names the
-    /// quantity.
+    /// Name of the quantity that each kind of error changes, such as "shear stress". The list is
+    /// empty if `name` names the quantity.
     std::vector<std::string> quantities = {};
-    /// Smallest amplitude [1] of each kind of error that is of interest to the user.
+    /// Smallest amplitude [1] that is of interest to the user, for every kind of error.
     double smallest_of_interest = 1;
     /// Group to which the suspect measurement belongs in tables, such as "files". May be empty.
     std::string group = {};
 };
 
 /// Input of a diagnosis (search for effects that a study's model lacks): readings and direct
-/// measurements of effects' parameters with their errors, conditions, and suspect measurements
-/// (parts of the measurement that may be wrong). An entry is one observable of one reading, or one
-/// direct measurement.
+/// measurements of effects' parameters with their errors, their conditions, and the suspect
+/// measurements (parts of the measurement that may be wrong).
 struct Evidence {
     Measured measured;  ///< measured values, with the covariance of their errors
     /// Uncertainty of the standard errors of the measured values, which are estimated from few
@@ -77,7 +75,8 @@ struct Explanation {
     double further_p = 1;
     /// Whether the model passes its own tests and so may belong to the confidence set: the fit
     /// converged, and neither `lack_of_fit_p` nor `further_p` is significant. A model with one
-    /// effect may also be accepted at DiagnosisOptions::least_p (`search_explanations`).
+    /// further effect may also be accepted if p() is at least DiagnosisOptions::least_p
+    /// (`search_explanations`).
     bool accepted = false;
 
     /// Returns the p value [1] of the test for lack of fit and the test for further effects
@@ -124,19 +123,18 @@ struct DiagnosisOptions {
     double significance = 0.05;
     /// Smallest p value [1] at which a model with one further effect may be accepted if all such
     /// models have p values below `significance`. A test at the 5 % level rejects one true model in
-    /// twenty. Without the second limit `least_p`, the diagnosis would then name an effect too
-    /// many.
+    /// twenty. Without `least_p`, the diagnosis would then name an effect that is not needed.
     double least_p = 0.01;
-    /// Power [1] that the score test (test without a refit) of an effect must have for the effect
-    /// to count as excluded if the test does not find the effect.
+    /// Smallest power [1] of a score test (test without a refit) at which an effect that the test
+    /// does not find counts as excluded.
     double wanted_power = 0.8;
     /// Number of random draws of the readings' errors, from which all p values follow. With 6000
     /// draws, a p value of 0.025 has a standard error of 0.002.
     Eigen::Index draws = 6000;
     /// Seed of the random draws of errors.
     std::uint64_t seed = 1;
-    /// Largest number of pairs of candidate effects (not in the model) to refit if neither a single
-    /// candidate nor a suspect measurement explains the readings.
+    /// Largest number of pairs of candidate effects (not in the model) with which the model is
+    /// refitted.
     std::size_t most_pairs = 12;
     /// Largest number of suspect measurements (parts of the measurement that may be wrong) for
     /// which the model is refitted.
@@ -147,7 +145,8 @@ struct DiagnosisOptions {
     /// Function that is called with the progress of the diagnosis. The arguments say that `done` of
     /// `of` steps of the work named `what` are finished. May be empty.
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
-    /// Largest number of threads for refits of models. No result depends on the number of threads.
+    /// Largest number of threads for score tests (tests without a refit) and refits of models. No
+    /// result depends on the number of threads.
     std::size_t threads = 1;
 };
 

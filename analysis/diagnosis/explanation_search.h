@@ -52,9 +52,9 @@ bool looks_missing(const Finding& finding);
 /// candidate effects. If no model with one effect fits at DiagnosisOptions::significance, such
 /// models with a p value of at least DiagnosisOptions::least_p are accepted too, unless a suspect
 /// measurement explains the readings better or a pair of effects explains the readings clearly
-/// better. A model is not refitted if its predicted reduction of chi2 is clearly below that of a
-/// model already rejected. Refits run in parallel on up to `options.threads` threads. Returns all
-/// refitted models and the models that fit.
+/// better. A model is not refitted if its predicted reduction of chi2 is clearly below the
+/// reduction by a model that was already refitted and rejected. Refits run in parallel on up to
+/// `options.threads` threads. Returns all refitted models and the models that fit.
 /// @param scanned fitted model without further effects, with its score tests
 Found search_explanations(const ModelSpace& space, const Evidence& evidence,
                           const DiagnosisOptions& options, const Explanations& explanations,

@@ -25,9 +25,9 @@ WeightedResiduals residuals_of(const Model& model, const Measured& measured, con
 /// taken as a sign of larger errors, so that differences of chi2 between models are not overrated.
 double factor_on_variance(const std::vector<Explanation>& tried);
 
-/// Refits of a model with further effects to readings, and tests whether the refitted models fit.
-/// All tests use one set of random draws of errors. Several threads may call the constant member
-/// functions at once.
+/// Refits a study's model with further effects to readings, and tests whether the refitted models
+/// fit. All tests use one set of random draws of errors. Several threads may call the constant
+/// member functions at once.
 class Explanations {
   public:
     /// Draws the random errors of the readings for all tests. The arguments must outlive this
@@ -35,9 +35,9 @@ class Explanations {
     /// @param space study's model and the candidates (effects that may be added to the model)
     Explanations(const ModelSpace& space, const Evidence& evidence,
                  const DiagnosisOptions& options);
-    /// Tests the models of `space` against the same readings as `other` and with the same randomly
-    /// drawn errors, which saves the time of new draws. `space` and the arguments from which
-    /// `other` was made must outlive this object.
+    /// Uses the readings and the random draws of errors of `other` for tests of the models of
+    /// `space`, which saves the time of new draws. `space` and the arguments from which `other` was
+    /// made must outlive this object.
     /// @param space study's model and the candidates (effects that may be added to the model)
     /// @param other tests of other models against the readings
     Explanations(const ModelSpace& space, const Explanations& other);
@@ -90,10 +90,11 @@ class Explanations {
     /// for further effects.
     double half_significance() const { return options_.significance / 2; }
 
-    /// Covariances of the emulator's errors, in products of the units of the readings, in the
-    /// change of the readings by an effect at its smallest size of interest (amplitude 1). The
-    /// emulator interpolates simulations. One entry for each candidate effect (not in the study's
-    /// model). The caller sets the entries once, before the tests of refitted models.
+    /// Errors of the predicted change of the readings by each candidate effect (not in the study's
+    /// model), as covariances in products of the units of the readings. The change is predicted by
+    /// the emulator (which interpolates simulations) and divided by the amplitude of the effect (1
+    /// at the smallest size of interest). The list has the order of ModelSpace::candidates(). The
+    /// caller sets the covariances once, before the tests of refitted models.
     std::vector<ModelSpace::ChangeErrors> errors;
 
   private:

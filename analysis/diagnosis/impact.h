@@ -33,17 +33,18 @@ struct Shift {
 /// the parameters for several sizes of the effect or error.
 struct Impact {
     /// Name of the effect or of the suspect measurement (part of the measurement that may be
-    /// wrong), as in "the readings of dry_1.csv".
+    /// wrong), such as "the readings of dry_1.csv".
     std::string name;
-    /// Name of the effect's parameter, or of the measured quantity that is in error.
+    /// Name of the effect's parameter, or of the measured quantity that is in error. Empty if
+    /// `name` names the quantity.
     std::string quantity;
-    /// Unit of all sizes of the effect or error. "1" for relative sizes and sizes without a
-    /// dimension.
+    /// Unit of all sizes of the effect or error. "1" if the sizes are relative or dimensionless.
     std::string unit;
-    /// Group to which the effect or error belongs in the table of impacts, as in "instrument" or
+    /// Group to which the effect or error belongs in the table of impacts, such as "instrument" or
     /// "files".
     std::string group;
-    /// Whether the impact is that of an error of measurement, not of a physical effect.
+    /// Whether an error of measurement causes the impact. If false, a physical effect causes the
+    /// impact.
     bool measurement = false;
     /// Index of the effect in ModelSpace::candidates(), or of the suspect measurement in
     /// Evidence::suspects.
@@ -70,9 +71,9 @@ struct Impact {
     /// effect or error), divided by the standard error of the size. Not a number if the standard
     /// error is not known.
     double pull() const;
-    /// Returns the further shift of the calibrated parameters [their units] if the size of the
-    /// effect or error is one standard error above (`up`) or below (`down`) its estimate, instead
-    /// of at its estimate.
+    /// Returns the difference between two shifts of the calibrated parameters [their units]: the
+    /// shift at a size one standard error above (`up`) or below (`down`) the estimated size of the
+    /// effect or error, minus the shift at the estimated size.
     Eigen::VectorXd up() const { return difference(above); }
     Eigen::VectorXd down() const { return difference(below); }
     /// Returns, for each calibrated parameter [its unit], the shift that comes from the standard
@@ -88,9 +89,9 @@ struct Impact {
     }
 };
 
-/// Impact of all effects or errors of one group together on the calibrated parameters. For each
-/// parameter, the shifts that the effects or errors cause, in the linear approximation, are added
-/// as the root of the sum of squares.
+/// Impact of all effects or errors of one group together on the calibrated parameters. The shifts
+/// by the single effects or errors are computed in the linear approximation. For each parameter,
+/// the shift by the group is the square root of the sum of the squares of these shifts.
 struct GroupImpact {
     std::string group;
     /// Shift of each calibrated parameter [its unit] by the group: at the smallest sizes of
@@ -116,16 +117,16 @@ struct ImpactTable {
     std::vector<GroupImpact> groups;
 };
 
-/// Computes the impacts of effects and errors of measurement on the fit of a diagnosis, in the
-/// linear approximation. For the leading effects or errors, the function also computes the impacts
-/// by refits, at the estimated sizes and at the smallest sizes of interest. The leading effects or
-/// errors are the first in the returned table: up to `most_refitted` that the verdict names, and
-/// `most_refitted` further effects or errors with the largest impacts. Effects or errors that the
-/// verdict names are also refitted at one standard error above and below the estimated size. Sizes
-/// of effects are estimated by the refits of the diagnosis or, without a refit, by score tests.
-/// Sizes of errors of measurement are estimated by score tests. Effects with several free
-/// parameters are left out, and so are effects with which the model cannot give the conditions that
-/// the instrument shows.
+/// Computes the impacts of effects and errors of measurement on the calibrated parameters, in the
+/// linear approximation. The function also refits the model with up to `most_refitted` effects or
+/// errors that the verdict of the diagnosis names, and with `most_refitted` further effects or
+/// errors in the order of the returned table, each at the estimated size and at the smallest size
+/// of interest. If the verdict names the effect or error, the function also refits the model at one
+/// standard error above and below the estimated size. Sizes of effects are estimated by the refits
+/// of the diagnosis or, without a refit, by score tests. Sizes of errors of measurement are
+/// estimated by score tests. Two kinds of effects are left out: effects with several free
+/// parameters, and effects with which the model cannot give the conditions that the instrument
+/// shows.
 /// @param threads largest number of threads; no result depends on the number
 ImpactTable impacts(const ModelSpace& space, const Evidence& evidence, const Diagnosis& diagnosis,
                     std::size_t most_refitted = 3, std::size_t threads = 1);

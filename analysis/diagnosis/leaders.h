@@ -30,8 +30,9 @@ struct Leaders {
 /// @param chi2, dof chi2 and degrees of freedom of the model before the refit
 double share_explained(double chi2, int dof, const Explanation& by);
 
-/// Finds the effects that explain most of a misfit if none of the refitted models `tried` fits the
-/// readings. Empty if no effects explain most of the misfit.
+/// Finds the leading effects, which explain most of a misfit, in a diagnosis in which none of the
+/// refitted models `tried` fits the readings. The result is empty if no effects explain most of the
+/// misfit.
 ///
 /// Repetitions of the experiment are drawn at random. Random errors e of the readings change chi2
 /// of model m by 2 s r_m' e, with the residuals r_m of model m in units of their errors. The misfit
@@ -40,9 +41,9 @@ double share_explained(double chi2, int dof, const Explanation& by);
 /// has the smallest value of
 ///     chi2/s^2 + ln det Sigma_m + 2 (number of parameters),
 /// Akaike's criterion for variances enlarged by s^2. The determinant of the covariance Sigma_m of
-/// measurement and prediction keeps a model from leading only because the errors of its predictions
-/// are large. A leading effect is part of the leading model in at least 95 of 100 repetitions. The
-/// leading effects are returned only if the fit of the model with the leading effects alone
+/// measurement and prediction prevents a model from leading merely because its predictions have
+/// large errors. A leading effect is part of the leading model in at least 95 % of the repetitions.
+/// The leading effects are returned only if the fit of the model with the leading effects alone
 /// converged and removes at least 90 % of the excess chi2 - dof.
 /// @param chi2 chi2 of the model without further effects
 /// @param dof degrees of freedom of `chi2`

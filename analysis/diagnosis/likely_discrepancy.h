@@ -10,7 +10,7 @@ namespace pendular {
 /// Returns the most likely size of a model's discrepancy (error that varies smoothly between
 /// conditions), relative to the shear stress [1], given the residuals of the model's fit to
 /// readings. The size is 0 if the discrepancy is not significant (p > 0.05). Sizes from 0.05 % to
-/// 20 % are compared. The discrepancy has the correlation `discrepancy_correlation` between
+/// 17 % are compared. The discrepancy has the correlation `discrepancy_correlation` between
 /// conditions and adds to the errors of measurement and prediction. The restricted likelihood
 /// allows for the fitted parameters.
 /// @param measured readings, followed by direct measurements

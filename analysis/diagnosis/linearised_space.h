@@ -35,8 +35,8 @@ class LinearisedSpace : public ModelSpace {
 
     /// Adds the candidate effect with index `k` of `space` to the candidates, and returns the
     /// amplitude of the effect in `refit`, or 1 if `refit` is null.
-    /// @param refit refitted model with the effect, at whose estimate the change of the readings by
-    ///        the effect is computed; null: the change is computed at the smallest size of interest
+    /// @param refit refitted model with the effect; the change of the readings by the effect is
+    ///        computed at the estimate of `refit` or, if null, at the smallest size of interest
     double add(const ModelSpace& space, std::size_t k, const Explanation* refit);
     /// Returns the prediction whose covariances of errors are used for the model with the effect
     /// set `chosen`: the prediction of the diagnosis' refit of that model or, if there is no such
@@ -52,8 +52,8 @@ class LinearisedSpace : public ModelSpace {
     /// predicted value, a column for each parameter.
     Eigen::MatrixXd slopes_;
     std::vector<Candidate> candidates_;
-    /// Change of the predictions by each candidate effect at the smallest size of interest
-    /// (amplitude 1): a column for each parameter of the effect.
+    /// Change of the predictions by each candidate effect, divided by the amplitude of the effect
+    /// (1 at the smallest size of interest): a column for each parameter of the effect.
     std::vector<Eigen::MatrixXd> changes_;
     std::vector<ChangeErrors> change_errors_;
     /// Effect sets of the refitted models that contain no error of measurement, the bare model

@@ -44,8 +44,8 @@ struct RepetitionOptions {
 /// `verdict`, the diagnosis of the readings. The verdicts `nothing_missing` and `inconclusive`
 /// count as one verdict, since the two verdicts differ only in the effects that the readings could
 /// not have revealed, and these effects depend on the plan of the experiment, not on the readings.
-/// All other verdicts must name the same effects and suspect measurements in both diagnoses, and
-/// both diagnoses must agree on whether a model fits (`Diagnosis::complete`).
+/// For all other verdicts, both diagnoses must have the same verdict, name the same effects and
+/// suspect measurements, and agree on whether a model fits (`Diagnosis::complete`).
 bool comes_again(const Diagnosis& verdict, const Diagnosis& repetition);
 
 /// Repeats an experiment by simulation (parametric bootstrap), and counts the repetitions for which

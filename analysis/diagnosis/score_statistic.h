@@ -10,19 +10,19 @@
 namespace pendular {
 
 /// Score test of one effect that a model lacks: a test, without a refit, whether the residuals r of
-/// the model contain the change g of the readings that the effect makes. r and g are in units of
+/// the model contain the change g of the readings that the effect causes. r and g are in units of
 /// the readings' errors (whitened). The projection P (`WeightedResiduals`) removes what a change of
 /// the calibrated parameters can imitate. With
 ///     U = g' P r,   v = g' P g,
 ///     b = -tr(P Cov(e_f, e_g)),   v_c = v - tr(P Cov(e_g)),
-/// the estimate of the amplitude is (U - b)/v_c, and the predicted reduction of chi2 is
-/// (U - b)^2/v. b and v_c correct for the errors e_f of the prediction and e_g of the change. A
-/// switch has amplitude 1 (on) or 0 (off), and its predicted reduction of chi2 is 2 (U - b) - v_c.
+/// the amplitude is estimated as (U - b)/v_c, and the predicted reduction of chi2 is (U - b)^2/v. b
+/// and v_c correct for the errors e_f of the prediction and e_g of the change. A switch has
+/// amplitude 1 (on) or 0 (off), and its predicted reduction of chi2 is 2 (U - b) - v_c.
 /// Sources: score tests (Rao 1948; modification indices, Soerbom 1989; power, Saris, Satorra and
 /// van der Veld 2009), with errors in the derivatives.
 struct ScoreTest {
-    /// Orthonormal basis of the columns of P g: the change g of the readings by the effect, in
-    /// units of the readings' errors (whitened), without the part that the calibrated parameters
+    /// Orthonormal basis of the columns of P g. P g is the change g of the readings by the effect,
+    /// in units of the readings' errors (whitened), without the part that the calibrated parameters
     /// imitate. The basis has no column if the parameters imitate the change completely, or if the
     /// change is not larger than its error.
     Eigen::MatrixXd basis;
@@ -40,8 +40,8 @@ struct ScoreTest {
     /// errors (whitened), without the part that the calibrated parameters imitate. For a change
     /// with several columns, the squared length of the first column.
     double length = 0;
-    /// Squared length v (`length`) of the change of the readings, minus the part that comes from
-    /// the emulator's error of the change [1]. An effect of the true amplitude A gives the
+    /// Squared length v (`length`) of the change of the readings [1], minus the part that comes
+    /// from the emulator's error of the change. An effect of the true amplitude A gives the
     /// statistic the noncentrality A^2 v_c^2/v, with v_c = `information`.
     double information = 0;
     /// Share [1] of the squared length of the change of the readings by the effect, in units of the
@@ -61,8 +61,8 @@ struct ScoreTest {
     /// Returns the critical value of `statistic` [1]: the value at which the p value of the score
     /// test, not corrected for the number of tests, equals `p` [1].
     double critical(double p) const;
-    /// Returns the value of `statistic` for each random draw of errors, as if the model lacked
-    /// nothing.
+    /// Returns the statistic of the score test for each random draw of errors, with the drawn
+    /// errors in place of the residuals.
     /// @param residuals residuals that were tested
     Eigen::VectorXd drawn(const WeightedResiduals& residuals, const NullDraws& draws) const;
     /// Returns the power of the score test [1]: probability that its p value falls below `limit`

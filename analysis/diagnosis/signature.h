@@ -72,8 +72,9 @@ class Addition {
     /// switches.
     Eigen::VectorXd neutral() const;
     /// Whether the added effect changes the predictions in opposite ways above and below the
-    /// neutral value (no effect): the effect's parameter can move to both sides, and a move
-    /// opposite to that of `change` changes the predictions by about the negative of `change`.
+    /// neutral value (no effect): if a move of the effect's parameter to one side changes the
+    /// predictions by `change`, the move to the other side is within the bounds and changes the
+    /// predictions roughly by the negative of `change`.
     bool mirrored(const Eigen::VectorXd& change) const;
     /// Returns the direction, 1 or -1, in which parameter `p` can move from the neutral value by
     /// the smallest amount of interest without leaving its bounds.

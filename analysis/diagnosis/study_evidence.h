@@ -13,10 +13,10 @@ namespace pendular {
 /// readings are estimated from replicates (readings at the same condition), separately for shear
 /// stress and solid fraction. Errors of direct measurements are stated in the study. The suspect
 /// measurements (parts of the measurement that may be wrong) are the readings of each condition,
-/// the readings of each file, the readings of each file but the first together with those of all
-/// later files (if the files follow one another in time), and the direct measurements of each
-/// parameter. An error of suspect readings is one factor on all their shear stresses and another
-/// factor on all their solid fractions.
+/// the readings of each file, and the direct measurements of each parameter. If the files follow
+/// one another in time, the readings of each file but the first, together with the readings of all
+/// later files, are also suspect. An error of suspect readings multiplies all their shear stresses
+/// by one factor and all their solid fractions by another factor.
 /// @param scatter estimates of the scatter between replicates, with their degrees of freedom
 Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                      const std::vector<DirectMeasurement>& direct = {});
@@ -37,7 +37,7 @@ std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::
 EntryKinds entries_of(const std::vector<Reading>& readings,
                       const std::vector<Parameter>& parameters, std::size_t direct = 0);
 
-/// Returns a text that describes a condition, as in "300 Pa, I = 0.003, liquid content 0.03" (I:
+/// Returns a description of a condition, such as "300 Pa, I = 0.003, liquid content 0.03" (I:
 /// inertial number).
 std::string condition_text(const Condition& condition);
 

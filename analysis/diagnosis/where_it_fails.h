@@ -13,7 +13,7 @@ namespace pendular {
 /// Group of readings that deviate together from a model: the readings of one condition, of one
 /// file, or of one file and all later files, or the direct measurements of one effect's parameter.
 struct Offending {
-    /// Name of the group of readings, as in "the readings of dry_1.csv".
+    /// Name of the group of readings, such as "the readings of dry_1.csv".
     std::string readings;
     /// p value [1] of the deviation of the group's readings from the model, corrected for the
     /// number of groups that were tested.

@@ -11,14 +11,15 @@
 
 namespace pendular {
 
-/// Judgement whether the fit of a study's model can be believed, with the reasons against the fit.
+/// Judgement on whether the fit of a study's model can be believed, with the reasons not to believe
+/// the fit.
 struct Belief {
     /// Sentences for the user with the reasons not to believe the fit, the most serious first.
     /// Empty if there is no such reason.
     std::vector<std::string> reasons;
-    /// Whether the fitted numbers are meaningless, for one of two reasons. Either the model does
-    /// not describe the readings and the friction coefficient is at the end of its range, or the
-    /// import of the measurement excluded more readings than it kept.
+    /// Whether the fitted parameter values are meaningless. They are meaningless if the model does
+    /// not describe the readings and the friction coefficient is at the end of its range. They are
+    /// also meaningless if the import of the measurement excluded more readings than it kept.
     bool meaningless = false;
     /// Index in `reasons` of the sentence which says that chi2 is too large. Empty if the model
     /// describes the readings.
@@ -28,13 +29,13 @@ struct Belief {
     bool believable() const { return reasons.empty(); }
 };
 
-/// p value of chi2 [1] below which a model counts as not describing the readings, however uncertain
-/// the errors of the readings are.
+/// Smallest p value of chi2 [1] at which a model counts as describing the readings, however
+/// uncertain the errors of the readings are.
 constexpr double incredible_p = 1e-6;
 
-/// Judges whether a fit can be believed, and returns the reasons against the fit. Reasons are the
-/// misfit, parameters at the end of their range, a column in a wrong unit, and doubts (reasons not
-/// to believe a measured value) that the import of the measurement found.
+/// Judges whether a fit can be believed, and returns the reasons not to believe the fit. Possible
+/// reasons are a large misfit, parameters at the end of their range, a column in a wrong unit, and
+/// doubts (reasons not to believe a measured value) that the import of the measurement found.
 /// @param parameters definitions of the fitted parameters; the first is the friction coefficient
 /// @param misfit chi2 of the fit with its degrees of freedom
 /// @param mistake column that was probably read in a wrong unit, if one was found
@@ -45,8 +46,8 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
 /// import of the measurement excluded readings or data points of recordings.
 std::size_t doubts_that_set_aside(const Measurements& measurements);
 
-/// Returns a sentence that states the source of the readings' standard errors, as in "The standard
-/// errors of the readings are estimated from the scatter of 22 repeated readings."
+/// Returns a sentence that states the source of the readings' standard errors, such as "The
+/// standard errors of the readings are estimated from the scatter of 22 repeated readings."
 std::string error_basis(const Measurements& measurements);
 
 }  // namespace pendular

@@ -13,16 +13,16 @@ namespace pendular {
 /// residuals are checked for trends.
 struct Covariate {
     std::string name;
-    /// Value of the quantity at each entry (one observable of one reading, or one direct
-    /// measurement). Not a number if the value is unknown.
+    /// Value of the quantity for each measured value (one observable of one reading, or one direct
+    /// measurement). The value is NaN if it is unknown.
     Eigen::VectorXd values;
 };
 
-/// Result of one statistical test whether errors of readings and predictions alone explain the
-/// residuals of a fitted model.
+/// Result of one statistical test of whether the errors of readings and predictions alone explain
+/// the residuals of a fitted model.
 struct Check {
     enum class Kind {
-        lack_of_fit,  ///< test for lack of fit of the conditions' means
+        lack_of_fit,  ///< test whether the model misses the mean of a condition
         /// Test whether a calibrated parameter changes along a covariate (quantity such as the
         /// normal stress), by the cumulated sum of the parameter's scores (derivatives of -chi2/2)
         /// along the covariate.
@@ -34,17 +34,20 @@ struct Check {
     /// Kind of the statistical test.
     Kind kind = Kind::lack_of_fit;
     /// Name of the covariate (quantity such as the normal stress) along which the test was made.
-    /// Empty if the test has no covariate. A test of neighbouring conditions uses all covariates
-    /// and has the name "all, length 0.3", with the correlation length of its kernel.
+    /// The name is empty if the test has no covariate. For a test of neighbouring conditions, which
+    /// uses all covariates, the name states the correlation length of the kernel, such as "all,
+    /// length 0.3".
     std::string covariate = {};
-    /// Name of the calibrated parameter or of the observable to which the test applies. Empty if
+    /// Name of the calibrated parameter or of the observable that is tested. The name is empty if
     /// the test applies to all observables.
     std::string of = {};
     /// Test statistic [1], which `check_fit` defines for each kind of test. The statistic of a
     /// trend is positive if measured values increase with the covariate by more than predicted
     /// values, and negative if they increase by less.
     double statistic = 0;
-    double p = 1;  ///< p value [1]: probability of a statistic as large if the model is right
+    /// p value [1]: probability, if the model is right, of a statistic at least as large as the
+    /// observed statistic. For a trend, the absolute values of the statistics are compared.
+    double p = 1;
 };
 /// Returns the name of a kind of statistical test for output, such as "lack of fit".
 std::string_view to_string(Check::Kind kind);
@@ -55,16 +58,17 @@ struct Checks {
     /// Results of all statistical tests of the fit: one for each kind of test, covariate (quantity
     /// such as the normal stress), and parameter or observable.
     std::vector<Check> all;
-    /// p value [1] of all statistical tests together: probability that the smallest p value of any
-    /// test is at least as small as observed if the model is right.
+    /// p value [1] of all statistical tests together: probability, if the model is right, that the
+    /// smallest p value of all tests is at most the observed smallest p value.
     double p = 1;
 };
 
-/// Observable and condition of each entry, which the tests of a fit need. An entry is one
-/// observable of one reading, or one direct measurement of an effect's parameter.
+/// Description of the measured values for the tests of a fit: observable and condition of each
+/// value, with the names of the calibrated parameters. A measured value is one observable of one
+/// reading, or one direct measurement of an effect's parameter.
 struct EntryKinds {
-    /// Observable of each measured value, as index into `observables`. A direct measurement of an
-    /// effect's parameter has an index beyond the end of `observables`.
+    /// Observable of each measured value, as an index into `observables`. A direct measurement of
+    /// an effect's parameter has an index beyond the end of `observables`.
     std::vector<std::size_t> observable;
     /// Names of the observables of the readings, such as "shear stress".
     std::vector<std::string> observables;
@@ -74,32 +78,32 @@ struct EntryKinds {
     /// Names of the calibrated parameters, in the order of the columns of
     /// WeightedResiduals::slopes().
     std::vector<std::string> parameters;
-    /// Whether any reading has replicates (readings at the same condition). `check_fit` makes the
-    /// test for few changes of sign between successive residuals only if no reading has replicates.
+    /// Whether any reading has replicates (readings at the same condition). If so, `check_fit`
+    /// omits the test for few changes of sign between successive residuals.
     bool replicated = false;
 };
 
 /// Tests where, and along which quantities, a model deviates from the readings beyond what a change
 /// of the calibrated parameters can imitate. All tests use the projected whitened residuals P r of
 /// `WeightedResiduals`. The p values of all tests come from one set of random draws of errors, so
-/// that the p value of all tests together is exact. That p value is the share of draws in which the
-/// smallest p value of all tests is at most the observed one.
+/// that the p value of all tests together is exact. The p value of all tests together is the share
+/// of draws in which the smallest p value of all tests is at most the observed smallest p value.
 ///
-/// - Lack of fit: squared length of the part of the residuals that all readings at a condition have
+/// - Lack of fit: squared norm of the part of the residuals that all readings at a condition have
 ///   in common.
-/// - Score: the cumulative score S(x) = sum_{x_i <= x} (L^-1 J)_i (L^-1 (y - f))_i over the entries
-/// i whose
-///   covariate x_i is at most x, for one parameter (y: measured values, f: predictions, J:
-///   derivative of f with respect to the parameter, L: Cholesky factor of the covariance). At the
-///   optimum, the sum over all entries is zero, and S fluctuates like a Brownian bridge. The
-///   statistic is the largest |S(x)| divided by |L^-1 J|, the standard deviation that the sum over
-///   all entries would have without the fit (after Hjort and Koning 2002).
-/// - Trend: projection of the residuals of one observable onto a relative error that grows with the
-///   rank of the covariate (measured value times rank).
+/// - Score: the cumulative score S(x) = sum_{x_i <= x} (L^-1 J)_i (P r)_i of one parameter, over
+///   the measured values i whose covariate x_i is at most x (J: derivatives of the predictions with
+///   respect to the parameter, L: Cholesky factor of the covariance of measurement and simulation).
+///   The sum over all values is zero, and S fluctuates like a Brownian bridge. The statistic is the
+///   largest |S(x)| divided by |L^-1 J|, the standard deviation that the sum over all values would
+///   have without the fit (after Hjort and Koning 2002).
+/// - Trend: projection of the residuals onto a relative error of one observable that grows in
+///   proportion to the rank of the covariate (measured value times rank).
 /// - Runs: number of changes of sign between successive readings of one observable, with a minus
 ///   sign, so that few changes make the statistic large. The test is made only without replicates.
-/// - Neighbours: r' K r, which is large if readings at similar conditions have similar residuals. K
-///   is a Gaussian kernel in the ranks of all covariates, with three widths.
+/// - Neighbours: (P r)' K (P r), which is large if the residuals of one observable are similar at
+///   similar conditions. K is a Gaussian kernel in the ranks of all covariates. The test is made
+///   with three widths of the kernel.
 Checks check_fit(const WeightedResiduals& residuals, const EntryKinds& kinds,
                  const std::vector<Covariate>& covariates, const NullDraws& draws);
 

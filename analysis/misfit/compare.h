@@ -12,8 +12,8 @@
 
 namespace pendular {
 
-/// Reading with the model's prediction and the misfit. In each pair of numbers, the first belongs
-/// to the shear stress and the second to the solid fraction.
+/// Reading with the model's prediction and the misfit. Each pair of numbers contains first the
+/// number for the shear stress, then the number for the solid fraction.
 struct ReadingMisfit {
     Reading reading;
     /// Shear stress [Pa] and solid fraction [1] that the model predicts for the reading.
@@ -53,8 +53,8 @@ struct FileMisfit {
 /// parameter in the fitted model.
 struct DirectMisfit {
     DirectMeasurement measurement;
-    /// Value of the parameter in the fitted model [its unit]. In a model without the effect, the
-    /// neutral value (`DirectMeasurement::neutral`), such as 1 for a torque gain.
+    /// Value of the parameter in the fitted model [its unit]. If the model lacks the effect, the
+    /// value is `DirectMeasurement::neutral`, such as 1 for a torque gain.
     double predicted = 0;
 
     /// Returns the normalised residual [1]: the measured minus the predicted value of the
@@ -64,29 +64,30 @@ struct DirectMisfit {
     }
 };
 
-/// Returns the effective number of degrees of freedom nu [1] with which the errors of n measured
-/// values were estimated. Infinite if all errors are known. The number nu follows from
+/// Returns the effective number of degrees of freedom nu [1] with which the errors of the readings
+/// were estimated. The number is infinite if all errors are known. The number nu follows from
 ///     1/nu = sum_g (n_g/n)^2/nu_g,
-/// where n_g of the n values (two for each reading) share the estimate g of the variance, which has
-/// nu_g degrees of freedom.
+/// where n_g of the n measured values (two for each reading) share the estimate g of the variance,
+/// which has nu_g degrees of freedom.
 /// Source: Satterthwaite, Biometrics Bull. 2 (1946) 110, for equal variances.
 double freedom_behind(std::span<const Reading> readings);
 
 /// Misfit of a set of readings: chi2 with its degrees of freedom.
 struct Misfit {
-    /// chi2 of the readings [1]. The errors of the readings are estimated from the scatter of
-    /// replicates (readings at the same condition), and are not increased if the replicates are
+    /// chi2 of the readings [1]. Errors that were estimated from the scatter of replicates
+    /// (readings at the same condition) are treated as exactly known, even if the replicates are
     /// few.
     double chi2 = 0;
     /// Degrees of freedom of the misfit `chi2`.
     int dof = 0;
     /// Effective number of degrees of freedom with which the errors of the readings were estimated
-    /// (`freedom_behind`). Infinite if the errors are known.
+    /// (`freedom_behind`). The number is infinite if the errors are known.
     double freedom = INFINITY;
 
     /// Returns the p value [1]: probability of a chi2 at least as large as `chi2` if the model and
-    /// the errors are right. 1 without degrees of freedom. The p value follows from the chi2
-    /// distribution or, if errors are estimated, from the F distribution of chi2/dof.
+    /// the errors are right. The p value is 1 if there are no degrees of freedom. The p value
+    /// follows from the chi2 distribution or, if errors are estimated, from the F distribution of
+    /// chi2/dof.
     double p() const;
 };
 
@@ -122,11 +123,13 @@ struct Comparison {
 std::array<double, 2> rms_percent(const std::vector<Reading>& readings,
                                   const Eigen::VectorXd& values);
 
-/// Compares readings with their predictions by
+/// Compares readings with their predictions, and divides the misfit chi2 among readings,
+/// conditions, files and observables:
 ///     chi2 = e' (Sigma_measurement + Sigma_simulation)^-1 e,  e = measured - predicted,
 /// with the covariances Sigma of measurement and simulation. chi2 is divided among the measured
-/// values by ZCA-cor whitening, which makes the misfits e uncorrelated while changing e as little
-/// as possible. The contribution of each value to chi2 is the square of its uncorrelated misfit.
+/// values by ZCA-cor whitening, which converts the normalised residuals to uncorrelated residuals
+/// with as little change as possible. The contribution of each measured value to chi2 is the square
+/// of its uncorrelated residual.
 /// @param prediction prediction of all readings, with its covariance
 /// @param parameters number of fitted parameters
 /// @param fitted number of fitted readings, which come first; the other readings were only

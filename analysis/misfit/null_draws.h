@@ -9,22 +9,24 @@
 
 namespace pendular {
 
-/// Errors that several readings share. Each source of error, such as one filling of the cell, makes
-/// one error in all readings that it affects. The variance of a source is estimated by an analysis
-/// of variance from the mean squares between and within sources:
+/// Errors that several readings share. Each source of error, such as one filling of the cell,
+/// causes one common error in all readings that it affects. The variance of a source is estimated
+/// by an analysis of variance from the mean squares between and within sources:
 ///     variance = max(0, between - within)/steps.
 struct SharedErrors {
-    /// Change of each entry [its unit] if the error of a source is 1: a row for each entry, a
-    /// column for each source. An entry is one observable of one reading, or one direct measurement
-    /// of an effect's parameter.
+    /// Change of each measured value [its unit] if the error of a source is 1: a row for each
+    /// measured value, a column for each source. A measured value is one observable of one reading,
+    /// or one direct measurement of an effect's parameter.
     Eigen::MatrixXd loadings;
-    /// Variance of the error of each source [1], which the covariance of the readings contains.
+    /// Variance of the error of each source [1]. The covariance of the readings includes the
+    /// contribution variance x loadings loadings'.
     double variance = 0;
     /// Mean squares of the analysis of variance [1]: `between` for the differences between sources
     /// of error, `within` for the differences between the steps of constant set points of one
     /// source.
     double between = 0, within = 0;
-    /// Degrees of freedom of the mean square `between`. Infinite if `variance` is known exactly.
+    /// Degrees of freedom of the mean square `between`. The number is infinite if `variance` is
+    /// known exactly.
     double freedom_between = INFINITY;
     /// Degrees of freedom of the mean square `within`.
     double freedom_within = INFINITY;
@@ -32,32 +34,32 @@ struct SharedErrors {
     double steps = 1;
 };
 
-/// Uncertainty of the standard errors of the readings, which are estimated from few replicates
-/// (readings at the same condition). An entry is one observable of one reading, or one direct
-/// measurement. The error of an entry is the sum of an unshared error and of errors that several
-/// entries share. Entries whose unshared errors follow from one estimate of the scatter form one
-/// kind of error.
+/// Uncertainty of the standard errors of the measured values, if the standard errors are estimated
+/// from few replicates (readings at the same condition). A measured value is one observable of one
+/// reading, or one direct measurement. The error of a measured value is the sum of an unshared
+/// error and of errors that several measured values share. Unshared errors whose sizes follow from
+/// one estimate of the scatter form one kind of error.
 struct ErrorKnowledge {
-    /// Kind of the unshared error of each measured value, as index into `freedom`. Errors of one
-    /// kind follow from one estimate of the scatter.
+    /// Kind of the unshared error of each measured value, as an index into `freedom`. The sizes of
+    /// all errors of one kind follow from one estimate of the scatter.
     std::vector<std::size_t> kind;
-    /// Degrees of freedom of the estimate of the scatter that gives the size of the unshared errors
-    /// of each kind. Infinite if the size is known exactly.
+    /// For each kind of unshared error, degrees of freedom of the estimate of the scatter from
+    /// which the size of the errors follows. The number is infinite if the size is known exactly.
     std::vector<double> freedom;
     std::vector<SharedErrors> shared;  ///< errors that several readings share
-    /// Number of readings. The measured values with the indices 2 k and 2 k + 1 are the shear
-    /// stress and the solid fraction of reading k (k = 0, 1, ...).
+    /// Number of readings. The measured values 2 k and 2 k + 1 are the shear stress and the solid
+    /// fraction of reading k (k = 0, 1, ...).
     Eigen::Index readings = 0;
     /// Degrees of freedom of the estimated correlation between the errors of the two observables of
-    /// a reading. Infinite if the correlation is known.
+    /// a reading. The number is infinite if the correlation is known.
     double correlation_freedom = INFINITY;
     /// Uncertainty of the dependence of the errors' sizes on the normal stress. For each vector v
     /// of the list, a random draw multiplies the error of measured value k by exp(z v_k), with one
     /// standard normal number z for all values.
     std::vector<Eigen::VectorXd> log_sizes;
 
-    /// Returns the error knowledge of n measured values whose errors have exactly known sizes and
-    /// are not shared between values.
+    /// Returns the `ErrorKnowledge` of n measured values whose errors have exactly known sizes and
+    /// are not shared.
     static ErrorKnowledge known(Eigen::Index n);
 };
 

@@ -14,17 +14,17 @@ namespace pendular {
 /// Column of recordings that was probably read in a wrong unit, with the factor on its numbers that
 /// removes the misfit.
 struct UnitMistake {
-    std::string column;  ///< name of the column, as in "angular velocity"
-    /// Text on the files in which the column was read in a wrong unit: "of all recordings", "of
-    /// wet_1.csv" or "of the files dry_*.csv".
+    std::string column;  ///< name of the column, such as "angular velocity"
+    /// Phrase that names the files in which the column was read in a wrong unit: "of all
+    /// recordings", "of wet_1.csv" or "of the files dry_*.csv".
     std::string files;
     /// Factor by which the numbers of the column must be multiplied to remove the misfit [1].
     double factor = 1;
-    /// Text on the meaning of the factor, as in "numbers in rpm were read as rad/s".
+    /// Meaning of the factor, such as "numbers in rpm were read as rad/s".
     std::string unit;
-    /// chi2 of all readings [1]: `chi2_before` without and `chi2_after` with the factor on the
-    /// column. The friction coefficient is fitted in both cases. Errors of the model of 0.5 % of
-    /// the shear stress and 0.1 % of the solid fraction are assumed.
+    /// chi2 of all readings [1], without the factor (`chi2_before`) and with the factor
+    /// (`chi2_after`) on the column. The friction coefficient is fitted in both cases. The model is
+    /// assumed to have errors of 0.5 % of the shear stress and 0.1 % of the solid fraction.
     double chi2_before = 0, chi2_after = 0;
     int dof = 0;  ///< degrees of freedom of `chi2_before` and of `chi2_after`
 
@@ -35,8 +35,8 @@ struct UnitMistake {
 
 /// Finds a column of the recordings that was probably read in a wrong unit. Multiplying the numbers
 /// of the column by one factor must reduce chi2 by at least 70 %, to at most 3.5 per degree of
-/// freedom. Empty if no factor reduces chi2 that much, or if chi2 without a factor is below 2 per
-/// degree of freedom.
+/// freedom. The result is empty if no factor reduces chi2 that much, or if chi2 without a factor is
+/// below 2 per degree of freedom.
 ///
 /// The factors are 10^n, 2 pi, 60, 57.3, 9.81, their inverses and combinations that occur between
 /// units. Each factor is tried on the column in all recordings, in the files that one entry of

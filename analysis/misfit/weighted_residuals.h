@@ -16,7 +16,7 @@ namespace pendular {
 ///     r = L^-1 (y - f),   J = L^-1 df/dtheta,   P = I - J (J'J)^-1 J',
 /// with the measured values y, the predictions f and the Cholesky factor L of the covariance L L' =
 /// Sigma_measurement + Sigma_simulation of measurement and simulation. P is applied by means of a
-/// QR decomposition. Combinations of parameters that the readings do not determine remove nothing.
+/// QR decomposition. P ignores combinations of parameters that the readings do not determine.
 class WeightedResiduals {
   public:
     /// Computes the residuals of `measured` from `prediction`.
@@ -31,17 +31,15 @@ class WeightedResiduals {
     /// of an effect's parameter.
     Eigen::Index size() const { return residuals_.size(); }
     /// Returns the whitened residuals [1]: L^-1 (measured - predicted). L is the Cholesky factor of
-    /// the sum of two covariances, of the errors of measurement and of the errors of the
-    /// predictions.
+    /// the covariance of measurement and simulation.
     const Eigen::VectorXd& residuals() const { return residuals_; }
     /// Returns the measured values in the units of the readings, not whitened: shear stress and
     /// solid fraction of each reading in turn, then the direct measurements of effects' parameters.
     const Eigen::VectorXd& measured() const { return measured_; }
-    /// Returns the chi2 of the fit [1]: squared length of the residuals in units of their errors
-    /// (whitened).
+    /// Returns the chi2 of the fit [1]: squared norm of the whitened residuals.
     double chi2() const { return residuals_.squaredNorm(); }
-    /// Returns the logarithm of the determinant of the covariance of measurement and simulation,
-    /// with the covariance in products of the units of the readings.
+    /// Returns the natural logarithm of the determinant of the covariance of measurement and
+    /// simulation. The covariance is in products of the units of the readings.
     double log_determinant() const;
 
     /// Converts changes of the readings to units of the readings' errors (whitens): returns L^-1
@@ -54,14 +52,14 @@ class WeightedResiduals {
     /// and simulation.
     Eigen::MatrixXd unwhiten(const Eigen::MatrixXd& columns) const;
     /// Returns L^-T `columns`, with the Cholesky factor L of the covariance of measurement and
-    /// simulation. The product of the returned columns with a change in the units of the readings
-    /// equals the product of `columns` with the whitened change.
+    /// simulation. The scalar product of a returned column with a change in the units of the
+    /// readings equals the scalar product of the column of `columns` with the whitened change.
     Eigen::MatrixXd whiten_basis(const Eigen::MatrixXd& columns) const;
     /// Returns the lower triangular root R of the whitened covariance of the prediction's errors
     /// [1]: R R' = L^-1 Sigma_simulation L^-T, with the Cholesky factor L of the covariance of
     /// measurement and simulation.
     const Eigen::MatrixXd& prediction_root() const { return prediction_root_; }
-    /// Returns the expected squared length [1] of whitened errors, beyond what a change of the
+    /// Returns the expected squared norm [1] of the part of whitened errors that no change of the
     /// calibrated parameters can imitate: the trace of P L^-1 C L^-T. L is the Cholesky factor of
     /// the covariance of measurement and simulation. P is the projection that removes what the
     /// calibrated parameters imitate.
@@ -77,15 +75,15 @@ class WeightedResiduals {
     /// the calibrated parameters can imitate: returns P `columns`, with the projection P = I - J
     /// (J'J)^-1 J' and the whitened derivatives J of the predictions.
     Eigen::MatrixXd project(const Eigen::MatrixXd& columns) const;
-    /// Returns P B, with a column for each group of measured values, such as the values at one
-    /// condition. B is an orthonormal basis of the mean deviations of the groups, in units of the
-    /// readings' errors (whitened). In a mean deviation, all values of a group deviate in
+    /// Returns the matrix P B, with a column for each group of measured values, such as the values
+    /// at one condition. B is an orthonormal basis of the mean deviations of the groups, in units
+    /// of the readings' errors (whitened). In a mean deviation, all values of a group deviate in
     /// proportion to their measured size. P is the projection that removes what a change of the
     /// calibrated parameters can imitate.
     /// @param groups indices of the measured values of each group
     Eigen::MatrixXd means_over(const std::vector<std::vector<Eigen::Index>>& groups) const;
-    /// Returns the change of the calibrated parameters [their units] that imitates a change of the
-    /// predictions best, by least squares.
+    /// Returns the change of the calibrated parameters [their units] that best imitates a change of
+    /// the predictions, by least squares.
     /// @param change change of the predictions, in units of the readings' errors (whitened)
     Eigen::VectorXd parameter_shift_of(const Eigen::VectorXd& change) const;
     /// Returns the number of linearly independent combinations of the calibrated parameters that

@@ -63,7 +63,7 @@ struct Profile {
     /// 2 ln n.
     double price = 0;
 
-    /// Returns the size of the change as a formula of the coordinate, as study.toml can contain it,
+    /// Returns the size of the change as a formula of the coordinate, in the syntax of study.toml,
     /// such as "exp(-time/600)".
     std::string formula() const;
 };

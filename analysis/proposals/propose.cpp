@@ -85,7 +85,7 @@ std::string ShapeSearch::free_name(const std::string& name) {
 }
 
 Proposal ShapeSearch::proposal_for(const Score& score) {
-    Proposal proposal{.p = scored_.p(score.reduction), .price = score.price};
+    Proposal proposal{.p = scored_.p(score), .price = score.price};
     for (const std::size_t k : score.shapes) {
         const ShapeOfChange& shape = scored_.shape(k);
         proposal.shapes.push_back({shape, shape.written(free_name(shape.name()))});

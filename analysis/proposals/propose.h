@@ -22,18 +22,20 @@ struct FittedShape {
 };
 
 /// Proposal for a misfit that no known effect explains: one or two changes of unknown cause which,
-/// added to the model, explain the misfit or most of the misfit.
+/// added to the model, explain the misfit or at least half of the misfit.
 struct Proposal {
     /// The one or two changes of unknown cause that are proposed, fitted to the readings.
     std::vector<FittedShape> shapes;
-    /// Other changes that would change the readings in nearly the same way as the single proposed
-    /// change, estimated in the linear approximation. Empty if two changes are proposed.
+    /// Other changes of unknown cause that would change the readings in nearly the same way as the
+    /// single proposed change, estimated in the linear approximation. Their member `effect` is
+    /// empty. The list is empty if two changes are proposed.
     std::vector<FittedShape> alike;
     /// Model refitted to the readings with the proposed changes, with its chi2 and its tests. The
-    /// member `chosen` is not used.
+    /// indices in the member `chosen` have no meaning outside of `propose`.
     Explanation explanation;
-    /// p value [1]: probability that the best of all changes that were tried reduces chi2 by chance
-    /// as much as the proposed changes, if the model lacks nothing.
+    /// p value [1]: probability that the best of all single changes that were tried reduces chi2 by
+    /// chance at least as much as the proposed change, if the model lacks nothing. For two changes,
+    /// the p value of the less important one when it is added to the other.
     double p = 1;
     /// Share [1] of the excess chi2 - dof (chi2 minus degrees of freedom) of the study's model that
     /// the proposed changes remove.
@@ -53,15 +55,16 @@ struct Proposal {
 /// Searches for changes of unknown cause that would explain a misfit that no known effect explains.
 /// Every quantity that a formula can set is varied along every quantity of the readings, with every
 /// profile (dependence of the size of the change on the quantity of the readings). Each combination
-/// is scored by a linear estimate,
-///     chi2 reduction (g'Pr)^2/(g'Pg) - 2 ln(number of profiles of the kind),
+/// is scored by a linear estimate of the reduction of chi2, minus a penalty for the choice,
+///     score = (g'Pr)^2/(g'Pg) - 2 ln(number of profiles of the kind),
 /// with the residuals r and the change g of the readings, both in units of the readings' errors,
 /// and the projection P that removes what the calibrated parameters can imitate. The model is
-/// refitted with the best combinations. The refitted models are tested as all refitted models of a
-/// diagnosis are, with the known effects and the other combinations as further effects. Pairs of
-/// combinations are tried if no single combination fits. Returns at most three proposals that fit,
-/// the lowest Proposal::description() first. If no proposal fits, returns the best proposal if it
-/// removes at least half of the misfit, else nothing.
+/// refitted with the best combinations. Like the refitted models of a diagnosis, the refitted
+/// models are tested for lack of fit and for further effects, here the known effects and the other
+/// combinations. Pairs of combinations are tried if no single combination fits. Returns at most
+/// three proposals that fit, the lowest Proposal::description() first. If no proposal fits, returns
+/// the best proposal if it removes at least half of the excess chi2 - dof (chi2 minus degrees of
+/// freedom) of the study's model, else nothing.
 /// @param evidence readings with their errors and with parts of the measurement that may be wrong
 /// @param diagnosis diagnosis of the study's model, which does not fit
 std::vector<Proposal> propose(const ResolvedStudy& study, const StudyModels& models,

@@ -143,8 +143,14 @@ void ScoredShapes::draw(const NullDraws& draws, std::size_t threads) {
     drawn_ = largest.rowwise().maxCoeff();
 }
 
-double ScoredShapes::p(double reduction) const {
-    return NullDraws::p(reduction, drawn_);
+double ScoredShapes::p(const Score& score) const {
+    double least = score.reduction;
+    if (score.shapes.size() == 2) {
+        for (const std::size_t other : score.shapes) {
+            least = std::min(least, score.reduction - score_of(other).reduction);
+        }
+    }
+    return NullDraws::p(least, drawn_);
 }
 
 ScoredShapes::Score ScoredShapes::score_of(std::size_t index) const {

@@ -25,7 +25,7 @@ class ScoredShapes {
         /// Predicted reduction of chi2 [1] when the one or two changes are added to the model.
         double reduction = 0;
         /// Penalty [1] to be added to chi2, since the changes were chosen among many changes. For
-        /// two changes, the penalty contains 2 for the additional fitted number.
+        /// two changes, the penalty includes 2 for the second fitted amplitude.
         double price = 0;
         /// Estimated change of the quantity of each shape (change of unknown cause), in the unit of
         /// the change.
@@ -53,17 +53,19 @@ class ScoredShapes {
     /// `reduction` minus `price`. Each of the `most` best shapes is paired with every shape. The
     /// best shapes are chosen by `unlike`.
     std::vector<Score> pairs(std::size_t most) const;
-    /// Selects, in the order of `scores`, up to `count` scores whose shapes change the readings in
-    /// different ways. If a score is left out because its shape changes the readings in nearly the
-    /// same way as that of a selected score, `Score::alike` of the selected score may name the
-    /// shape.
+    /// Selects, in the order of `scores`, up to `count` scores with a positive `reduction` whose
+    /// shapes change the readings in different ways. A score is left out if its shapes change the
+    /// readings in nearly the same way as the shapes of a selected score. `Score::alike` of the
+    /// selected score may then name the shape that was left out.
     std::vector<Score> unlike(const std::vector<Score>& scores, std::size_t count) const;
     /// Returns the estimated change and its standard error, in the unit of the change, of the shape
     /// (change of unknown cause) with index `index`.
     std::pair<double, double> estimate(std::size_t index) const;
-    /// Returns the p value [1]: probability that the best of all shapes (changes of unknown cause)
-    /// reduces chi2 by at least `reduction` if the model lacks nothing, in a linear estimate.
-    double p(double reduction) const;
+    /// Returns the p value [1] of one or two changes: probability that the best of all single
+    /// changes reduces chi2 at least as much if the model lacks nothing, in a linear estimate. For
+    /// two changes, the reduction is that by the less important change when it is added to the
+    /// other, so that both changes are significant if p is small.
+    double p(const Score& score) const;
 
   private:
     /// Quantity that may change, with the change of the readings per unit of the quantity's change.
@@ -93,7 +95,8 @@ class ScoredShapes {
     /// at their estimated changes, in units of the readings' errors (whitened).
     Eigen::VectorXd change_by(const Score& score) const;
     /// Adds the single shape (change of unknown cause) of `other` to `alike` of `chosen` if the
-    /// scores are similar and if `chosen` and its `alike` have no shape of the quantity of `other`.
+    /// scores are similar and if neither `chosen` nor its `alike` contains a shape that changes the
+    /// quantity of `other`.
     void add_alike(Score& chosen, const Score& other) const;
 
     WeightedResiduals residuals_;

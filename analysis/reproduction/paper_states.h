@@ -33,9 +33,9 @@ inline constexpr std::array<PaperContent, 5> paper_contents = {
     {{5e-4, 0.003}, {1e-3, 0.007}, {2e-3, 0.014}, {4e-3, 0.030}, {8e-3, 0.063}}};
 
 /// Simulated state of wet grains, with the stress ratio of dry grains that have the friction
-/// coefficient and the inertial number of the wet grains. From both, the closures (analytical
-/// formulas) of Badetti et al. (2018) predict the strength of the wet grains. All values are
-/// dimensionless.
+/// coefficient and the inertial number of the wet grains. From the state and this stress ratio, the
+/// closures (analytical formulas) of Badetti et al. (2018) predict the strength of the wet grains.
+/// All values are dimensionless.
 class PaperState {
   public:
     /// Combines the simulation run of a wet state with the stress ratio of dry grains.
@@ -47,8 +47,8 @@ class PaperState {
     PaperState(dem::RunResult run, const Mean& dry_stress_ratio, double stress_ratio_error);
 
     const dem::RunResult& run() const { return run_; }
-    /// Returns a text that names the state, as in "friction 0.09, V0/a^3 0.002, P* 3" (V0/a^3:
-    /// bridge volume divided by cubed grain diameter, P*: reduced pressure).
+    /// Returns a name for the state, such as "friction 0.09, V0/a^3 0.002, P* 3" (V0/a^3: bridge
+    /// volume divided by cubed grain diameter, P*: reduced pressure).
     std::string name() const;
     /// Returns the friction coefficient between the grains in the run [1].
     double friction() const { return run_.parameters.friction; }
@@ -71,7 +71,7 @@ class PaperState {
     Mean operator[](dem::Observable which) const;
     /// Returns the solid fraction of the run, corrected to grains of infinite stiffness [1].
     Mean rigid_solid_fraction() const;
-    /// Returns the value of a closure (analytical formula) [1] for the state, as in
+    /// Returns the value of a closure (analytical formula) [1] for the state, for example
     /// `closure(&closures::ClosureValues::strength2)`. The standard error contains only the
     /// contributions from the stress ratios of the state and of dry grains.
     Mean closure(double closures::ClosureValues::*value) const;
@@ -124,12 +124,13 @@ class PaperStudy {
   public:
     /// Selects the runs without additional effects that can train an emulator (`emulated::usable`)
     /// and that have a friction coefficient and a bridge volume of the parameter study and an
-    /// inertial number of at most 0.0035. If several runs simulate one state, a run is preferred
-    /// whose stiffness number is within a factor of 2 of the one in Badetti et al. (2018), then the
-    /// run with the most grains. The emulator (which interpolates simulations) converts runs of
-    /// other stiffness numbers to the stiffness number of Badetti et al. (2018), with the error of
-    /// the conversion. Without the conversion, stiffness could be mistaken for a trend. An emulator
-    /// without runs of several stiffness numbers converts nothing.
+    /// inertial number of at most 0.0035. If several runs simulate one state, the constructor
+    /// prefers runs whose stiffness number is within a factor of 2 of `paper_stiffness`, and then
+    /// the run with the most grains. The emulator (which interpolates simulations) converts runs of
+    /// other stiffness numbers to the stiffness number of Badetti et al. (2018), and adds the error
+    /// of the conversion. Without the conversion, differences of stiffness could be mistaken for a
+    /// trend. Nothing is converted if the emulator has no training runs that determine the
+    /// influence of stiffness (Emulator::knows_stiffness()).
     /// @param runs simulation runs of atlas and store
     /// @param emulator emulator trained on `runs`; must outlive this object
     PaperStudy(const std::vector<dem::RunResult>& runs, const Emulator& emulator);
@@ -137,8 +138,8 @@ class PaperStudy {
     /// Returns the simulated states of the parameter study, sorted by friction coefficient, bridge
     /// volume and reduced pressure.
     const std::vector<PaperState>& states() const { return states_; }
-    /// Returns the number of simulated states that need no conversion, since the stiffness number
-    /// of their run is within a factor of 2 of the one in Badetti et al. (2018).
+    /// Returns the number of simulated states whose run has a stiffness number within a factor of 2
+    /// of `paper_stiffness`, so that the run needs no conversion.
     std::size_t stiff() const { return stiff_; }
     /// Returns the simulated states that fulfil a condition, in the order of states().
     std::vector<const PaperState*> where(
@@ -164,7 +165,7 @@ class PaperStudy {
     /// standard errors. The errors of the states are taken as fully correlated, since most of each
     /// error comes from the stress ratio of dry grains, which the states have in common.
     Mean mean_over(const StrengthLine& line, double closures::ClosureValues::*value) const;
-    /// Returns the stress ratio [1] or the solid fraction [1] of dry grains of the friction
+    /// Returns the stress ratio [1] or the solid fraction [1] of dry grains with the friction
     /// coefficient `friction` [1] in the limit of slow shear, predicted by the emulator (which
     /// interpolates simulations). The solid fraction is that of rigid grains.
     Mean dry_stress_ratio(double friction) const;
@@ -182,8 +183,9 @@ class PaperStudy {
     /// Returns one state for each combination of friction coefficient, bridge volume and reduced
     /// pressure among `runs`.
     std::vector<PaperState> states_of(std::vector<dem::RunResult> runs);
-    /// Returns the simulated states with a friction coefficient [1] and a bridge volume, divided by
-    /// the cubed grain diameter [1], at reduced pressures of at least `lowest_cohesion_pressure`.
+    /// Returns the simulated states with the given friction coefficient [1] and bridge volume,
+    /// divided by the cubed grain diameter [1], at reduced pressures of at least
+    /// `lowest_cohesion_pressure`.
     std::vector<const PaperState*> line_states(double friction, double bridge_volume) const;
     void fit_lines();
 
@@ -194,9 +196,10 @@ class PaperStudy {
     std::vector<StrengthLine> lines_;
 };
 
-/// Inertial number at which the states of the parameter study are simulated [1]. The shear then
-/// still counts as slow (`PaperStudy`), and a simulation takes a third of the time of a simulation
-/// at 0.001, the inertial number of Badetti et al. (2018).
+/// Inertial number [1] at which Pendular simulates the states of the parameter study of Badetti et
+/// al. (2018). At this inertial number, the shear still counts as slow (`PaperStudy`), and a
+/// simulation takes a third of the time of a simulation at 0.001, the inertial number of Badetti et
+/// al. (2018).
 inline constexpr double grid_inertial_number = 0.003;
 /// Reduced pressures [1] at which Pendular repeats the simulations of Badetti et al. (2018). The
 /// paper states only that the range begins at 0.5; the other values were chosen here.

@@ -36,8 +36,8 @@ struct ScoreboardRow {
     /// Number of simulated values of the quantity whose distance from the published value or range
     /// exceeds `allowed_distance`.
     int outside = 0;
-    /// Text that names the simulated value farthest outside the published range, and the state of
-    /// that value. Empty if all values agree or the state has no name.
+    /// Simulated value farthest outside the published range and name of its state, as text. Empty
+    /// if the published number is a single value, if all values agree, or if the state has no name.
     std::string where;
     /// Whether simulation and publication agree: `distance` is at most `allowed_distance`.
     bool agrees = true;
@@ -93,8 +93,8 @@ class Scoreboard {
     }
     /// Adds a row for each friction coefficient of the parameter study. The row compares a
     /// published range with the values of `quantity` at the states of the section that have the
-    /// friction coefficient and fulfil the condition `which`. No row is added where no state
-    /// fulfils the condition.
+    /// friction coefficient and fulfil the condition `which`. No row is added for a friction
+    /// coefficient if no such state exists.
     /// @param what quantity and condition, with the unit of the quantity
     /// @param published published range as text
     /// @param lower, upper ends of the published range

@@ -69,15 +69,15 @@ class LiveStudy {
 
     /// Stores a recording in the study and returns the answer for the browser. Waits until earlier
     /// requests have been carried out. A page that is being made is abandoned, and is made again
-    /// afterwards. The HTTP status is that of `StudyWork::store`, 422 where storing failed, and 503
-    /// where too many requests wait or the program ends.
+    /// afterwards. The HTTP status comes from `StudyWork::store`. If `StudyWork::store` throws, the
+    /// status is 422. If too many requests wait or the program ends, the status is 503.
     /// @param name name of the recording's file
     /// @param bytes content of the recording's file
     Answer receive(std::string name, std::string bytes);
     /// Starts to add an effect to the study or to drop an effect, and returns at once. The HTTP
-    /// status is 202 where the change was queued, 409 while another effect is being added or
-    /// dropped, and 503 where too many requests wait or the program ends. Once the change has been
-    /// made or has failed, the outcome is among the events that `state` returns.
+    /// status is 202 if the change was queued, 409 if another effect is being added or dropped, and
+    /// 503 if too many requests wait or the program ends. Once the change has been made or has
+    /// failed, the outcome is among the events that `state` returns.
     Answer change(Action action, const std::string& effect);
 
   private:

@@ -13,8 +13,8 @@ class PageServer {
   public:
     /// Binds a port of this computer, and chooses a random token, a secret part of the address.
     /// @param port port number; 0: any free port
-    /// @throws InputError where the port is taken or not permitted
-    /// @throws std::runtime_error where the system gives no random numbers
+    /// @throws InputError if the port is taken or not permitted
+    /// @throws std::runtime_error if the system gives no random numbers
     explicit PageServer(int port);
     PageServer(const PageServer&) = delete;
     PageServer& operator=(const PageServer&) = delete;

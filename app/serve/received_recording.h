@@ -27,8 +27,8 @@ std::string fault_of_name(const std::string& name);
 /// @return HTTP status with a sentence: 201, stored; 200, the study has the file already, with
 ///         equal content; 400, an invalid name; 409, a file of different content has the name; 422,
 ///         no pattern matches or the recording cannot be read
-/// @throws InputError where study.toml cannot be read
-/// @throws std::runtime_error where the file cannot be written
+/// @throws InputError if study.toml cannot be read
+/// @throws std::runtime_error if the file cannot be written
 Answer store_recording(const std::filesystem::path& study, const std::string& name,
                        const std::string& bytes);
 

@@ -57,7 +57,7 @@ std::variant<Route, Refusal> check_request(const RequestHead& request,
 bool equal_in_constant_time(std::string_view a, std::string_view b);
 
 /// Returns a random secret of 256 bits from the operating system, as 64 hexadecimal digits.
-/// @throws std::runtime_error where the system gives no random numbers
+/// @throws std::runtime_error if the system gives no random numbers
 std::string new_token();
 
 }  // namespace pendular::app

@@ -11,8 +11,8 @@
 
 namespace pendular::app {
 
-/// Size, time of change and inode number of a file, by which a changed file is recognised. At least
-/// one of these numbers differs after the file was written or replaced.
+/// Size, time of change and inode number of a file, by which a changed file is recognised. Writing
+/// or replacing the file changes at least one of these numbers.
 struct FileStamp {
     /// Size of the file [bytes].
     std::int64_t size = 0;
@@ -47,7 +47,7 @@ std::vector<std::string> changes_between(const StudyStamps& before, const StudyS
 /// permits measurements outside. Several threads may use one watcher at once.
 class StudyWatch {
   public:
-    /// Sets the files to watch. `look` reads their sizes and times of change.
+    /// Sets the study and the folder for results to watch.
     /// @param study folder of the study, or its study.toml
     /// @param results folder for results
     StudyWatch(std::filesystem::path study, std::filesystem::path results);

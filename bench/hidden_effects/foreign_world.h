@@ -11,7 +11,7 @@ namespace pendular::bench {
 /// Virtual laboratory whose grains another DEM code (LAMMPS) simulated; see
 /// bench/foreign_worlds/README.md.
 struct ForeignWorld {
-    Truth truth;           ///< hidden truth with the name of the world; its effects have no values
+    Truth truth;           ///< hidden truth, named after the world; its effects have no values
     LabResult laboratory;  ///< recorded steps, without the noise of the instrument
 };
 
@@ -19,7 +19,7 @@ struct ForeignWorld {
 /// recordings of the benchmark's virtual laboratory, one simulation for each recorded step. A world
 /// is left out if one of its states is missing.
 /// @param states bench/foreign_worlds/states.csv
-/// @throws InputError where the file is not a table of these states
+/// @throws InputError if the file cannot be read, lacks a column or contains a wrong number
 std::vector<ForeignWorld> read_foreign_worlds(const std::filesystem::path& states);
 
 }  // namespace pendular::bench

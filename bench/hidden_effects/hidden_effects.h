@@ -7,18 +7,25 @@
 namespace pendular::bench {
 
 struct HiddenEffectsOptions {
-    /// Folder for simulations and for the outcomes so far.
+    /// Folder for finished simulations and for the outcomes of finished studies.
     std::filesystem::path work = "build/hidden-effects";
     std::filesystem::path truths = "bench/hidden_effects/truths.csv";
-    /// Table of earlier simulation runs, which are not simulated again.
+    /// Table of earlier simulation runs, which are not simulated again. The table is read only if
+    /// `work` contains no runs.
     std::filesystem::path runs = "bench/hidden_effects/runs.csv";
     std::filesystem::path results = "bench/results";
-    /// Beginnings of the names of the truths to use; empty: all truths.
+    /// Beginnings of the names of the hidden truths (`Truth`) to use; empty: all truths.
     std::vector<std::string> only;
-    int worlds = 1;   ///< number of simulations of each truth, with different seeds
-    int studies = 4;  ///< number of studies of each truth, each with different noise
-    /// Number of studies of each truth on which further measurements are made if the diagnosis
-    /// cannot tell effects apart.
+    /// Number of simulations of each hidden truth, with different seeds. The number is doubled for
+    /// a truth that is well separated (`Truth::well_separated`), and is always ten for the complete
+    /// model.
+    int worlds = 1;
+    /// Number of studies of each hidden truth, each with different noise. The number is doubled for
+    /// a truth that is well separated (`Truth::well_separated`), and is `complete_studies` for the
+    /// complete model.
+    int studies = 4;
+    /// Number of studies of each truth with one hidden effect that may continue with further
+    /// measurements. A study continues if the diagnosis cannot tell effects apart.
     int resolved_studies = 2;
     int complete_studies = 100;  ///< number of studies of the complete model, which hides no effect
     int most_measurements = 12;  ///< largest number of further measurements on a study
@@ -28,10 +35,10 @@ struct HiddenEffectsOptions {
 };
 
 /// Simulates virtual laboratories with hidden effects, diagnoses their recordings, and reports how
-/// often the diagnosis finds the hidden effects. A run that was stopped continues from its last
-/// outcome.
-/// @throws InputError where a table cannot be read
-/// @throws std::runtime_error where a file cannot be written
+/// often the diagnosis finds the hidden effects. A benchmark that was stopped continues after the
+/// last finished study.
+/// @throws InputError if a table cannot be read
+/// @throws std::runtime_error if a file cannot be written
 /// @throws dem::Interrupted after Ctrl-C
 void hidden_effects(const HiddenEffectsOptions& options);
 

@@ -27,18 +27,20 @@ bool alarms(const LabStudy& study);
 /// the measurement is wrong ("suspect-measurement").
 bool flagged(const LabStudy& study);
 
-/// Whether the verdict names at least one of the hidden effects, alone or among others.
+/// Whether the verdict names at least one of the hidden effects, alone or together with other
+/// effects.
 bool points_at_truth(const LabStudy& study);
 
 /// Whether the verdict is "missing" and names exactly the hidden effects.
 bool right(const LabStudy& study);
 
-/// Whether the verdict misleads a user who believes it: "missing" with an effect that is not
-/// hidden, or "nothing-missing" although an effect is hidden.
+/// Whether the verdict misleads a user who believes it. Such a verdict is "missing" with an effect
+/// that is not hidden, or "nothing-missing" although an effect is hidden.
 bool confidently_wrong(const LabStudy& study);
 
-/// Column of the confusion matrix to which a study belongs: "nothing" where the diagnosis raises no
-/// alarm, the names of the missing effects for the verdict "missing", else the verdict.
+/// Column of the confusion matrix to which a study belongs: "nothing" if the diagnosis raises no
+/// alarm (`alarms`), the names of the missing effects if the verdict is "missing", the verdict
+/// otherwise.
 std::string confusion_column(const LabStudy& study);
 
 /// Writes the confusion matrix as a CSV file. A cell contains the number of studies with the hidden

@@ -9,8 +9,8 @@
 
 namespace pendular::bench {
 
-/// Way to choose the next measurement of a study: the one that `pendular next` plans, or a random
-/// one that the instrument can make.
+/// Rule for the choice of the next measurement of a study: the measurement that `pendular next`
+/// plans (`next`), or a random measurement that the instrument can make (`random`).
 enum class Policy { next, random };
 
 /// Result of further measurements on a study for which several effects explained the readings
@@ -22,7 +22,7 @@ struct Resolution {
     /// Number of models that fitted the readings before the further measurements.
     std::size_t rivals = 0;
     /// Whether the model with the hidden effect fitted the readings before the further
-    /// measurements.
+    /// measurements. Always true with `Policy::random`, which does not test this.
     bool among = true;
     /// Whether `pendular next` expects that the instrument can tell the model with the hidden
     /// effect from all rival models. Always true with `Policy::random`.
@@ -36,12 +36,13 @@ struct Resolution {
 /// Makes further measurements in a virtual laboratory until the diagnosis is no longer
 /// "indistinguishable", until `pendular next` finds no measurement that tells the remaining models
 /// apart, or until `most_measurements` are made. With `Policy::next`, no measurements are made if
-/// the first plan of `pendular next` cannot tell the hidden effect from all its rivals. The
-/// instrument permits conditions beyond those of the study (normal stresses, shear rates, liquid
-/// contents, fillings), and direct measurements of the torque of the empty cell and of the offset
-/// of the normal force. Empty where the first verdict is not "indistinguishable".
+/// the first plan of `pendular next` cannot tell the model with the hidden effect from all rival
+/// models, or if the model with the hidden effect does not fit the readings. The instrument permits
+/// conditions beyond those of the study (normal stresses, shear rates, liquid contents, fillings),
+/// and direct measurements of the torque of the empty cell and of the offset of the normal force.
+/// Empty if the first verdict is not "indistinguishable".
 /// @param study number of the study, which determines the noise of its recordings
-/// @param folder folder for the files of the study; created, and removed at the end
+/// @param folder folder for the files of the study, which the function creates and finally removes
 std::vector<Resolution> resolve(const Truth& truth, const LabResult& laboratory, int study,
                                 Policy policy, int most_measurements, const Workers& workers,
                                 const std::filesystem::path& folder);

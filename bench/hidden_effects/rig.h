@@ -8,23 +8,24 @@
 
 namespace pendular::bench {
 
-/// Simulation settings of the virtual laboratories and of the models fitted to their recordings.
-/// The stiffness number of the grains is 1500, unlike that of the atlas (the runs that come with
-/// the program).
+/// Returns the simulation settings of the virtual laboratories and of the models fitted to their
+/// recordings. The stiffness number of the grains is 1500, unlike that of the atlas (the runs that
+/// come with the program).
 Fidelity truth_fidelity();
 
-/// Experimental plan of a virtual laboratory of the benchmark. Set points, number of grains (1.5
-/// times that of the fidelity), stiffness number and seeds differ from those of the runs in the
-/// atlas (the runs that come with the program).
+/// Returns the experimental plan of a virtual laboratory of the benchmark. Set points, number of
+/// grains, stiffness number and seeds differ from those of the runs in the atlas (the runs that
+/// come with the program).
 /// @param friction true friction coefficient [1]
 /// @param world seed of the simulations
 LabPlan rig(double friction, std::uint64_t world);
 
-/// Conditions of all readings of a plan, in the order of its recordings, as `pendular import` would
-/// state them.
+/// Returns the conditions of all readings of a plan, in the order of its recordings. The height of
+/// the sample is computed from a typical solid fraction of 0.6.
 std::vector<Condition> conditions_asked(const LabPlan& plan);
 
-/// Study of the recordings that a plan produces, without files.
+/// Returns the study of the recordings that a plan produces. The study has no files and no measured
+/// values.
 Study study_of(const LabPlan& plan);
 
 }  // namespace pendular::bench

@@ -14,15 +14,16 @@ namespace pendular::bench {
 struct Truth {
     enum class Kind { complete, effect, pair, outside };
     Kind kind = Kind::complete;
-    /// Name, such as "lid-slip at 25": the effect, and its planned noncentrality.
+    /// Name of the truth, such as "lid-slip at 25" for the effect lid-slip with the planned
+    /// noncentrality 25.
     std::string name;
     std::vector<ActiveEffect> hidden;
     double friction = 0.11;
     /// Noncentrality v [1]: squared length of the change of the readings by the hidden effects, in
-    /// units of the planned standard errors. The part that the calibrated parameters can imitate
-    /// does not count. For an effect outside the catalogue, the part that the best pair of known
-    /// effects can imitate does not count either. For a pair of effects, the smaller of the two
-    /// noncentralities.
+    /// units of the planned standard errors. The part of the change that the calibrated parameters
+    /// can imitate does not count. For an effect outside the catalogue, the part that the best pair
+    /// of known effects can imitate does not count either. For a pair of hidden effects,
+    /// `noncentrality` is the smaller of the two noncentralities.
     double noncentrality = 0;
     /// Part v (1 - cos^2) of the noncentrality v that the most similar other effect cannot imitate
     /// [1], where cos is the cosine of the angle between the changes by both effects. 0 for a pair.
@@ -30,20 +31,22 @@ struct Truth {
     std::string most_like = {};  ///< name of the most similar other effect; empty for a pair
 
     bool hides(const std::string& effect) const;
-    /// Whether the diagnosis should name the effect alone: a single effect with a noncentrality of
-    /// at least 59, of which the most similar other effect leaves at least 15 unexplained.
+    /// Whether the diagnosis should name the hidden effect alone. The truth must be a single effect
+    /// of the catalogue with a noncentrality of at least 59 and a `separation` of at least 15.
     bool well_separated() const;
 };
 
 std::string to_string(Truth::Kind kind);
 
-/// Effects that the program's catalogue does not contain: a lid that wobbles, a load cell that
-/// saturates, a torque that steps up after some time, menisci that merge above a liquid content.
+/// Returns four effects that the program's catalogue does not contain: a lid that wobbles, a load
+/// cell that saturates, a measured torque that changes by a step at some time, and menisci that
+/// merge above some liquid content.
 const std::vector<Effect>& outside_effects();
 
-/// Right answers for an effect outside the catalogue: the change of one of `quantities`, varying
-/// with one of `coordinates` ("none": equal at all conditions). Several coordinates are stated only
-/// where they describe the same change.
+/// Right answers of a diagnosis for a hidden effect outside the catalogue. An answer is right if it
+/// states that one of `quantities` changes with one of `coordinates`. The coordinate "none" means
+/// that the change is equal at all conditions. The first of `quantities` is the quantity that truly
+/// changes.
 struct RightShape {
     std::vector<std::string> quantities, coordinates;
 };
@@ -53,19 +56,20 @@ struct OutsideEffect {
     RightShape shape;
 };
 
-/// Further effects that the program's catalogue does not contain. Their formulas were written
-/// without knowledge of the formulas that the program proposes for unknown changes.
+/// Returns further effects that the program's catalogue does not contain, with the right answers of
+/// a diagnosis. The formulas of the effects were written without knowledge of the formulas that the
+/// program proposes for unknown changes.
 const std::vector<OutsideEffect>& more_outside_effects();
 
 /// Returns the right answers for an effect outside the catalogue.
-/// @throws std::invalid_argument where `effect` is in neither `outside_effects` nor
+/// @throws std::invalid_argument if `effect` is in neither `outside_effects` nor
 ///         `more_outside_effects`
 RightShape right_shape(std::string_view effect);
 
 /// Reads the table of hidden truths. The table is stored because the sizes of the effects were
-/// chosen with an emulator: a better emulator would choose other sizes, and earlier runs would be
-/// lost.
-/// @throws InputError where the file cannot be read or has a wrong entry
+/// chosen with an emulator. A better emulator would choose other sizes, and earlier simulation runs
+/// would be useless.
+/// @throws InputError if the file cannot be read or has a wrong entry
 std::vector<Truth> read_truths(const std::filesystem::path& file);
 void write_truths(const std::filesystem::path& file, const std::vector<Truth>& truths);
 

@@ -13,19 +13,24 @@
 
 namespace pendular::bench {
 
-/// Result of one study of a virtual laboratory: the diagnosis and, where the true model is among
-/// those that fit, the fits before and after the hidden effects are added.
+/// Result of one study of a virtual laboratory: the diagnosis and, if the true model is among the
+/// models that fit, the errors of the fits before and after the hidden effects are added.
 struct Outcome {
     std::string truth;  ///< name of the hidden truth
     int study = 0;      ///< number of the study, which determines the noise of its recordings
     std::string verdict;
-    bool complete = true;  ///< false: the verdict names the effect that leads, and not all
+    /// Whether the study's model or a refitted model fits the readings. If no model fits and the
+    /// verdict is "missing", the verdict names effects that explain most of the misfit but not all
+    /// of it.
+    bool complete = true;
     std::vector<std::string> named;     ///< names of the effects in the verdict
     std::vector<std::string> suspects;  ///< parts of the measurement that may be wrong
-    /// Kinds of irregularities that import found in the recordings.
+    /// Kinds of faults that `pendular import` found in the recordings, each listed once.
     std::vector<std::string> faults;
-    std::string confidence_set;  ///< models that fit, by their effects, such as "a | b + c"
-    std::size_t set_size = 0;    ///< number of models that fit
+    /// Models that fit the readings, each given by the names of the effects added to the study's
+    /// model, such as "a | b + c" for two models.
+    std::string confidence_set;
+    std::size_t set_size = 0;  ///< number of models that fit
     /// Whether one of the models that fit has exactly the hidden effects.
     bool set_has_truth = false;
     double chi2 = 0;  ///< chi2 of the study's model without further effects [1]
@@ -35,17 +40,17 @@ struct Outcome {
     std::optional<double> foretold_reduction,  ///< reduction that the score test predicts [1]
         refitted_reduction;  ///< reduction in a refit with the effect [1]; empty: no refit
 
-    /// Errors of the model before and after the hidden effects are added, each for (shear stress,
-    /// solid fraction) [%].
+    /// Errors of the model before and after the hidden effects are added. Each array contains the
+    /// value of the shear stress, then the value of the solid fraction.
     struct Added {
-        /// The p value [1] of chi2 after the effects are added.
+        /// p value [1] of chi2 after the hidden effects are added.
         double p = 0;
         /// RMS errors [%] with which the model predicts the readings before and after the hidden
         /// effects are added to the model, and RMS scatter [%] of replicates about the mean of
-        /// their condition. Each array has the value of the shear stress, then the value of the
-        /// solid fraction.
+        /// their condition.
         std::array<double, 2> rms_before{}, rms_after{}, scatter{};
-        /// Errors of a model that is the truth (`noise_of`) [%].
+        /// RMS errors [%] of the shear stress and the solid fraction that even the true model has
+        /// (`noise_of`).
         std::array<double, 2> noise{};
         /// RMS errors in cross-validation (each condition predicted by a fit to the other
         /// conditions) before and after the hidden effects are added [%].
@@ -55,36 +60,37 @@ struct Outcome {
     double seconds = 0;
 };
 
-/// Seed of the instrument's noise in study number `study` of a truth. The seeds of different truths
-/// and studies differ.
+/// Returns the seed of the instrument's noise in study number `study` of a hidden truth. The seeds
+/// of different truths and studies differ.
 std::uint64_t noise_seed(const Truth& truth, int study);
 
-/// Returns the files of a virtual laboratory's study, by name, with the noise of study number
-/// `study`. The noise differs between truths and between studies.
+/// Returns the files of study number `study` of a virtual laboratory, as a map from the name of
+/// each file to its text. The recordings contain noise of the instrument, which differs between
+/// hidden truths and between studies.
 std::map<std::string, std::string> recordings_with_noise(LabResult laboratory, const Truth& truth,
                                                          int study);
 
-/// RMS errors of (shear stress, solid fraction) [%] that even the true model has: the noise of the
-/// instrument in these readings, which is known here, combined with the standard error of the
-/// laboratory's simulations.
-/// @param folder folder for temporary files; created, and removed at the end
+/// Returns the RMS errors [%] that even the true model has, first of the shear stress and second of
+/// the solid fraction. The errors are the noise of the instrument in the readings, which is known
+/// in a virtual laboratory, combined with the standard error of the laboratory's simulations.
+/// @param folder folder for temporary files, which the function creates and finally removes
 std::array<double, 2> noise_of(const std::vector<Reading>& readings, LabResult laboratory,
                                const std::filesystem::path& folder);
 
-/// Carries out one study of a virtual laboratory: writes its recordings with the noise of this
-/// study, imports and diagnoses the recordings. If the true model is among those that fit, also
-/// fits the study before and after adding the hidden effects. Simulation settings are those of the
-/// laboratory.
+/// Carries out one study of a virtual laboratory: writes the recordings with the noise of this
+/// study, imports the recordings and diagnoses them. If the true model is among the models that
+/// fit, the function also fits the study before and after the hidden effects are added. The models
+/// have the simulation settings of the laboratory.
 /// @param study number of the study, which determines the noise
-/// @param folder folder for temporary files; created, and removed at the end
-/// @param discrepancy error of the model that the study states, relative to (stress ratio, solid
-///        fraction) [1]
+/// @param folder folder for temporary files, which the function creates and finally removes
+/// @param discrepancy relative errors [1] that the study states for the model: first of the stress
+///        ratio, second of the solid fraction
 Outcome walk(const Truth& truth, const LabResult& laboratory, int study,
              const std::filesystem::path& folder,
              const std::array<double, 2>& discrepancy = {0, 0});
 
 /// Reads a table of outcomes, so that a benchmark which was stopped continues from its last
-/// outcome. Empty where the file does not exist.
+/// outcome. Empty if the file does not exist.
 std::vector<Outcome> read_outcomes(const std::filesystem::path& file);
 void write_outcomes(const std::filesystem::path& file, const std::vector<Outcome>& outcomes);
 

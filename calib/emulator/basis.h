@@ -7,8 +7,8 @@
 
 namespace pendular {
 
-/// State of steady shear, given by the dimensionless numbers that determine the flow. The emulator
-/// predicts observables such as the stress ratio at such states.
+/// State of steady shear, given by the dimensionless numbers that determine the flow. The emulator,
+/// which interpolates simulations, predicts observables such as the stress ratio at such states.
 struct FlowState {
     double friction = 0;         ///< friction coefficient of the contacts [1]
     double inertial_number = 0;  ///< inertial number I [1]; 0: the quasi-static limit
@@ -21,9 +21,9 @@ struct FlowState {
     /// parameters. The values are in the units of a simulation run, in which grain diameter, grain
     /// mass and normal stress are 1.
     std::vector<EffectValues> effects = {};
-    /// Stiffness number of the grains [1], on which observables such as coordination numbers
-    /// depend. The value 0 stands for the stiffness number of the runs on which the emulator is
-    /// trained.
+    /// Stiffness number of the grains [1], a measure of the stiffness of contacts relative to the
+    /// normal stress. Observables such as coordination numbers depend on the stiffness number. The
+    /// value 0 stands for the stiffness number of the runs on which the emulator is trained.
     double stiffness_number = 0;
 
     bool dry() const { return inverse_pressure == 0; }
@@ -55,6 +55,8 @@ struct Coordinates {
 /// derivative of the stress ratio with respect to the friction coefficient changes by a factor of
 /// 9. The derivatives of stress ratio and solid fraction with respect to x change by about a factor
 /// of 2.
+/// @param centre friction coefficient at which x is 0 [1]
+/// @param exponent exponent of the inertial number in q [1]
 Coordinates coordinates(const FlowState& state, double centre, double exponent);
 
 /// Returns the coordinate x = ln[(friction + 0.05)/(centre + 0.05)] of a friction coefficient [1].

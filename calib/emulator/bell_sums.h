@@ -6,10 +6,10 @@
 
 namespace pendular {
 
-/// Fast sums of weighted Gaussian functions (bells) in up to five coordinates. A Gaussian process
-/// predicts by such sums. Bell i has the centre z_i and the weight w_i. All bells have equal
-/// lengths, with the inverse square c_k of the length along coordinate k. With the distances d_ik =
-/// z_ik - a_k of the centres from a place a, the sums at the place a are
+/// Fast sums of weighted Gaussian functions (bells) in up to five coordinates. Predictions of a
+/// Gaussian process contain such sums. Bell i has the centre z_i and the weight w_i. All bells have
+/// equal widths, with the standard deviation 1/sqrt(c_k) along coordinate k. With the distances
+/// d_ik = z_ik - a_k of the centres from a place a, the sums at the place a are
 ///     S = sum_i w_i exp(-sum_k c_k d_ik^2/2)  and  S_k = sum_i w_i d_ik exp(-sum_k c_k d_ik^2/2).
 /// The sums are identical to the last bit on all processors, whatever their vector instructions.
 class BellSums {
@@ -19,8 +19,8 @@ class BellSums {
 
     /// @param coordinates number of coordinates of a place: 2, 4 or 5; further entries of a `Place`
     ///        are ignored
-    /// @param inverse_squares inverse squares c_k of the lengths of the bells, one for each
-    ///        coordinate
+    /// @param inverse_squares inverse squares c_k of the widths (standard deviations) of the bells,
+    ///        one for each coordinate
     BellSums(std::size_t coordinates, const Place& inverse_squares)
         : coordinates_(coordinates), inverse_squares_(inverse_squares) {}
 
@@ -38,9 +38,9 @@ class BellSums {
     std::size_t coordinates_;
     Place inverse_squares_;
     std::size_t count_ = 0;
-    /// Centres and weights of the bells, in blocks of eight bells, one for each lane of a vector of
-    /// numbers. A block contains the first coordinates of its bells, then the second coordinates,
-    /// and so on, then the weights. The weights after the last bell are 0.
+    /// Centres and weights of the bells, in blocks of eight bells, one bell for each lane of a
+    /// vector register. A block contains the first coordinates of its eight bells, then the second
+    /// coordinates, and so on, then the weights. Unused lanes of the last block have the weight 0.
     std::vector<double> blocks_;
 };
 

@@ -8,16 +8,16 @@
 
 namespace pendular {
 
-/// Coordinates at which the change of an observable by an effect on grains is evaluated: the
+/// Coordinates [1] at which the change of an observable by an effect on grains is evaluated: the
 /// emulator's coordinate x of the friction coefficient (`emulated::place_of`), sqrt(I) with the
-/// inertial number I, ln(1 + 10/P*) with the reduced pressure P*, ln(V0/a^3) with the bridge volume
-/// V0 and the grain diameter a, and the amplitude of the effect. Each coordinate is scaled to the
-/// order of 1 over the range of usual studies.
+/// inertial number I, ln(1 + 10/P*) with the reduced pressure P*, ln(V0/a^3/0.002) with the bridge
+/// volume V0 and the grain diameter a (0 for dry grains), and the amplitude of the effect. Each
+/// coordinate is scaled to the order of 1 over the range of usual studies.
 using ResponsePlace = Eigen::Vector<double, 5>;
 
 /// Predictor of how an effect on grains changes one observable. The predictor is trained on
 /// differences between two values of the observable: the value in a run with the effect, and the
-/// emulator's prediction for the state of the run without the effect. The model of a change is
+/// emulator's prediction for the same state without the effect. The model of a change is
 ///     change = b p y(z, b),
 /// with the coordinates z of the state and the amplitude b of the effect. The factor p is 1/P*,
 /// with the reduced pressure P*, if the effect acts through capillary forces and the observable is
@@ -29,7 +29,7 @@ using ResponsePlace = Eigen::Vector<double, 5>;
 class EffectResponse {
   public:
     /// Trains the predictor on n observed changes of the observable by the effect.
-    /// @param places coordinates of each change
+    /// @param places coordinates at which each change was observed
     /// @param amplitudes product b p of the amplitude b of the effect and the factor p, which is
     ///        1/P* (P*: reduced pressure) or 1, for each change
     /// @param changes changes of the observable, divided by the scale of the observable
@@ -60,8 +60,8 @@ class EffectResponse {
 
     std::vector<ResponsePlace> places_;
     Eigen::VectorXd amplitudes_;
-    /// Prior variances of the two parts of the predictor: first of the plane in the coordinates
-    /// (`plane_`), second of the process of squared exponential covariance (`curved_`).
+    /// Prior variances of the two parts of the predictor: `plane_` for the plane in the
+    /// coordinates, `curved_` for the process of squared exponential covariance.
     double plane_ = 1, curved_ = 1;
     Eigen::LLT<Eigen::MatrixXd> factor_;
     /// Sums over the training changes from which predictions follow. For the plane, the sums are

@@ -9,18 +9,19 @@ namespace pendular::emulated {
 
 /// Reference stiffness number [1] of the emulator. By default, the Gaussian processes of the
 /// emulator are trained on runs whose stiffness number is within a factor of 2 of the reference.
-/// The emulator predicts the mean overlap of contacts for the reference.
+/// The emulator predicts the mean overlap of contacts for the reference stiffness number.
 constexpr double reference_stiffness = 1000;
 
 /// Localization of the shear [1] above which a run counts as sheared in a band. The emulator is not
-/// trained on such a run. If the grains shear only in a band between rigid blocks, and the
-/// localization is D, the band takes the fraction 1 - sqrt(D) of the height. For D above 0.2, the
-/// fraction is about half or less. In small samples that shear uniformly, D reaches 0.11 at low
-/// reduced pressure.
+/// trained on such a run. The localization D is 0 for uniform shear and 1 for an infinitely thin
+/// band. If the grains shear only in a band between rigid blocks, the height of the band is 1 -
+/// sqrt(D) times the height of the sample. For D above 0.2, the band takes about half of the height
+/// or less. In small samples that shear uniformly, D reaches 0.11 at low reduced pressure.
 constexpr double banded_above = 0.2;
 
-/// Returns the reason why an emulator cannot be trained on a run, such as "crystallised", as the
-/// end of a sentence on the run. Empty if the run is `usable`.
+/// Returns the reason why an emulator cannot be trained on a run, such as "crystallised" or "was
+/// not steady". The text is the predicate of a sentence whose subject is the run. The text is empty
+/// if the run is `usable`.
 std::string why_unusable(const dem::RunResult& run);
 
 /// Whether an emulator can be trained on a run. The run must have succeeded and be steady, and must

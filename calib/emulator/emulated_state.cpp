@@ -68,7 +68,7 @@ std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const Flow
     for (const Observable which : wanted) {
         Jet jet = jet_of(emulator, of_stiffness, which);
         if (which == Observable::solid_fraction) {
-            soften(jet, jet_of(emulator, state, Observable::overlap), stiffness_number,
+            soften(jet, jet_of(emulator, of_stiffness, Observable::overlap), stiffness_number,
                    emulator.knows_stiffness());
         } else if (which == Observable::overlap) {
             const double part = emulated::reference_stiffness / stiffness_number;

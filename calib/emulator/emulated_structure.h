@@ -7,9 +7,9 @@
 
 namespace pendular {
 
-/// Returns the emulated sum of several observables at a wet state, such as the numbers of contacts
-/// and of bridges per grain, with the derivatives of the sum with respect to the friction
-/// coefficient and to ln V0, where V0 is the bridge volume.
+/// Returns the sum of the emulated values of several observables at a wet state, such as the
+/// numbers of contacts and of bridges per grain. The result contains the derivatives of the sum
+/// with respect to the friction coefficient and to ln V0, where V0 is the bridge volume.
 /// @param sum observables to add
 StructureResponse respond(const Emulator& emulator, const std::vector<dem::Observable>& sum,
                           const FlowState& state);
@@ -19,11 +19,11 @@ StructureResponse respond(const Emulator& emulator, const std::vector<dem::Obser
 /// is the number of contacts per grain, and Z_d the number of bridges without contact per grain.
 StructureResponse coordination(const Emulator& emulator, const FlowState& state);
 
-/// Returns the bridge volume V0/a^3 [1] at which the wet grains have a given liquid content, at the
-/// friction coefficient, inertial number and reduced pressure of `state`. The function solves
+/// Returns the bridge volume V0/a^3 [1] at which the wet grains have a given liquid content in the
+/// state `state`, whose own bridge volume is ignored. The function solves
 ///     liquid_content = 3 Z(V0) V0/(pi a^3)
-/// for the bridge volume V0, with the grain diameter a and the emulated coordination number Z. The
-/// coordination number is taken as at least 1.
+/// for the bridge volume V0, with the grain diameter a and the emulated coordination number Z. An
+/// emulated coordination number below 1 is replaced by 1.
 /// @param liquid_content volume of liquid divided by volume of grains [1]
 /// Source: Badetti et al. (2018), Eq. (6).
 double bridge_volume_of(const Emulator& emulator, double liquid_content, FlowState state);

@@ -32,8 +32,8 @@ class Emulator {
     /// before the training.
     /// @param hyperparameters hyperparameters (amplitudes, correlation lengths and noise of the
     ///        Gaussian processes) for each observable; may be empty
-    /// @param stiffness_number stiffness number [1], within a factor of 2, of the runs on which the
-    ///        `PlainEmulator` is trained
+    /// @param stiffness_number stiffness number [1] of the runs on which the `PlainEmulator` is
+    ///        trained, with a tolerance of a factor of 2
     /// @throws std::invalid_argument if none of the runs can serve as a training run
     Emulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
              double stiffness_number = emulated::reference_stiffness);
@@ -43,8 +43,8 @@ class Emulator {
     /// Gaussian processes) of the present emulator.
     Emulator with(const std::vector<dem::RunResult>& more) const;
 
-    /// Returns the hyperparameters that were given at construction or have been fitted since, for
-    /// each observable.
+    /// Returns all hyperparameters that were given at construction or have been fitted since, with
+    /// the observable as the key.
     EmulatorHyperparameters hyperparameters() const { return plain_.hyperparameters(); }
 
     /// Returns the result of each query: the predicted value of the observable, in the unit of the
@@ -56,7 +56,8 @@ class Emulator {
     /// Returns, for each query, the part of the prediction of `mean` that effects on grains and
     /// stiffness cause, in the unit of the prediction. The part is the difference from the
     /// prediction of the `PlainEmulator`, which holds for grains without effects and for the
-    /// stiffness number of its training runs.
+    /// stiffness number of its training runs. If a query requests a derivative, the part omits the
+    /// changes by effects.
     /// @throws std::invalid_argument if the state of a query has an effect that no run has as its
     ///         only effect
     Eigen::VectorXd changes_by_causes(const std::vector<Query>& queries) const;
@@ -77,12 +78,11 @@ class Emulator {
     ///         effect that no training run has as its only effect
     Eigen::MatrixXd covariance(const std::vector<Query>& queries) const;
 
-    /// Returns a text that names the numbers of a state of steady shear that lie outside their
-    /// range in the training runs, as in "friction 0.9 is above 0.6". The compared numbers are
-    /// friction coefficient, inertial number and, for a wet state, reduced pressure and bridge
-    /// volume. The text is empty if all numbers lie inside their ranges. An inertial number below
-    /// that of all runs counts as inside, since the emulator extrapolates to slower flow and states
-    /// the error.
+    /// Describes which numbers of a state of steady shear lie outside their range in the training
+    /// runs, such as "friction 0.9 is above 0.6". The compared numbers are friction coefficient,
+    /// inertial number and, for a wet state, reduced pressure and bridge volume. The text is empty
+    /// if all numbers lie inside their ranges. An inertial number below that of all runs counts as
+    /// inside, since the emulator extrapolates to slower flow and states the error.
     std::string beyond(const FlowState& state) const;
 
     /// Returns the simulation runs on which the emulator is trained, with and without effects on
@@ -96,8 +96,9 @@ class Emulator {
     /// training can be applied.
     bool knows_stiffness() const { return knows_stiffness_; }
     /// Whether the emulator can predict how the effect `name` changes the flow. For this
-    /// prediction, a training run must have the effect as its only effect. Parameters that only
-    /// simulations have must be neutral in the run.
+    /// prediction, a training run must have the effect as its only effect. Parameters of the effect
+    /// that models of studies never fit (`EffectParameter::only_simulated`) must be neutral in the
+    /// run.
     bool knows(const std::string& name) const;
 
     /// Returns the covariance of the noise of the stress ratio and the solid fraction of a run [1],
@@ -114,20 +115,22 @@ class Emulator {
 
   private:
     static inline const std::string stiffness_name = "stiffness number";
-    /// Calls `use(name, size, place)` for each cause that changes the observable `which` at a state
-    /// of steady shear from the prediction of the `PlainEmulator`. A cause is an effect on grains,
-    /// or a stiffness number that differs from that of the `PlainEmulator`. Effects come first.
-    /// `name` is the name of the effect, or `stiffness_name`. `size` is the factor to which the
-    /// change is proportional. `place` contains the coordinates at which the change is evaluated.
+    /// Calls `use(name, size, place)` for each cause by which the observable `which` at a state of
+    /// steady shear differs from the prediction of the `PlainEmulator`. A cause is an effect on
+    /// grains, or a stiffness number that differs from that of the `PlainEmulator`. Effects come
+    /// first. `name` is the name of the effect, or `stiffness_name`. `size` is the factor to which
+    /// the change is proportional. `place` contains the coordinates at which the change is
+    /// evaluated.
     template <typename Use>
     void each_cause(const FlowState& state, dem::Observable which, const Use& use) const;
     /// Whether the stiffness number of a state of steady shear changes predictions. Predictions
     /// change if the stiffness number differs from that of the `PlainEmulator` and
     /// knows_stiffness() is true.
     bool stiffened(const FlowState& state) const;
-    /// Whether the predictor of the change of an observable by the cause `name` is trained on a
-    /// run. A cause is an effect or a differing stiffness number. For an effect, the run must have
-    /// only this effect, at any stiffness number, and parameters that only simulations have must be
+    /// Whether the predictor of the change of the observable `which` by the cause `name` is trained
+    /// on a run. A cause is an effect or a differing stiffness number. The run must have a value of
+    /// the observable. For an effect, the run must have only this effect, at any stiffness number,
+    /// and parameters that models of studies never fit (`EffectParameter::only_simulated`) must be
     /// neutral. For stiffness, the run must have no effects, and the stiffness number of the run
     /// must differ from that of the `PlainEmulator` by more than a factor of 2.
     bool trains(const dem::RunResult& run, const std::string& name, dem::Observable which) const;
@@ -137,8 +140,8 @@ class Emulator {
     /// values of runs with the cause minus the predictions without the cause.
     struct LearnedResponse {
         EffectResponse response;
-        /// Queries at the state of each training run, without effects and at the stiffness number
-        /// of the `PlainEmulator`.
+        /// Queries for the observable at the state of each training run, without effects and at the
+        /// stiffness number of the `PlainEmulator`.
         PlainEmulator::PreparedQueries plain;
         /// Scale of the observable (`emulated::Unit::size`) at the state of each training run.
         Eigen::VectorXd sizes;
@@ -156,10 +159,10 @@ class Emulator {
     /// @throws std::invalid_argument if there is no training run
     std::unique_ptr<const LearnedResponse> learned(const std::string& name,
                                                    dem::Observable which) const;
-    /// Returns a covariance of the prediction errors of the `PlainEmulator`: the errors at the
-    /// training states of the predictor `a` (rows) with the errors at the training states of the
-    /// predictor `b` (columns). The covariance is computed once. The matrix is empty if the errors
-    /// are independent.
+    /// Returns the covariance of the prediction errors of the `PlainEmulator` at the training
+    /// states of the predictor `a` (rows) with the prediction errors at the training states of the
+    /// predictor `b` (columns). The first call computes and stores the covariance. The matrix is
+    /// empty if the errors are independent.
     const Eigen::MatrixXd& training_covariance(const LearnedResponse& a,
                                                const LearnedResponse& b) const;
     struct Affected;

@@ -21,6 +21,8 @@ constexpr const char* hyperparameters_name = "emulator.csv";
 EmulatorHyperparameters read_hyperparameters(const std::filesystem::path& file);
 /// Writes the hyperparameters of the emulator (amplitudes, correlation lengths and noise of the
 /// Gaussian processes) to a CSV table that `read_hyperparameters` can read.
+/// @throws InputError if the file is a symbolic link to a file outside of the folder of the link
+/// @throws std::runtime_error if the file cannot be written
 void write_hyperparameters(const std::filesystem::path& file,
                            const EmulatorHyperparameters& hyperparameters);
 

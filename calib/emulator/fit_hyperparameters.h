@@ -7,8 +7,8 @@ namespace pendular {
 
 /// Fits the hyperparameters (amplitudes, correlation lengths and noise) of the Gaussian process of
 /// one quantity to observations. The fitted hyperparameters maximise the product of likelihood and
-/// prior. Broad log-normal priors keep hyperparameters finite that the observations do not
-/// determine. The library Ceres finds the maximum with analytic gradients.
+/// prior. Broad log-normal priors keep a hyperparameter finite if the observations do not determine
+/// it. The library Ceres finds the maximum with analytic gradients.
 /// @param domain kind of the quantity, which selects the form of the `Kernel`
 /// @param known observations; only the first column of `known.values` is used
 /// @param unit typical size of the quantity, in the unit of the quantity

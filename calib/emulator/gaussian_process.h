@@ -37,8 +37,9 @@ struct Observations {
 class GaussianProcess {
   public:
     /// Trains the Gaussian process on the observations `known`. First the covariance of the noise
-    /// at each place is multiplied by the noise factors in the hyperparameters of the kernels. Then
-    /// the squares of the between-run scatters are added to the variances of the noise.
+    /// of the functions k and l at each place is multiplied by sqrt(n_k n_l), with the noise
+    /// factors n_k and n_l in the hyperparameters of the kernels. Then the squares of the
+    /// between-run scatters are added to the variances of the noise.
     /// @param kernels kernel of each function, in the order of the columns of `known.values`
     /// @throws std::logic_error if the covariance of the observations is not positive definite
     GaussianProcess(std::vector<Kernel> kernels, const Observations& known);
@@ -106,7 +107,7 @@ class GaussianProcess {
     /// in which `mean` sums over the places fast. C is the covariance of all observations (prior
     /// covariance plus covariance of the noise), and y contains the observed values.
     std::vector<Kernel::Known> sums_over_;
-    /// Posterior means of the coefficients of the polynomial in the kernel, for each function.
+    /// For each function, the posterior means of the coefficients of the polynomials (`Kernel`).
     std::vector<Eigen::VectorXd> coefficients_;
 };
 

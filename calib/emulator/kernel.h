@@ -32,8 +32,9 @@ struct Functional {
 enum class Domain {
     /// Quantity that is defined for wet and dry grains and is continuous as 1/P* -> 0.
     all_flow,
-    /// Quantity that is defined for wet and dry grains and has a step at 1/P* = 0, since bridges
-    /// hold grains without contacts in wet flow.
+    /// Quantity that is defined for wet and dry grains and has a step at 1/P* = 0, such as the
+    /// number of contacts per grain. The step arises since bridges, however small their force, hold
+    /// grains that have no contacts in dry flow.
     contacts,
     /// Quantity that is defined for wet grains only and has a finite limit as 1/P* -> 0, since
     /// bridges exist even if the bridge force is negligible.
@@ -99,6 +100,7 @@ struct Hyperparameters {
 /// becomes 0, f approaches the limit as a power of I between 1/2 and 1.
 class Kernel {
   public:
+    /// Makes the prior covariance of one emulated quantity.
     /// @param domain kind of the quantity
     /// @param unit typical size of the quantity, in the unit of the quantity; the prior standard
     ///        deviation of the coefficients of the polynomials is five times the typical size

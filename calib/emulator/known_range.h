@@ -36,7 +36,7 @@ class KnownRange {
     /// predicted values [1].
     static constexpr double largest_ratio_error = 0.15;
     static constexpr double largest_fraction_error = 0.02;
-    /// Lowest and highest predicted solid fraction that counts as physical in dense flow [1]. The
+    /// Lowest and highest predicted solid fraction [1] that count as physical in dense flow. The
     /// range extends from far below loose packing to crystals.
     static constexpr double lowest_fraction = 0.4, highest_fraction = 0.74;
 
@@ -50,14 +50,15 @@ class KnownRange {
     bool knows_dry() const { return dry_.runs > 0; }
 
     /// Returns the reason why the training runs do not support predictions at a state of steady
-    /// shear, as in "friction 0.9 is above 0.6". The text is empty if the runs support predictions
-    /// at the state.
+    /// shear, such as "friction 0.9 is above 0.6". The text is empty if the runs support
+    /// predictions at the state.
     std::string why_unsupported(const FlowState& state) const;
 
-    /// Returns a supported state of steady shear close to the unsupported state `state`: the point
-    /// of the convex hull of the runs that is nearest to `state`. If the prediction at this point
-    /// is too uncertain or unphysical, the function returns the first supported point on the
-    /// straight line from this point to the run nearest to this point.
+    /// Returns a state of steady shear, close to the unsupported state `state`, at which the
+    /// training runs support predictions. The returned state is the point of the convex hull of the
+    /// runs that is nearest to `state`. If the prediction at this point is too uncertain or
+    /// unphysical, the function moves from this point towards the nearest run and returns the first
+    /// supported point. The returned state has no effects on grains.
     /// @throws std::invalid_argument if the state is wet but no run without effects is wet, or if
     ///         the state is dry but no run without effects is dry
     FlowState nearest_supported(const FlowState& state) const;
@@ -70,8 +71,8 @@ class KnownRange {
         /// Coordinates of the points, scaled so that the range of the runs is 0 to 1. The matrix
         /// has a column for each point.
         Eigen::Matrix<double, 4, Eigen::Dynamic> corners;
-        /// Number of the first columns of `corners` that are states of runs: of wet runs in `wet_`,
-        /// of dry runs in `dry_`. Further columns are states that the runs support in addition,
+        /// Number of runs whose states are the first columns of `corners`. The runs are dry in
+        /// `dry_` and wet in `wet_`. Further columns are states that the runs support in addition,
         /// such as the quasi-static limit.
         Eigen::Index runs = 0;
     };

@@ -9,8 +9,8 @@
 
 namespace pendular {
 
-/// Simulation runs that exist before a calibration, on which the emulator is trained, with the
-/// emulator's hyperparameters, which were fitted to the runs in advance.
+/// Simulation runs that exist before a calibration and on which the emulator is trained, with
+/// hyperparameters of the emulator that were fitted in advance.
 struct KnownRuns {
     /// Training runs of the emulator. If the list is empty and `orders_more` is true, a calibration
     /// first simulates dry runs.
@@ -22,12 +22,12 @@ struct KnownRuns {
     bool orders_more = true;
 };
 
-/// Returns those of `runs` on which the emulator for a study can be trained. Each returned run is
-/// usable (`emulated::usable`) and has only effects that the study lists. The number of grains is
-/// at least 1000, or at least the number of grains in the settings `fidelity` if that number is
-/// smaller. The Poisson ratio of the run differs by at most 0.1 from the Poisson ratio of the
-/// study's grains. A difference of 0.1 changes the ratio of tangential to normal stiffness by less
-/// than a tenth. A wet run has the formula for the bridge force that the study states.
+/// Returns the runs among `runs` on which the emulator for a study can be trained. Each returned
+/// run is usable (`emulated::usable`) and has only effects that the study lists. The number of
+/// grains is at least 1000, or at least the number of grains in the settings `fidelity` if that
+/// number is smaller. The Poisson ratio of the run differs by at most 0.1 from the Poisson ratio of
+/// the study's grains. A difference of 0.1 changes the ratio of tangential to normal stiffness by
+/// less than a tenth. A wet run has the formula for the bridge force that the study states.
 std::vector<dem::RunResult> runs_serving(const Study& study, const Fidelity& fidelity,
                                          const std::vector<dem::RunResult>& runs);
 

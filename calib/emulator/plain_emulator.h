@@ -15,14 +15,14 @@
 
 namespace pendular {
 
-/// Emulator of grains without effects, which interpolates simulations. For each observable, the
-/// emulator has a Gaussian process over friction coefficient, inertial number, reduced pressure and
-/// bridge volume. The processes are trained on simulation runs and take account of the stated noise
-/// of the runs. Stress ratio and solid fraction share one process, since the noise of the two
-/// observables is correlated within a run. The stiffness numbers of the training runs are about
-/// equal. The solid fraction is predicted for rigid grains, and the mean overlap for the stiffness
-/// number `emulated::reference_stiffness`, since the main dependence of both observables on
-/// stiffness is known.
+/// Emulator that interpolates simulations of grains without effects such as rolling resistance. For
+/// each observable, the emulator has a Gaussian process over friction coefficient, inertial number,
+/// reduced pressure and bridge volume. The processes are trained on simulation runs and take
+/// account of the stated noise of the runs. Stress ratio and solid fraction share one process,
+/// since the noise of the two observables is correlated within a run. The stiffness numbers of the
+/// training runs are about equal. The solid fraction is predicted for rigid grains, and the mean
+/// overlap for the stiffness number `emulated::reference_stiffness`, since the main dependence of
+/// both observables on stiffness is known.
 class PlainEmulator {
   public:
     /// Makes an emulator from training runs. Runs that are not usable (`emulated::usable`) are left
@@ -31,15 +31,16 @@ class PlainEmulator {
     /// for each observable.
     /// @param hyperparameters hyperparameters (amplitudes, correlation lengths and noise of the
     ///        Gaussian processes) for each observable; may be empty
-    /// @param stiffness_number stiffness number [1], within a factor of 2, of the runs on which the
-    ///        Gaussian processes are trained. If no run without effects has this stiffness number,
-    ///        the stiffness number of the first run without effects is used instead.
+    /// @param stiffness_number stiffness number [1] of the runs on which the Gaussian processes are
+    ///        trained, with a tolerance of a factor of 2. If no run without effects has this
+    ///        stiffness number, the stiffness number of the first run without effects is used
+    ///        instead.
     /// @throws std::invalid_argument if none of the runs is usable
     PlainEmulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
                   double stiffness_number = emulated::reference_stiffness);
 
-    /// Returns the hyperparameters that were given at construction or have been fitted since, for
-    /// each observable.
+    /// Returns all hyperparameters that were given at construction or have been fitted since, with
+    /// the observable as the key.
     EmulatorHyperparameters hyperparameters() const;
 
     /// Returns the result of each query for grains without effects: the predicted value of the
@@ -50,7 +51,7 @@ class PlainEmulator {
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
     /// Queries whose results follow from one Gaussian process, with the intermediate results from
     /// which the covariance of the query results follows. The results of the queries are the matrix
-    /// `map` times the values that the process predicts.
+    /// `map` times the values that the process predicts, plus constants (`emulated::Unit::offset`).
     struct PreparedShare {
         /// Index, in the list of all queries, of each query whose result follows from the Gaussian
         /// process.
@@ -92,8 +93,8 @@ class PlainEmulator {
     /// [1], in this order.
     Eigen::Matrix2d noise(const dem::RunResult& run) const;
 
-    /// Returns the stiffness number [1], within a factor of 2, of the runs on which the Gaussian
-    /// processes are trained.
+    /// Returns the stiffness number [1] of the runs on which the Gaussian processes are trained.
+    /// The stiffness numbers of the runs may differ from the returned number by a factor of 2.
     double stiffness_number() const { return stiffness_number_; }
     /// Whether the Gaussian process of an observable can be trained on any of `runs`. Such a run
     /// must have a value of the observable and no effects on grains. The stiffness number of the
@@ -103,9 +104,9 @@ class PlainEmulator {
     static bool known(const std::vector<dem::RunResult>& runs, dem::Observable which);
     /// Fits the hyperparameters (amplitudes, correlation lengths and noise of the Gaussian process)
     /// of one observable to runs without effects (`fit_hyperparameters`). The fit uses the runs
-    /// whose stiffness number is about `stiffness_number` [1]. If no run without effects has about
-    /// this stiffness number, the fit uses the runs whose stiffness number is about that of the
-    /// first run without effects.
+    /// whose stiffness number is within a factor of 2 of `stiffness_number` [1]. If no run without
+    /// effects is within this factor, the stiffness number of the first run without effects takes
+    /// the place of `stiffness_number`.
     /// @throws std::invalid_argument if none of the runs to which the hyperparameters are fitted
     ///         has a value of the observable
     static Hyperparameters learn(const std::vector<dem::RunResult>& runs, dem::Observable which,
@@ -119,8 +120,9 @@ class PlainEmulator {
     /// Returns the Gaussian process that predicts an observable. The first call trains the process.
     /// @throws std::invalid_argument if no training run has a value of the observable
     const GaussianProcess& process_of(dem::Observable which) const;
-    /// Trains the Gaussian process that predicts an observable on the usable runs without effects
-    /// whose stiffness number is within a factor of 2 of `stiffness_number()`.
+    /// Trains the Gaussian process that predicts an observable. The training runs are the usable
+    /// runs without effects whose stiffness number is within a factor of 2 of `stiffness_number()`.
+    /// @throws std::invalid_argument if no training run has a value of the observable
     std::unique_ptr<const GaussianProcess> trained(dem::Observable which) const;
 
     /// Gaussian process and hyperparameters of each observable, computed when they are first

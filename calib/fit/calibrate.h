@@ -34,8 +34,8 @@ struct CalibrationOptions {
 /// report progress. The arguments are the number of the round, from 1, and the fit of the round.
 using CalibrationReport = std::function<void(int round, const Fit& fit)>;
 
-/// Model that is improved between the fits of a calibration. An improvement makes simulation runs
-/// and trains the model's emulator on the runs.
+/// Model that is improved between the fits of a calibration. The function `improve` makes
+/// simulation runs and trains the model's emulator on the runs.
 class LearningModel {
   public:
     virtual ~LearningModel() = default;
@@ -64,9 +64,9 @@ class LearningModel {
 /// parameters no longer change, the runs agree with the predictions of the model, and the noise of
 /// the runs enlarges no standard error by more than `CalibrationOptions::largest_enlargement`. The
 /// calibration also ends if a fit does not converge after the smallest number of rounds, and in any
-/// round in which the time for simulations ends. `Fit::converged` is false if a parameter is
-/// undetermined. `Fit::converged` is also false if more than one round was allowed and the last
-/// allowed round did not end the calibration in one of the ways above.
+/// round in which the time for simulations ends. `Fit::converged` is false if the last fit did not
+/// converge. `Fit::converged` is also false if more than one round was allowed and the last allowed
+/// round did not end the calibration in one of the ways above.
 /// @param report function that is called after each round; may be empty
 /// @throws std::logic_error if the covariance of the readings is not positive definite
 Fit calibrate(LearningModel& learning, const Measured& measured, const CalibrationOptions& options,

@@ -26,7 +26,8 @@ struct CalibrationRequest {
     /// Whether to compute the 68 % interval of the friction coefficient from the profile likelihood
     /// (`profile_interval`).
     bool profile = false;
-    /// Stopping criteria of the calibration, which alternates between simulations and fits.
+    /// Stopping criteria and starting values of the calibration, which alternates between
+    /// simulations and fits.
     CalibrationOptions options = {};
     /// Time limit of all simulations of the calibration. If the time ends during the first
     /// simulations, the simulations that are finished by then are used.
@@ -60,7 +61,7 @@ Calibration calibrate_study(const ResolvedStudy& study, const Measurements& meas
 
 /// Checks that simulations with the settings `fidelity` are possible at the conditions of all
 /// readings.
-/// @throws InputError at the first reading whose grains have a stiffness number below 300, whose
+/// @throws InputError for the first reading whose grains have a stiffness number below 300, whose
 ///         inertial number is above `dem::largest_inertial_number`, or whose reduced pressure or
 ///         liquid content is outside the range of simulations
 void check_range(const std::vector<Reading>& readings, const Study& study,
@@ -72,19 +73,18 @@ void check_range(const std::vector<Reading>& readings, const Study& study,
 /// @param readings readings of the study, dry readings first
 std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>& readings);
 
-/// Returns the study with the setting fit_to = "all" of study.toml, with which all readings are
-/// fitted together.
+/// Returns a copy of the study with the setting fit_to = "all" of study.toml. With this setting,
+/// all readings are fitted together.
 ResolvedStudy fitting_all(const ResolvedStudy& study);
 
 /// Predicts the shear stress [Pa] and solid fraction [1] at each of `conditions` in turn, at the
 /// fitted parameters of a calibration that did not fit readings at these conditions. The covariance
-/// of the prediction includes the error of the fit: the covariance is that of the model plus J C
-/// J', with the covariance C of the parameters and the derivatives J of the predictions with
-/// respect to the parameters. The fit has already compensated for errors of the model that the
-/// predictions share with the fitted readings, such as errors of corrections and of common runs.
-/// The covariance is corrected for these shared errors. Without shared errors and with a linear
-/// model, the chi2 of the fitted readings and the chi2 of the predicted readings add up to the chi2
-/// of a joint fit.
+/// of the prediction is the covariance of the model plus the contribution J C J' of the fit, with
+/// the covariance C of the parameters and the derivatives J of the predictions with respect to the
+/// parameters. The fit has already compensated for errors of the model that the predictions share
+/// with the fitted readings, such as errors of corrections and of common runs. The covariance is
+/// corrected for these shared errors. Without shared errors and with a linear model, the chi2 of
+/// the fitted readings and the chi2 of the predicted readings add up to the chi2 of a joint fit.
 Prediction predict_unseen(const Predictor& model, const Calibration& calibration,
                           const std::vector<Condition>& conditions);
 
@@ -94,10 +94,10 @@ Prediction predict_unseen(const Predictor& model, const Calibration& calibration
 /// covariance between fitted readings and readings that were not fitted is set to 0.
 Prediction predict_readings(const Predictor& model, const Calibration& calibration);
 
-/// Fits the cohesion lines of a calibration and puts them in place of the calibration's earlier
-/// lines, with the notes on the lines. A cohesion line is a straight line of stress ratio against
-/// the inverse reduced pressure 1/P*. The lines of the measured stress ratios come first, then the
-/// lines of the predicted stress ratios. A study without wet readings has no lines.
+/// Fits the cohesion lines of a calibration, and replaces the calibration's earlier lines and notes
+/// on the lines. A cohesion line is a straight line of stress ratio against the inverse reduced
+/// pressure 1/P*. The lines of the measured stress ratios come first, then the lines of the
+/// predicted stress ratios. A study without wet readings has no lines.
 void add_cohesion_lines(Calibration& calibration);
 
 }  // namespace pendular

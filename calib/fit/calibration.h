@@ -20,13 +20,13 @@ namespace pendular {
 /// settings and simulation runs from which the calibration computed the parameters and predictions.
 struct Calibration {
     /// Readings of the study. First come the dry readings, then the wet readings, each in the order
-    /// of the measurement. The first `fitted` readings are fitted, and all following readings are
-    /// only predicted.
+    /// of `Measurements::readings`. The first `fitted` readings are fitted, and all following
+    /// readings are only predicted.
     std::vector<Reading> readings;
     /// Number of readings that the fit uses, which are the first readings in `readings`.
     std::size_t fitted = 0;
-    /// Direct measurements of effects' parameters, made without shearing grains, which the fit uses
-    /// in addition to the readings.
+    /// Direct measurements of effects' parameters, such as the contact angle of a drop, which the
+    /// fit uses in addition to the readings.
     std::vector<DirectMeasurement> direct = {};
     /// Properties of the study's grains at the time of the fit.
     GrainProperties grains;

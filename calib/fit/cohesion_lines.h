@@ -12,8 +12,8 @@
 namespace pendular {
 
 /// Relative amount by which a cohesion line (straight line of stress ratio against the inverse
-/// reduced pressure 1/P*) overestimates the stress ratio of a wet reading to which the line was not
-/// fitted.
+/// reduced pressure 1/P*) overestimates the measured or predicted stress ratio of a wet reading to
+/// which the line was not fitted.
 struct Overestimate {
     double reduced_pressure = 0;  ///< reduced pressure P* of the reading [1]
     /// Relative deviation of the line [1]: (stress ratio of the line - stress ratio of the
@@ -54,8 +54,9 @@ struct CohesionLine {
     /// Number of degrees of freedom of the fit of the line.
     int dof = 0;
     double lowest_reduced_pressure = 0;  ///< lowest reduced pressure P* of the fitted points [1]
-    /// Deviations of the line from the readings at reduced pressures P* below
-    /// `CohesionOptions::lowest_reduced_pressure`, in the order of decreasing P*.
+    /// Deviations of the line from the stress ratios that the line leaves out, since their reduced
+    /// pressures P* are below `CohesionOptions::lowest_reduced_pressure`. The deviations are in the
+    /// order of decreasing P*.
     std::vector<Overestimate> below;
 };
 
@@ -68,7 +69,7 @@ double stress_ratio(const CohesionLine& line, double reduced_pressure);
 /// reduced pressure 1/P*.
 struct CohesionOptions {
     /// Lowest reduced pressure P* [1] of the readings to which a line is fitted. The default is the
-    /// value of Badetti et al. (2018). For P* <= 1, a straight line gives a stress ratio above that
+    /// value of Badetti et al. (2018). For P* <= 1, a straight line overestimates the stress ratio
     /// of wet grains.
     double lowest_reduced_pressure = lowest_cohesion_pressure;
 
@@ -95,16 +96,15 @@ std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
                                          std::vector<std::string>& notes);
 
 /// Fits a straight line of the predicted stress ratio against the inverse reduced pressure 1/P* to
-/// each group of wet readings of steady shear (`wet_groups`). The groups of readings, the lowest P*
-/// and the smallest difference of P* are those of the lines that are fitted to measured stress
-/// ratios.
+/// each group of wet readings of steady shear (`wet_groups`). The readings are grouped and selected
+/// as for the lines of measured stress ratios.
 ///
-/// The points are weighted by the covariance of the measured readings. The standard errors of the
-/// lines follow from the full covariance of the predictions. The covariance of the predictions
-/// would give misleading weights if the points share most of their errors. Small differences
-/// between the points would determine the line, although simulated stress ratios are not exactly
-/// linear in 1/P*. A large chi2 means that the errors of the readings are small enough to reveal
-/// this curvature.
+/// The points are weighted by the inverse covariance of the measured readings. The standard errors
+/// of the lines follow from the full covariance of the predictions. The covariance of the
+/// predictions would give misleading weights if the points share most of their errors. Small
+/// differences between the points would determine the line, although simulated stress ratios are
+/// not exactly linear in 1/P*. A large chi2 means that the errors of the readings are small enough
+/// to reveal this curvature.
 /// @param predicted predictions of all `readings`, with their covariance
 /// @param notes receives sentences for the user on groups without a line and on readings that a
 ///        line leaves out

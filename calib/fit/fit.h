@@ -34,8 +34,8 @@ struct Fit {
     Eigen::VectorXd parameters;
     /// Covariance (J' J)^-1 of the fitted parameters, not scaled by chi2/dof, where dof is the
     /// number of degrees of freedom. J contains the derivatives of the predictions with respect to
-    /// the parameters, whitened (divided by the Cholesky factor of the covariance of measurement
-    /// and simulation).
+    /// the parameters, whitened (multiplied by the inverse Cholesky factor of the covariance of
+    /// measurement and simulation).
     Eigen::MatrixXd covariance;
     /// Addition to the `covariance` of the parameters that widens the standard errors if few
     /// replicates (repeated readings) determine the scatter of the readings (Measured::widening).
@@ -53,15 +53,16 @@ struct Fit {
     /// Number of degrees of freedom of the fit: number of measured values minus number of
     /// parameters.
     int dof = 0;
-    /// Whether the search for the minimum of chi2 converged. In the result of `calibrate`, also
-    /// whether the rounds of simulations and fits converged.
+    /// Whether the search for the minimum of chi2 converged. The value is false if a parameter has
+    /// no influence on the predictions. In the result of `calibrate`, the value also states whether
+    /// the rounds of simulations and fits converged.
     bool converged = false;
     /// For each parameter, whether the fitted value is at an end of the parameter's range or of the
     /// range that simulations support.
     std::vector<bool> at_bound;
     /// Prediction of the measured values at the fitted parameters.
     Prediction prediction;
-    /// Text that says how the fit ended, in the words of the solver Ceres or of Pendular.
+    /// Explanation of how the fit ended, by the solver Ceres or by Pendular.
     std::string message;
 
     /// Returns the standard error of the parameter with index `k`, in the unit of the parameter.
@@ -106,9 +107,9 @@ struct FitEffort {
 /// with the predictions f of the model and the covariances Sigma of measurement and simulation.
 /// Sigma_simulation is evaluated at `start` and kept constant, so that the fit cannot reduce chi2
 /// by a larger simulation error. The caller should repeat the fit from the fitted parameters until
-/// the parameters no longer change. If a search does not determine a parameter within the
-/// parameter's range, further searches with other settings begin at `start`, and the lowest minimum
-/// is returned.
+/// the parameters no longer change. If the standard error of a parameter exceeds the width of the
+/// parameter's range after a search, further searches with other settings begin at `start`. The
+/// lowest minimum is returned.
 /// @param start starting values, in the order and units of the parameters
 /// @throws std::logic_error if the sum of both covariances is not positive definite
 /// @throws std::domain_error if the readings are impossible at `start`: no true state of the cell
@@ -132,15 +133,15 @@ Eigen::VectorXd best_parameters(const Model& model, const Measured& measured,
 /// unit of the parameter. In the interval, chi2 minimised over all other parameters exceeds the
 /// minimum of chi2 by at most `rise` [1]. A rise of 1 gives the 68 % interval. The interval is cut
 /// off at the ends of the parameter's range and at the ends of the range that simulation supports.
-/// @param best fit of the model, whose covariance of the predictions is used
+/// @param best fit of the model; the covariance of the predictions is taken from this fit
 /// @param which index of the parameter
 std::pair<double, double> profile_interval(const Model& model, const Measured& measured,
                                            const Fit& best, Eigen::Index which, double rise = 1);
 /// Returns the profile likelihood of one parameter: for each of `values` [unit of the parameter],
-/// the rise of chi2 above the minimum of chi2 [1]. For the rise, the parameter is held at the
-/// value, and all other parameters minimise chi2 within their ranges. The rise is infinite if no
-/// true state of the cell gives the conditions that the instrument shows.
-/// @param best fit of the model, whose covariance of the predictions is used
+/// the rise of chi2 above the minimum of chi2 [1]. The parameter is held at the value, and all
+/// other parameters minimise chi2 within their ranges. The rise is infinite if no true state of the
+/// cell gives the conditions that the instrument shows.
+/// @param best fit of the model; the covariance of the predictions is taken from this fit
 /// @param which index of the parameter
 Eigen::VectorXd profile_rise(const Model& model, const Measured& measured, const Fit& best,
                              Eigen::Index which, const Eigen::VectorXd& values);

@@ -9,7 +9,7 @@
 namespace pendular {
 
 /// Returns the readings of a study in the order that a calibration uses. First come the dry
-/// readings, then the wet readings, each in the order of the measurement.
+/// readings, then the wet readings, each in the order of `Measurements::readings`.
 std::vector<Reading> dry_first(const Measurements& measurements);
 
 /// Returns the number of dry readings (liquid content 0) among `readings`.

@@ -30,8 +30,8 @@ struct Enlargement {
     double excess(double largest = largest_enlargement) const;
 };
 
-/// Returns a text for messages that names the most enlarged standard error and the enlargement
-/// (relative increase by the noise of the simulation runs), as in "the error of friction by 35 %".
+/// Returns the most enlarged standard error and its enlargement (relative increase by the noise of
+/// the simulation runs) as text for messages, such as "the error of friction by 35 %".
 std::string text_of(const Enlargement& enlargement);
 
 /// Returns the relative increase (enlargement) of a standard error by the noise of the simulation
@@ -41,8 +41,9 @@ std::string text_of(const Enlargement& enlargement);
 double enlargement(double noise, double rest);
 
 /// Finds which standard error of a fit the noise of the simulation runs increases most, and by how
-/// much. The standard error of a predicted reading is taken as that of measured minus predicted
-/// value, since noise far below the errors of the readings changes no conclusion.
+/// much. For a predicted reading, the function uses the standard error of the difference between
+/// measured and predicted value, since noise far below the errors of the readings changes no
+/// conclusion.
 /// @param parameters parameters of the fitted model, in the order of Fit::parameters
 Enlargement enlargement_by_runs(const Fit& fit, const Measured& measured,
                                 const std::vector<Parameter>& parameters);

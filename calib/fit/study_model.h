@@ -11,9 +11,10 @@ namespace pendular {
 
 struct Calibration;
 
-/// Model that predicts the readings of a study. The model contains the emulated simulation, the
-/// base model for wet grains (the simulation or a formula) and the effects that the study lists.
-/// Copies are cheap, since all copies share their constant parts.
+/// Model that predicts the readings of a study. The model contains the emulated simulation
+/// (interpolation between simulation runs), the base model for wet grains (the simulation or a
+/// formula) and the effects that the study lists. Copies are cheap, since all copies share their
+/// constant parts.
 class StudyModel {
   public:
     /// Assembles the model of a study from the emulated simulation of the study's grains.
@@ -40,14 +41,15 @@ class StudyModel {
     /// Returns the model that predicts first `readings` as the instrument shows them, then the
     /// direct measurements of the study.
     ModelOfReadings at(const std::vector<Reading>& readings) const;
-    /// Returns those of `parameters` that belong to flow(), the predictor for an ideal instrument.
-    /// `parameters` are the values of all parameters of model(), including those of effects on the
-    /// instrument.
+    /// Returns the values of the parameters of flow(), the predictor for an ideal instrument.
+    /// @param parameters values of all parameters of model(), including the parameters of effects
+    ///        on the instrument
     Eigen::VectorXd flow_parameters(const Eigen::VectorXd& parameters) const;
-    /// Returns, for each of `conditions`, the condition imposed on the grains, with grains and
-    /// liquid as the study's effects change them. `conditions` are the conditions that an ideal
-    /// instrument, without effects on the instrument, shows.
+    /// Returns the conditions imposed on the grains, with the properties of grains and liquid as
+    /// the study's effects change them, in the order of `conditions`.
     /// @param parameters values of the parameters of model()
+    /// @param conditions conditions that an ideal instrument, without effects on the instrument,
+    ///        shows
     std::vector<EffectiveCondition> imposed(const Eigen::VectorXd& parameters,
                                             const std::vector<Condition>& conditions) const;
     /// Returns the physical effects that the study lists, in the order of the study.

@@ -24,16 +24,16 @@ struct WetGroup {
 
 /// Groups the wet readings among `readings` by liquid content and inertial number. Each member
 /// agrees with the first member of the group within 2 % in liquid content and within 20 % in
-/// inertial number. Quasi-static readings (inertial number 0) form separate groups, and so do
-/// points of failure. The groups are sorted by liquid content, then by inertial number. If both
-/// numbers are equal, a group of steady shear comes before a group of points of failure.
+/// inertial number. Quasi-static readings (inertial number 0) and points of failure are grouped
+/// separately. The groups are sorted by liquid content, then by inertial number. If both numbers
+/// are equal, a group of steady shear comes before a group of points of failure.
 std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings);
 
 /// Whether two values differ by at most `tolerance` [1] times the larger of their magnitudes.
 bool agree(double a, double b, double tolerance);
 
-/// Largest difference [1] between the inertial number of the first member of a `WetGroup` and that
-/// of any other member, relative to the larger of the two inertial numbers.
+/// Largest difference [1] between the inertial numbers of the first member and of any other member
+/// of a `WetGroup`, relative to the larger of the two inertial numbers.
 constexpr double inertial_number_tolerance = 0.2;
 
 }  // namespace pendular

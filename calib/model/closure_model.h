@@ -54,8 +54,8 @@ class ClosureModel : public FlowPredictor {
 
 /// Returns `conditions`, followed by a dry copy of each wet condition, at which the stress ratio of
 /// the grains without liquid can be predicted. The dry copies are in the order of the wet
-/// conditions. A dry copy has liquid content 0 and lacks effects on grains that need liquid. In all
-/// other respects, a dry copy equals the wet condition.
+/// conditions. A dry copy has liquid content 0 and lacks the effects on grains that need liquid,
+/// but otherwise equals the wet condition.
 std::vector<EffectiveCondition> with_dry_twins(const std::vector<EffectiveCondition>& conditions);
 
 }  // namespace pendular

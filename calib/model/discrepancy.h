@@ -18,14 +18,15 @@ namespace pendular {
 /// Source: squared exponential as in Kennedy and O'Hagan, J. R. Stat. Soc. B 63 (2001) 425.
 double discrepancy_correlation(const Condition& a, const Condition& b);
 
-/// Returns the covariance of the smooth error that the user expects of a model's predictions, in
-/// the squared units of `values`. The matrix has a row and a column for each of `values`. Two
-/// entries i and k of one observable have the covariance
+/// Returns the covariance matrix of a model's discrepancy, in the squared units of `values`. The
+/// discrepancy is the error, smooth in the condition, that the user expects of the model's
+/// predictions. The matrix has a row and a column for each of `values`. Two entries i and k of one
+/// observable have the covariance
 ///     discrepancy^2 x discrepancy_correlation x values(i) values(k).
 /// The errors of shear stress and solid fraction are uncorrelated.
 /// @param values predicted shear stress [Pa] and solid fraction [1] of each condition in turn
-/// @param discrepancy expected relative errors [1]: first of the shear stress, second of the solid
-///        fraction
+/// @param discrepancy expected relative errors [1] of the shear stress (first) and of the solid
+///        fraction (second)
 Eigen::MatrixXd discrepancy_covariance(const std::vector<Condition>& conditions,
                                        const Eigen::VectorXd& values,
                                        const std::array<double, 2>& discrepancy);

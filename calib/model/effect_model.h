@@ -12,9 +12,9 @@
 namespace pendular {
 
 /// Predictor of shear stress [Pa] and solid fraction [1] with physical effects, such as wall slip,
-/// added to an inner model without effects. The parameters are first those of the inner model, then
-/// those of the effects, with names "EFFECT.PARAMETER". An effect that is a switch (on or off) is
-/// on in the model and has no parameter.
+/// added to an inner model without effects. The parameters of the inner model come first, followed
+/// by the parameters of the effects, with names "EFFECT.PARAMETER". An effect that is a switch (on
+/// or off) is on in the model and has no parameter.
 ///
 /// A prediction starts from the condition that the instrument shows and takes four steps. Two of
 /// the steps use the instrument's map (`InstrumentMap`), which gives the state that the instrument
@@ -47,8 +47,8 @@ class EffectModel : public Predictor {
     /// Returns the covariances of the simulation errors of the change of predictions from the model
     /// `without` to the present model. The model `without` has the inner model of the present model
     /// and fewer effects. The predictions are shear stress [Pa] and solid fraction [1] at each of
-    /// `conditions` in turn, and the covariances have the squared units of the predictions. The
-    /// errors of both predictions are computed together, since the errors nearly cancel if an
+    /// `conditions` in turn, and the covariances are in products of the units of the predictions.
+    /// The errors of both predictions are computed together, since the errors nearly cancel if an
     /// effect changes a condition little.
     /// @param parameters parameter values of the present model
     /// @param parameters_without parameter values of the model `without`

@@ -12,9 +12,10 @@ namespace pendular {
 /// computed as difference quotients over short steps. Predictions without effects on grains are
 /// expanded to first order in the friction coefficient, ln I with the inertial number I, 1/P* with
 /// the reduced pressure P*, and ln V0 with the bridge volume V0, about each condition. Changes of a
-/// prediction by effects on grains and by stiffness are computed again for each prediction, which
-/// takes little time. The bridge volume follows from the liquid content and the expanded
-/// coordination number. The difference quotients are as exact as those of the full predictions.
+/// prediction by effects on grains, and by a stiffness that differs from the stiffness of the
+/// training runs, are computed again for each prediction, which takes little time. The bridge
+/// volume follows from the liquid content and the expanded coordination number. The difference
+/// quotients are as exact as difference quotients of the full predictions.
 class EmulatedNeighbourhood : public FlowNeighbourhood {
   public:
     /// @param simulation emulated simulation, which must outlive the object

@@ -46,7 +46,7 @@ class EmulatedSimulation : public FlowPredictor {
     /// @param friction friction coefficient of the study's grains [1], to which the friction
     ///        difference of the condition is added
     FlowState unfilled_state_at(double friction, const EffectiveCondition& condition) const;
-    /// Converts emulated numbers to the shear stress [Pa] and solid fraction [1] of a reading at
+    /// Converts emulated quantities to the shear stress [Pa] and solid fraction [1] of a reading at
     /// `condition`. The function converts the solid fraction of rigid grains to the solid fraction
     /// of grains of the study's stiffness.
     /// @param flow stress ratio [1], solid fraction of rigid grains [1], and mean overlap divided
@@ -104,17 +104,15 @@ class EmulatedSimulation : public FlowPredictor {
     /// derivatives with respect to the friction coefficient and with the covariance of the errors.
     Prediction predict_all(const std::vector<FlowState>& states,
                            const std::vector<EffectiveCondition>& conditions) const;
-    /// Returns a ratio of two differences of solid fraction [1], with which solid fractions are
-    /// corrected to the study's stiffness. The numerator is the difference between the study's
-    /// grains at a condition and grains of the stiffness number `emulated::reference_stiffness`.
-    /// The denominator is the difference between rigid grains and grains of the stiffness number
-    /// `emulated::reference_stiffness`. The ratio is 1 for rigid grains and negative for grains
-    /// that are softer than the reference.
+    /// Returns the share [1] of the correction to rigid grains that converts the solid fraction of
+    /// grains of the stiffness number `emulated::reference_stiffness` to the solid fraction of the
+    /// study's grains at a condition (`stiffness_share`). The share is 1 if the study's grains are
+    /// rigid, and negative if the study's grains are softer than the reference.
     double stiffness_left(const EffectiveCondition& condition) const;
     /// Returns an emulated capillary stress at a wet condition, divided by F0/a^2 [1], with the
     /// derivative of the capillary stress with respect to the friction coefficient at constant
     /// liquid content. F0 is the pull-off force of a bridge, and a the grain diameter.
-    /// @param which observable: a capillary stress divided by the normal stress
+    /// @param which emulated observable: a capillary stress divided by the normal stress
     StructureResponse capillary_stress(dem::Observable which, double friction,
                                        const EffectiveCondition& condition) const;
     /// Converts the derivative of `response` with respect to the friction coefficient, at the wet

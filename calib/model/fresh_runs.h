@@ -10,9 +10,8 @@
 
 namespace pendular {
 
-/// Source of random seeds for new simulation runs. The seeds make each new run differ from all
-/// earlier runs. A run with the parameters and the seed of an earlier run would only repeat the
-/// result of the earlier run.
+/// Source of random seeds for new simulation runs. A new run with the parameters of an earlier run
+/// needs another seed, since it would otherwise only repeat the result of the earlier run.
 class FreshSeeds {
   public:
     /// @param seed seed of the user, from which the seeds of all runs follow
@@ -30,18 +29,19 @@ class FreshSeeds {
     std::uint64_t next_ = std::uint64_t{1} << 32;
 };
 
-/// Returns those of `runs` on which an emulator can be trained (`emulated::usable`). For each other
-/// run, the function appends a sentence to `notes` that tells the user why the run is not used.
+/// Returns the runs among `runs` on which an emulator can be trained (`emulated::usable`). For each
+/// unusable run, the function appends a message to `notes` that tells the user why the run is not
+/// used.
 std::vector<dem::RunResult> usable_of(const std::vector<dem::RunResult>& runs,
                                       std::vector<std::string>& notes);
 
 /// Returns the p value [1] of the agreement between the runs `fresh` and an emulator that was not
-/// trained on the runs: the probability that chance makes chi2 of the stress ratios and solid
-/// fractions at least as large as observed. The p value is 1 if there are no runs.
+/// trained on the runs: the probability of a chi2 of the stress ratios and solid fractions at least
+/// as large as observed if the emulator is right. The p value is 1 if there are no runs.
 double agreement(const Emulator& emulator, const std::vector<dem::RunResult>& fresh);
 
-/// Limit of the p value of the agreement between new runs and an emulator (`agreement`) [1]. If the
-/// p value is below the limit, the runs count as different from the emulator's predictions.
+/// Significance level [1] of the test whether new runs agree with an emulator. If the p value
+/// (`agreement`) is below the level, the runs disagree with the emulator's predictions.
 constexpr double disagreement = 0.01;
 
 }  // namespace pendular

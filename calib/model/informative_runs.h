@@ -10,9 +10,9 @@
 namespace pendular {
 
 /// Whether two states of steady shear are so similar that a simulation run at one state also
-/// represents the other state. The states must have equal effects on grains, and must agree within
-/// 5 % in friction coefficient, inertial number, reduced pressure, bridge volume and the parameter
-/// values of the effects. Stiffness numbers are not compared.
+/// represents the other state. The states must have the same effects on grains, and must agree
+/// within 5 % in friction coefficient, inertial number, reduced pressure, bridge volume and the
+/// parameter values of the effects. Stiffness numbers are not compared.
 bool near(const FlowState& a, const FlowState& b);
 
 /// Task for the function `most_informative`: the predictions to improve, and the states at which
@@ -21,15 +21,15 @@ struct RunChoice {
     /// States of steady shear whose predicted stress ratios and solid fractions are to become more
     /// precise.
     std::vector<FlowState> targets;
-    /// Weights by which the variances of the predictions are multiplied [1]. For each target, first
-    /// comes the weight for the stress ratio, then the weight for the solid fraction.
+    /// Weights by which the variances of the predictions are multiplied [1]. Each target has two
+    /// weights, first for the stress ratio, then for the solid fraction.
     Eigen::VectorXd weights;
     /// States of steady shear at which new runs may be made.
     std::vector<FlowState> from;
-    /// Factor [1] by which new runs should reduce the error of the predictions, measured as the
-    /// root of the sum of squares of the weighted variances.
+    /// Factor [1] by which new runs should reduce the error of the predictions. The measure of the
+    /// error is the root of the sum of squares of the weighted variances.
     double factor = 1;
-    /// Smallest and largest number of new runs that `most_informative` chooses.
+    /// Smallest (`fewest`) and largest (`most`) number of new runs that `most_informative` chooses.
     std::size_t fewest = 4, most = 16;
 };
 
@@ -41,9 +41,9 @@ struct RunChoice {
 /// taken as inversely proportional to the inertial number. A run at state c reduces the covariance
 /// C of the predictions by
 ///     C(., c) [C(c, c) + N]^-1 C(c, .),
-/// with the covariance N of the noise of a run with the settings `fidelity`. At least
-/// `choice.fewest` and at most `choice.most` states are returned. Within these limits, the choice
-/// ends when the root of the measure of error has decreased by the factor `choice.factor`.
+/// with the covariance N of the noise of a run with the settings `fidelity`. The function returns
+/// at least `choice.fewest` and at most `choice.most` states. Within these limits, the choice ends
+/// when the root of the measure of error has decreased by the factor `choice.factor`.
 std::vector<FlowState> most_informative(const Emulator& emulator, const Fidelity& fidelity,
                                         const RunChoice& choice);
 

@@ -39,13 +39,13 @@ struct Prediction {
     /// Derivatives of `value` with respect to the parameters. The matrix has a row for each value
     /// and a column for each parameter.
     Eigen::MatrixXd jacobian;
-    /// Covariance of the errors of `value` that come from the model, a matrix of 2 n + m rows and
-    /// columns. The errors are the noise of the simulation runs, the errors of corrections, such as
+    /// Covariance matrix (2 n + m rows and columns) of the errors of `value` that come from the
+    /// model. The errors are the noise of the simulation runs, the errors of corrections, such as
     /// the correction to the stiffness of the study's grains, the discrepancy that the study
     /// states, and the errors of fitted constant cohesions.
     Eigen::MatrixXd covariance;
-    /// Contribution of the noise of the simulation runs to `covariance`, which more runs would
-    /// reduce.
+    /// Contribution of the noise of the simulation runs to `covariance`. More runs would reduce
+    /// this contribution.
     Eigen::MatrixXd run_noise;
 };
 
@@ -55,9 +55,9 @@ std::optional<Eigen::Index> place_of(const DirectMeasurement& direct,
                                      const std::vector<Parameter>& parameters);
 
 /// Returns the value that a model predicts for the direct measurement of an effect's parameter, in
-/// the unit of the parameter. The predicted value is that of the parameter in `values`. If the
-/// model lacks the parameter, the predicted value is the neutral value, at which the effect
-/// vanishes.
+/// the unit of the parameter. The predicted value is the value of the parameter in `values`. If the
+/// model lacks the parameter, the predicted value is `DirectMeasurement::neutral`, the value in a
+/// model without the effect.
 /// @param parameters parameters of the model
 /// @param values values of the parameters, in the order of `parameters`
 double predicted_value(const DirectMeasurement& direct, const std::vector<Parameter>& parameters,
@@ -72,9 +72,9 @@ struct ParameterBounds {
     Eigen::VectorXd lower, upper;
 };
 
-/// Model that predicts a given set of readings as a function of the model's parameters. The
-/// returned derivatives are the exact derivatives of the returned values, so that a least-squares
-/// solver needs no difference quotients, which noise would spoil. A model never changes, so that
+/// Model that predicts a given set of readings as a function of the model's parameters. The model
+/// also returns the derivatives of the predicted values with respect to the parameters, so that a
+/// least-squares solver needs no difference quotients of its own. A model never changes, so that
 /// several threads may use one model at once.
 class Model {
   public:
@@ -82,7 +82,8 @@ class Model {
 
     virtual const std::vector<Parameter>& parameters() const = 0;
 
-    /// Predicts the shear stress [Pa] and solid fraction [1] of all readings.
+    /// Predicts the shear stress [Pa] and solid fraction [1] of all readings, followed by the
+    /// direct measurements of effects' parameters [their units].
     /// @param parameters values of the parameters, in the order of parameters()
     /// @param what extent of the prediction: values, also derivatives, or also covariances
     virtual Prediction predict(const Eigen::VectorXd& parameters,

@@ -15,17 +15,17 @@ namespace pendular {
 struct Candidate {
     std::string name;
     std::vector<EffectParameter> parameters;
-    /// Group under which tables list the effect, such as "instrument"; may be empty.
+    /// Heading under which tables list the candidate, such as "instrument"; may be empty.
     std::string group = {};
     /// Rank of the candidate in a sequence in which each candidate includes all candidates of lower
-    /// rank. An example is the sequence of ever better formulas for the strength of wet grains. The
-    /// first rank is 1. The rank is 0 if the candidate belongs to no sequence.
+    /// rank, such as the sequence of ever better formulas for the strength of wet grains. The first
+    /// rank is 1. The rank is 0 if the candidate belongs to no sequence.
     int level = 0;
 
     /// Whether the candidate is a switch, which is present or absent and has no parameter to fit.
     bool is_switch() const;
     /// Returns the number of parameters that the candidate adds to a fit. The number is 0 for a
-    /// switch, which is present or absent.
+    /// switch, which is present or absent and has no parameter to fit.
     std::size_t free_parameters() const;
 };
 
@@ -43,20 +43,20 @@ class ModelSpace {
     /// Returns all candidates for addition to the bare model, such as physical effects.
     virtual const std::vector<Candidate>& candidates() const = 0;
 
-    /// Returns the bare model with the candidates `chosen` added. The parameters of the returned
-    /// model are first those of the bare model, then those of the chosen candidates. A switch,
-    /// which is present or absent, has no parameters.
+    /// Returns the bare model with the candidates `chosen` added. In the returned model, the
+    /// parameters of the bare model come first, followed by the parameters of the chosen
+    /// candidates. A switch (candidate that is present or absent) has no parameter.
     virtual std::shared_ptr<const Model> with(const EffectSet& chosen) const = 0;
 
     /// Returns the number of values that were fitted to the readings before the fit of the model,
-    /// such as constant cohesions. These values are no parameters of the model, but each value
+    /// such as constant cohesions. These values are not parameters of the model, but each value
     /// takes a degree of freedom.
     virtual int fitted_beforehand() const { return 0; }
 
     /// Covariances of the simulation errors of the change g = f(with) - f(without). The change is
     /// the difference of n predicted values f between a model with and without a candidate. Each
-    /// covariance is an n x n matrix in the squared units of the values. The matrices are empty if
-    /// the errors are negligible.
+    /// covariance is an n x n matrix in products of the units of the values. The matrices are empty
+    /// if the errors are negligible.
     struct ChangeErrors {
         /// Covariance Cov(g, g) of the errors of the change g of the predicted values.
         Eigen::MatrixXd change;

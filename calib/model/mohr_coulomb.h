@@ -16,10 +16,10 @@ namespace pendular {
 /// P*.
 constexpr double lowest_cohesion_pressure = 2.3;
 
-/// Measured strengths (stress ratios) of wet readings of about one liquid content, to which one
+/// Measured strengths (stress ratios) of wet readings of nearly equal liquid content, to which one
 /// constant cohesion is fitted.
 struct CohesionGroup {
-    /// Liquid content (liquid volume divided by grain volume) [1], mean of the readings.
+    /// Mean liquid content of the readings (liquid volume divided by grain volume) [1].
     double liquid_content = 0;
     /// Measured stress ratios of the readings of the group, all at reduced pressures P* >=
     /// `lowest_cohesion_pressure`.
@@ -28,9 +28,9 @@ struct CohesionGroup {
 
 /// Groups the strengths (stress ratios) of wet readings, `ModelSettings::strengths`, by liquid
 /// content and returns the groups in the order of increasing liquid content. Strengths at reduced
-/// pressures P* below `lowest_cohesion_pressure` are left out. The liquid content of each strength
-/// agrees within 2 % with the liquid content of the first strength of the group. The list is empty
-/// if the study has no liquid.
+/// pressures P* below `lowest_cohesion_pressure` are left out. In each group, all liquid contents
+/// agree within 2 % with the liquid content of the strength that was grouped first. The list is
+/// empty if the study has no liquid.
 std::vector<CohesionGroup> cohesion_groups(const ModelSettings& model,
                                            const GrainProperties& grains,
                                            const std::optional<Liquid>& liquid);
@@ -92,8 +92,8 @@ class MohrCoulombModel : public FlowPredictor {
 
 /// Returns the number of constant cohesions that a study's model fits to the strengths (stress
 /// ratios) of wet readings. With the base model "mohr-coulomb", there is one cohesion for each
-/// liquid content. The number is 0 for all other base models, and if an effect replaces the
-/// cohesions by a formula or by the simulation.
+/// liquid content. The number is 0 for all other base models. The number is also 0 if an effect
+/// replaces the cohesions by a formula or by the simulation.
 int fitted_cohesions(const ModelSettings& model, const GrainProperties& grains,
                      const std::optional<Liquid>& liquid);
 

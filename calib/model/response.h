@@ -39,10 +39,10 @@ Eigen::VectorXd products(const Eigen::VectorXd& change);
 Response respond(const Model& model, const Eigen::VectorXd& parameters,
                  const Eigen::VectorXd& steps);
 
-/// Returns a box of parameter values, given by a range of each parameter, in which an expansion may
-/// replace the model. In the box, the expansion differs from the model's predictions by at most
-/// `tolerance` in every compared value. The box contains the parameter values about which the model
-/// is expanded.
+/// Returns a box of parameter values (a range of each parameter) in which an expansion may replace
+/// the model. In the box, the expansion differs from the model's predictions by at most `tolerance`
+/// in every compared value. The box contains the parameter values about which the model is
+/// expanded.
 ///
 /// Each end of a range is first found with all other parameters fixed. The distance of the end is
 /// the largest of 40, 20, 10, 5, ... `steps`, limited to `range`, at which the expansion holds.
@@ -52,8 +52,8 @@ Response respond(const Model& model, const Eigen::VectorXd& parameters,
 /// parameter values of the expansion.
 /// @param tolerance largest allowed difference of each of the first predicted values, in the unit
 ///        of the value; further values are not compared
-/// @param steps lengths in which the distances of the ends are measured, in the units of the
-///        parameters, such as standard errors
+/// @param steps units of length for the distances of the ends, such as the standard errors of the
+///        parameters, in the units of the parameters
 /// @param range limits of the box
 ParameterBounds trusted_box(const Model& model, const Response& response,
                             const Eigen::VectorXd& tolerance, const Eigen::VectorXd& steps,

@@ -14,29 +14,29 @@ class RunBudget {
   public:
     /// Makes a budget without a time limit.
     RunBudget() = default;
-    /// Makes a budget whose time ends `seconds` [s] after the call.
+    /// Makes a budget whose time ends `seconds` [s] after the construction.
     explicit RunBudget(double seconds);
 
     /// Whether the budget has a time limit.
     bool limited() const { return end_.has_value(); }
-    /// Returns the time that is left [s], which is at least 0. The time is infinite for a budget
-    /// without a time limit.
+    /// Returns the time that is left [s], at least 0. The time is infinite if the budget has no
+    /// time limit.
     double seconds_left() const;
     /// Returns how many of `runs`, counted from the first run, are expected to end within the time
-    /// left minus the time `reserved` for other work [s]. Without a time limit, the number of all
-    /// runs is returned.
+    /// left for runs (the time left minus the time `reserved`). If the budget has no time limit,
+    /// the function returns the number of all runs.
     /// @param measured finished runs, from whose wall times the wall times of `runs` are estimated
     ///        (`expected_seconds`)
     /// @param threads number of runs carried out at the same time
+    /// @param reserved time for other work [s]
     std::size_t affordable(const std::vector<dem::RunParameters>& runs,
                            const std::vector<dem::RunResult>& measured, int threads,
                            double reserved = 0) const;
 
     /// Returns how many of `runs`, counted from the first run, to carry out before the planner
-    /// chooses the most useful runs again. The number is that of the runs that are expected to end
-    /// within a third of the time left for runs, or the number of threads if that is larger. The
-    /// number is never larger than what `affordable` returns. The time left for runs is the time
-    /// left minus the time `reserved`.
+    /// chooses the most useful runs again. The counted runs are expected to end within a third of
+    /// the time left for runs (the time left minus the time `reserved`). However, the function
+    /// returns at least the number of threads, but never more than `affordable` returns.
     /// @param measured finished runs, from whose wall times the wall times of `runs` are estimated
     /// @param threads number of runs carried out at the same time
     /// @param reserved time for other work [s]
@@ -44,10 +44,10 @@ class RunBudget {
                       const std::vector<dem::RunResult>& measured, int threads,
                       double reserved = 0) const;
 
-    /// Carries out runs (`run_all`) and stops when only the time `reserved` for other work [s] is
-    /// left of the budget. Returns the results in the order of `runs`. If the time ends before all
-    /// runs are finished, only the results of finished runs that are in the store of `workers` are
-    /// returned.
+    /// Carries out runs (`run_all`) and returns their results in the order of `runs`. The function
+    /// stops when only the time `reserved` for other work [s] is left of the budget. If the
+    /// function stops before all runs are finished, it returns only the results that are in the
+    /// store of `workers`.
     /// @throws dem::Interrupted if the user stops the work, and all other exceptions that `run_all`
     ///         throws
     std::vector<dem::RunResult> run(const std::vector<dem::RunParameters>& runs,

@@ -16,11 +16,11 @@
 
 namespace pendular {
 
-/// Number of simulation runs that were carried out for one reason.
+/// Simulation runs that a planner carried out for one reason.
 struct SimulatedRuns {
-    /// Number of simulation runs that were carried out for the reason `why`.
+    /// Number of simulation runs that the planner carried out for the reason `why`.
     std::size_t runs = 0;
-    /// Reason for the simulation runs, as in "to confirm the optimum".
+    /// Reason for the simulation runs, such as "to confirm the optimum".
     std::string why;
 };
 
@@ -40,8 +40,8 @@ class RunPlanner {
     /// @param fidelity settings of the simulations
     /// @param seed seed from which the seeds of the runs follow
     /// @param budget time limit of all simulations
-    /// @throws std::invalid_argument if none of the earlier runs can serve as a training run, or a
-    ///         condition is wet but the study has no liquid
+    /// @throws std::invalid_argument if none of the earlier runs can serve as a training run, or if
+    ///         a condition is wet but the study has no liquid
     /// @throws dem::SimulationError if all of the first dry runs fail
     RunPlanner(const Study& study, const std::vector<Condition>& conditions,
                const Fidelity& fidelity, std::uint64_t seed, Workers workers, KnownRuns known,
@@ -52,38 +52,39 @@ class RunPlanner {
     const std::shared_ptr<const EmulatedSimulation>& simulation() const { return simulation_; }
 
     /// Improves the predictions at a friction coefficient [1] by new runs, if runs may be
-    /// requested. The first call requests runs at states outside the range of the known runs. Later
-    /// calls request runs near `friction`, which check and improve the emulator.
+    /// requested. The first call requests runs at states outside the range of the earlier runs.
+    /// Later calls request runs near `friction`, which check and improve the emulator.
     /// @param conditions conditions truly imposed on the grains, dry and wet
     /// @param excess variance that the noise of the runs causes in the last fit, divided by the
     ///        largest acceptable variance [1] (`Enlargement::excess`)
-    /// @throws dem::SimulationError if wet runs are needed, no wet run is known, and all of the
+    /// @throws dem::SimulationError if a condition is wet, no training run is wet, and all of the
     ///         first wet runs fail
     void improve(double friction, const std::vector<EffectiveCondition>& conditions, double excess);
     /// Improves the predictions of wet readings at a friction coefficient [1] by new runs, if runs
     /// may be requested. Each call first requests runs at states outside the range of the earlier
     /// runs. Then the first call checks the emulator with few runs. Later calls request as many
-    /// runs as reduce the variances of the predictions by a factor of 1 + `turns`, but at most 16
-    /// runs.
+    /// runs as are needed to reduce the variances of the predictions by a factor of 1 + `turns`,
+    /// but at most 16 runs.
     /// @param conditions wet conditions truly imposed on the grains
     /// @param turns factor by which later calls reduce the variances, minus 1 [1]
-    /// @throws dem::SimulationError if no wet run is known and all of the first wet runs fail
+    /// @throws dem::SimulationError if no training run is wet and all of the first wet runs fail
     void improve_wet(double friction, const std::vector<EffectiveCondition>& conditions, int turns);
 
     /// Whether new runs confirm the emulator. The new runs of the last call of `improve`, and of
     /// all later calls of `improve_wet`, must agree at 1 % significance with the predictions that
     /// the emulator made before being trained on the runs. The result is false after the first call
-    /// of `improve`, which checks nothing, and true if no runs may be requested.
+    /// of `improve`, since this call checks nothing. The result is true if no runs may be
+    /// requested.
     bool confirmed() const { return confirmed_ || !orders_more_; }
     /// Whether the planner may request new runs (`KnownRuns::orders_more`).
     bool orders_more() const { return orders_more_; }
-    /// Whether the time budget has ended. The budget has ended if none of the runs that the planner
-    /// chose last could end in time, so that the emulator gained no run.
+    /// Whether the time budget is used up: none of the runs that the planner chose last ended in
+    /// time.
     bool exhausted() const { return exhausted_; }
-    /// Returns the numbers of runs carried out so far, with an entry for each reason to simulate.
+    /// Returns the numbers of simulation runs carried out so far, with an entry for each reason.
     const std::vector<SimulatedRuns>& simulated() const { return simulated_; }
-    /// Returns messages to the user on runs left out of the training of the emulator, such as
-    /// failed runs, and on new runs that disagreed with the emulator's predictions.
+    /// Returns messages for the user about runs that the emulator is not trained on, such as failed
+    /// runs, and about new runs that disagreed with the emulator's predictions.
     const std::vector<std::string>& notes() const { return notes_; }
 
   private:
@@ -95,8 +96,8 @@ class RunPlanner {
     };
     /// Returns the states of steady shear at which runs may be requested for the dry conditions
     /// (`wet` is false) or for the wet conditions, at the friction coefficient `friction` [1] and
-    /// at a lower and a higher friction coefficient. With effects on grains, conditions whose
-    /// states at `friction` are nearly equal count once.
+    /// at a lower and a higher friction coefficient. If effects on grains act at the conditions,
+    /// conditions whose states at `friction` are nearly equal count once.
     std::vector<Candidate> candidates(double friction,
                                       const std::vector<EffectiveCondition>& conditions,
                                       bool wet) const;
@@ -104,15 +105,16 @@ class RunPlanner {
     /// friction coefficients and inertial numbers.
     std::vector<FlowState> first_dry_design() const;
     /// Returns the states of steady shear of the first wet runs. The states cover the study's wet
-    /// conditions. The friction coefficients of the states are spread around `friction` [1], and
-    /// the bridge volumes around those of the conditions.
+    /// conditions. The friction coefficients of the states are spread around `friction` [1]. The
+    /// bridge volumes are spread around the volumes that follow from the liquid contents of the
+    /// conditions.
     std::vector<FlowState> first_wet_design(double friction) const;
     /// Simulates the states of first_wet_design() and trains the emulator on the runs. The function
     /// does nothing if a training run is wet already or no runs may be requested.
     /// @throws dem::SimulationError if all of the first wet runs fail
     void begin_wet(double friction);
-    /// Carries out the work of the function `improve` for only the dry conditions (`wet` is false)
-    /// or only the wet conditions.
+    /// Carries out the work of the function `improve` for the dry conditions alone (`wet` is false)
+    /// or for the wet conditions alone.
     void learn(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                double excess);
     /// Finds the states for the dry (`wet` is false) or wet conditions that lie outside the range
@@ -126,9 +128,9 @@ class RunPlanner {
     /// @param excess factor by which the weighted variances of the predictions are to decrease [1]
     void confirm(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                  double excess);
-    /// Chooses those of the states `from` at which runs reduce the variances of the stress ratios
-    /// and solid fractions predicted at `targets` most (pendular::most_informative). States are
-    /// chosen until the variances have decreased by a factor `excess` [1].
+    /// Chooses the states among `from` at which runs most reduce the variances of the stress ratios
+    /// and solid fractions predicted at `targets` (pendular::most_informative). The function
+    /// chooses states until the variances have decreased by a factor `excess` [1].
     std::vector<FlowState> most_informative(const std::vector<FlowState>& targets,
                                             const std::vector<FlowState>& from,
                                             double excess) const;
@@ -139,17 +141,18 @@ class RunPlanner {
     /// Returns the parameters of a new run at each state. The seeds make each new run differ from
     /// all runs on which the emulator is trained.
     std::vector<dem::RunParameters> runs_at(const std::vector<FlowState>& states);
-    /// Simulates `runs`, counts the runs under the reason `why` and returns the results on which
-    /// the emulator can be trained.
+    /// Simulates `runs`, adds the number of finished runs to the entry `why` of simulated(), and
+    /// returns the results on which the emulator can be trained.
     std::vector<dem::RunResult> simulated(const std::vector<dem::RunParameters>& runs,
                                           const std::string& why);
-    /// Carries out runs at the first of `states` and trains the emulator on the runs. The time
-    /// budget determines how many runs are carried out before the best states are chosen again
-    /// (RunBudget::batch). The runs are counted under the reason `why`.
+    /// Carries out one run at each of the first n of `states` and trains the emulator on the runs.
+    /// The time budget determines the number n of runs before the best states are chosen again
+    /// (RunBudget::batch). The function adds the number of finished runs to the entry `why` of
+    /// simulated().
     /// @return p value of the agreement of the runs with the emulator before the training
     ///        (`agreement`); empty if no run had a usable result, or the budget allowed no run
     std::optional<double> simulate_at(const std::vector<FlowState>& states, const std::string& why);
-    /// Adds `runs` to the number of runs with the reason `why` in simulated().
+    /// Adds the number `runs` to the entry of simulated() with the reason `why`.
     void count_runs(std::size_t runs, const std::string& why);
     /// Replaces the predictor simulation() by a predictor that uses `emulator`.
     void use(Emulator emulator);
@@ -166,9 +169,9 @@ class RunPlanner {
     double slowest_;
     /// Inertial numbers at which simulations of dry grains are requested [1].
     std::vector<double> inertial_numbers_;
-    /// Whether predictions at slow readings are extrapolated in a calibration that began without
-    /// earlier runs: the inertial number of a reading is more than 5 % below
-    /// `Fidelity::lowest_inertial_number`.
+    /// Whether the planner began without earlier runs and predictions of slow readings are
+    /// extrapolated. A prediction is extrapolated if the inertial number of the reading is more
+    /// than 5 % below `Fidelity::lowest_inertial_number`.
     bool extrapolates_ = false;
     std::vector<WetSetting> wet_settings_;
     std::vector<std::string> notes_;

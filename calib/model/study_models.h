@@ -24,8 +24,8 @@ struct LeftAside {
 
 /// Set of all models of a study. The set contains the model with the effects that the study lists,
 /// and each model that also has one or more of the candidates for addition. The candidates are all
-/// further effects that apply to the study. All models use one emulator (Gaussian processes trained
-/// on earlier runs), and no new runs are simulated.
+/// further effects that apply to the study and that the emulator can predict. All models use one
+/// emulator (Gaussian processes trained on earlier runs). No new runs are simulated.
 class StudyModels : public ModelSpace {
   public:
     /// Trains the emulator on earlier runs and finds the candidates for addition to the model.
@@ -53,8 +53,9 @@ class StudyModels : public ModelSpace {
     ///         one of the effects acts on grains and no earlier run has only this effect
     std::shared_ptr<const EffectModel> exchanged(const std::string& removed,
                                                  const std::vector<std::string>& added) const;
-    /// Returns a copy of the set of models with the effects `more` as further candidates, after the
-    /// present candidates. The effects must not act on grains and must outlive the copy.
+    /// Returns a copy of the set of models in which the effects `more` follow the present
+    /// candidates as further candidates. The effects must not act on grains and must outlive the
+    /// copy.
     StudyModels offering(const std::vector<Effect>& more) const;
     int fitted_beforehand() const override;
     ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
@@ -72,8 +73,8 @@ class StudyModels : public ModelSpace {
     const std::vector<LeftAside>& left_aside() const { return left_aside_; }
 
     /// Returns the reasons why the earlier runs do not support predictions of the study's readings
-    /// by the model without effects, as in "reduced pressure 0.3 is below 0.5" (`KnownRange`). Each
-    /// reason occurs once.
+    /// by the model without effects, such as "reduced pressure 0.3 is below 0.5" (`KnownRange`).
+    /// Each reason occurs once.
     /// @param friction friction coefficient of the grains [1]
     std::vector<std::string> why_unsupported(double friction) const;
     /// Returns the reason why the earlier runs do not support a prediction at a condition by the
@@ -81,9 +82,9 @@ class StudyModels : public ModelSpace {
     /// @param friction friction coefficient of the grains [1]
     std::string why_unsupported(double friction, const Condition& condition) const;
 
-    /// Returns the study with all effects of the study's catalogue listed in the model. If
-    /// `runs_serving` is called with the returned study, training runs with any effect of the
-    /// catalogue are accepted.
+    /// Returns the study with all effects of the study's catalogue listed in the model. With the
+    /// returned study as argument, `runs_serving` accepts training runs with any effect of the
+    /// catalogue.
     static Study with_all_effects(const ResolvedStudy& study);
 
   private:

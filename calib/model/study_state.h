@@ -9,9 +9,9 @@
 namespace pendular {
 
 /// Returns the inverse reduced pressure 1/P* = F0/(a^2 s22) of a wet condition [1], with the grain
-/// diameter a, the normal stress s22 and the pull-off force F0 of a liquid bridge. F0 is that of
-/// the condition's liquid, which effects may have changed. If the condition has no liquid of its
-/// own, F0 is that of the study's liquid.
+/// diameter a, the normal stress s22 and the pull-off force F0 of a liquid bridge. F0 is computed
+/// for the condition's own liquid, which effects may have changed, or for the study's liquid if the
+/// condition has no liquid of its own.
 /// @throws std::bad_optional_access if neither the condition nor the study has a liquid
 double inverse_pressure_of(const EffectiveCondition& condition, const Study& study);
 
@@ -27,14 +27,14 @@ dem::RunParameters run_at(const FlowState& state, const Study& study, const Fide
 double stiffness_number_of(const Condition& condition, const GrainProperties& grains,
                            const Fidelity& fidelity);
 
-/// Returns the share [1] of a full correction to rigid grains that corrects a simulated solid
-/// fraction to the study's stiffness. The share is a ratio of two differences of solid fraction.
-/// The numerator is the difference between the study's grains and grains of the stiffness number
-/// `simulated`. The denominator is the difference between rigid grains and grains of the stiffness
-/// number `simulated`. With the study's stiffness number kappa (`stiffness_number_of`), the share
-/// is
-///     1 - simulated/kappa.
-/// The share is negative if the study's grains are softer than the simulated grains.
+/// Returns the share [1] of the correction to rigid grains that converts a simulated solid fraction
+/// to the solid fraction of the study's grains at a condition. The share is
+///     (phi_study - phi_simulated)/(phi_rigid - phi_simulated) = 1 - simulated/kappa,
+/// with the solid fractions phi_study of the study's grains, phi_simulated of grains of the
+/// stiffness number `simulated`, and phi_rigid of rigid grains, and with the study's stiffness
+/// number kappa (`stiffness_number_of`). The share is negative if the study's grains are softer
+/// than the simulated grains.
+/// @param simulated stiffness number of the simulated grains [1]
 double stiffness_share(double simulated, const Condition& condition, const GrainProperties& grains,
                        const Fidelity& fidelity);
 

@@ -15,10 +15,10 @@ namespace pendular {
 ///
 /// Header cells read `name [unit]`, `name (unit)` or `name in unit`. Columns may be in any order. A
 /// column `name_sd [unit]` has standard deviations. If the header cell of the standard deviations
-/// states no unit, they have the unit of the column `name`. Columns of two quantities are converted
-/// and read as another quantity. A column `inertial_number_diameter_density` contains the shear
-/// rate times a sqrt(density/s22), with grain diameter a and normal stress s22. The column is
-/// divided by sqrt(6/pi) and read as `inertial_number`. A column `rotational_speed` is read as
+/// states no unit, they have the unit of the column `name`. Two kinds of columns are converted to
+/// another quantity. A column `inertial_number_diameter_density` contains the shear rate times a
+/// sqrt(density/s22), with grain diameter a and normal stress s22. The column is divided by
+/// sqrt(6/pi) and read as `inertial_number`. A column `rotational_speed` is read as
 /// `angular_velocity`. If the unit of the rotational speed has no angle (1/min), the column gives
 /// turns per time.
 class Columns {
@@ -28,7 +28,7 @@ class Columns {
     /// column is requested, so that unused columns may have any header.
     explicit Columns(const Table& table);
 
-    /// Whether the table has a column of a quantity, such as "torque".
+    /// Whether the table has a column of a given quantity, such as "torque".
     /// @throws InputError at the header cell if the column's unit is missing, unknown or of the
     ///         wrong dimension, or if two columns have the quantity. Every function of Columns with
     ///         a parameter `name` throws this error.
@@ -52,7 +52,7 @@ class Columns {
     ///         measured value
     std::optional<double> value_if_any(const Row& row, std::string_view name) const;
     /// Conversion of the numbers in the column with the index `index`, from 0, to SI units. A
-    /// number x becomes factor x + offset.
+    /// number x becomes factor*x + offset.
     struct Conversion {
         std::size_t index;
         double factor, offset;
@@ -65,8 +65,8 @@ class Columns {
     /// @throws InputError at the cell if its text is not a positive number
     std::optional<double> deviation(const Row& row, std::string_view name) const;
 
-    /// Returns the rounding step of a quantity in each row, in SI units, deduced from the number of
-    /// digits that the file gives. The rounding step is 0 if the column is missing or the cell is
+    /// Returns the step to which a quantity was rounded in each row, in SI units, deduced from the
+    /// number of digits in the file. The rounding step is 0 if the column is missing or the cell is
     /// empty.
     std::vector<double> resolutions(std::string_view name) const;
 
@@ -77,13 +77,13 @@ class Columns {
     /// Returns the indices, from 0, of the table's header cells whose names the program does not
     /// know.
     const std::vector<std::size_t>& unknown() const { return unknown_; }
-    /// Returns the header cells that are not empty and whose columns are not used.
+    /// Returns the texts of the header cells that are not empty and whose columns are not used.
     /// @param used names of the used quantities such as "torque", with "_sd" for their standard
     ///         deviations
     std::vector<std::string> others(const std::vector<std::string_view>& used) const;
 
   private:
-    /// Column of a quantity in the table. A number x in the column is factor x + offset in SI
+    /// Column of a quantity in the table. A number x in the column is factor*x + offset in SI
     /// units.
     struct Column {
         std::string_view name;  ///< name of the quantity in the column

@@ -212,10 +212,10 @@ Table table_of(const std::string& file, const std::vector<std::string_view>& lin
 }
 
 std::string csv_cell(std::string_view text) {
-    if (text.find_first_of(",;\t\"\n") == std::string_view::npos) return std::string(text);
+    if (text.find_first_of(",;\t\"\n\r") == std::string_view::npos) return std::string(text);
     std::string result = "\"";
     for (const char c : text)
-        result += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' ? ' ' : c);
+        result += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
     return result + '"';
 }
 

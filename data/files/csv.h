@@ -22,8 +22,8 @@ struct Row {
     std::vector<Cell> cells;
 };
 
-/// Table of text cells from a file: a header and at least one row. Each row has one cell for each
-/// cell of the header.
+/// Table of text cells from a file: a header and rows. Each row has one cell for each cell of the
+/// header.
 struct Table {
     std::string file;
     Row header;
@@ -40,8 +40,9 @@ struct Table {
     Position at_header(std::size_t cell) const { return at(header, cell); }
 };
 
-/// Largest numbers of table cells that are read. From one file, at most `most_cells` cells (rows
-/// times columns) are read. From one line, at most `most_cells_of_line` cells are read.
+/// Largest numbers of table cells that are read: at most `most_cells` cells (rows times columns)
+/// from one file, and at most `most_cells_of_line` cells from one line. Simple recordings, which
+/// `quick_recording` reads, may have more than `most_cells` cells.
 constexpr std::size_t most_cells = 20'000'000, most_cells_of_line = 2'000'000;
 
 /// Checks that a file does not have more than `most_cells` cells.
@@ -49,12 +50,12 @@ constexpr std::size_t most_cells = 20'000'000, most_cells_of_line = 2'000'000;
 /// @throws InputError at line `line` if `cells` exceeds `most_cells`
 void check_cell_count(std::size_t cells, const std::string& file, int line);
 
-/// Treatment of a quotation mark inside a table cell, as in the header `G"`. With `refused`, the
-/// mark is an error. With `kept`, the mark is a plain character of the cell.
+/// Treatment of a quotation mark inside a table cell, such as the header `G"`. With `refused`, the
+/// mark is an error. With `kept`, the mark is part of the text of the cell.
 enum class InnerQuotes { refused, kept };
 
 /// Splits a line of a table into cells. A quote at the start of a cell opens a quoted cell, in
-/// which two quotes mean one quote. Blanks around a cell are removed.
+/// which two successive quotes stand for one quote. Blanks around a cell are removed.
 /// @param at position of the line: file and line number
 /// @throws InputError at file:line:column if a quoted cell is not closed, if a quote is inside a
 ///         cell and `inner` refuses the quote, or if there are more than `most_cells_of_line` cells
@@ -77,8 +78,9 @@ Table read_table(const std::filesystem::path& path);
 ///         cells
 Table table_of(const std::string& file, const std::vector<std::string_view>& lines);
 
-/// Returns a text as one cell of a CSV file. A text with a delimiter, a quote or a line end (LF) is
-/// put in quotes. Line ends become blanks.
+/// Returns a text as one cell of a CSV file. A text that contains a delimiter, a quote or a line
+/// end (LF or CR) is put in quotes. Each quote in the text is doubled, and each line end becomes a
+/// blank.
 std::string csv_cell(std::string_view text);
 
 }  // namespace pendular

@@ -11,9 +11,9 @@ namespace pendular {
 /// read the earlier version would misread the new version. The schemas are in docs/reference.
 constexpr int json_format = 1;
 
-/// Returns a JSON object as the text of a file, with the version of the formats as first key
-/// "format". A number that is not finite is written as null. Bytes that are not UTF-8 are written
-/// as U+FFFD.
+/// Returns the text of a file that contains a JSON object. The first key of the text, "format",
+/// states the version of the formats (`json_format`). A number that is not finite is written as
+/// null. Bytes that are not UTF-8 are written as U+FFFD.
 /// @param indent number of blanks per level
 std::string json_text(const nlohmann::ordered_json& object, int indent = 2);
 

@@ -13,10 +13,10 @@ constexpr std::uintmax_t largest_unpacked = 256u << 20;
 bool is_archive(std::string_view bytes);
 
 /// Returns a sheet of a workbook (.xlsx) as lines of text in UTF-8, with cells separated by tabs.
-/// Each line is a row of the sheet and has as many cells as the widest row. Rows without cells are
-/// empty lines. Numbers have a decimal point and all digits that the workbook stores, whatever
-/// format the workbook displays. A formula is given by its stored result. Tabs and line ends within
-/// a cell become blanks. Errors such as #DIV/0! are empty cells.
+/// Each line is a row of the sheet and has as many cells as the widest row. Rows without values
+/// become empty lines. Numbers have a decimal point and all digits that the workbook stores,
+/// whatever format the workbook displays. A formula is replaced by its stored result. Tabs and line
+/// ends within a cell become blanks. Errors such as #DIV/0! become empty cells.
 /// @param bytes content of the file
 /// @param file path of the file, for error messages
 /// @param sheet name of the sheet; empty: the first sheet of the workbook

@@ -7,9 +7,9 @@
 namespace pendular {
 
 /// Writes readings (measured shear stresses and solid fractions with their conditions) to a CSV
-/// file in SI units, in the format of [[readings]] in study.toml. Each row also has the source file
-/// (relative to the folder of the CSV file), line, step, duration and number of replicates
-/// (repeated readings at one condition). The standard errors include the scatter between
+/// file in SI units, in the format that an entry [[readings]] of study.toml reads. Each row also
+/// has the source file (relative to the folder of the CSV file), line, step, duration and number of
+/// replicates (repeated readings at one condition). The standard errors include the scatter between
 /// replicates. The scatter is not added again when the file is read, so that the readings do not
 /// change.
 /// @throws InputError if the path is a symbolic link out of its folder

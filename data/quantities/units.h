@@ -6,13 +6,14 @@
 
 namespace pendular {
 
-/// Unit of measurement. A value x in the unit of measurement is factor x + offset in SI units.
+/// Unit of measurement. A value x in the unit equals factor x + offset in SI units.
 class Unit {
   public:
     /// Reads a unit in any common spelling, such as "mN m", "mNm", "N·m", "kPa", "1/s", "deg",
     /// "rpm" or "%". The texts "", "-" and "1" mean dimensionless.
-    /// @throws std::invalid_argument naming the text if the text is no unit, or if the case of its
-    ///         letters makes the text an unlikely unit ("pa" would be a pico-are)
+    /// @throws std::invalid_argument if the text is no unit, or if the case of its letters makes
+    ///         the text an unlikely unit ("pa" would be a pico-are). The message quotes the text.
+    /// @throws std::runtime_error if the unit database of UDUNITS-2 is not installed
     explicit Unit(std::string_view spelling);
 
     /// Returns the SI value of a value that is given in the unit.
@@ -41,8 +42,8 @@ std::string wrong_dimension(const Unit& unit, const Unit& expected);
 
 /// Returns the common spelling of the SI unit with the dimension of `unit`, such as "N m" for "mNm"
 /// and "Pa" for "kPa". The result is "1" if `unit` is dimensionless. For a dimension without a
-/// common spelling, the prefixes of `unit` are left out, as in "N m s/rad" for "mN m s/rad". If
-/// leaving out the prefixes gives no SI unit, the result is a product of SI base units.
+/// common spelling, the prefixes of `unit` are left out: "N m s/rad" for "mN m s/rad". If leaving
+/// out the prefixes gives no SI unit, the result is a product of SI base units.
 std::string si_spelling(const Unit& unit);
 
 /// Returns the value in SI units of a text such as "500 um". The text needs no unit if the expected

@@ -11,10 +11,9 @@ double plain_mean(std::span<const double> samples);
 
 /// Lagged covariances C(t) of two series of n values, in the product of the units of the series.
 /// C(t) is the covariance of the first series with the second series t values later, averaged with
-/// the covariance of the second series with the first series t values later. The covariance at a
-/// lag below `lags_alone` is computed when the covariance at the lag is first requested. The first
-/// request at a lag of `lags_alone` or more computes the covariances at all lags, by Fourier
-/// transforms.
+/// the covariance of the second series with the first series t values later. Covariances at lags
+/// below `lags_alone` are computed one by one, up to the requested lag. The first request at a
+/// larger lag computes the covariances at all lags by Fourier transforms.
 class LaggedCovariances {
   public:
     /// Prepares the covariances of two series. For the autocovariances of one series, pass the

@@ -23,8 +23,8 @@ class AveragedRows {
     /// Adds a row of the file to the recording.
     /// @param line number of the row's line in the file, from 1
     /// @param values value of each column in the row, in SI units
-    /// @return false if averaging does not make the recording shorter, because nearly every row
-    ///         belongs to an interval that differs from the interval of the preceding row
+    /// @return false if averaging cannot make the recording shorter, because every row belongs to
+    ///         an interval that differs from the interval of the preceding row
     bool add(int line, const std::vector<double>& values);
     /// Adds the mean of the rows that remain at the end of the file, which are too few for a mean
     /// of the usual number of rows. The function must be called after the last row.

@@ -13,12 +13,12 @@ namespace pendular {
 /// bin. If there are at most `most` readings, they are returned unchanged.
 ///
 /// Readings are averaged only if they have equal liquid content and volume of grains, are all
-/// steady shear or all points of failure after equal preshear, and share the estimate of their
-/// scatter. Readings whose errors come only from the scatter within one run are averaged only with
-/// readings of their recording, since each recording has its own filling of the cell. All other
-/// readings from different files are averaged only if more than `most`/2 bins would be needed
-/// otherwise. Bins whose conditions differ most are divided first, until the number of bins is
-/// `most`.
+/// steady shear or all points of failure after equal preshear, and share one estimate of the
+/// scatter between replicates (repeated readings at one condition). Readings whose errors come only
+/// from the scatter within one run are averaged only with readings of their recording, since each
+/// recording has its own filling of the cell. All other readings from different files are averaged
+/// only if more than `most`/2 bins would be needed otherwise. Bins whose conditions differ most are
+/// divided first, until the number of bins is `most`.
 ///
 /// Stress ratios and solid fractions are averaged at the means of 1/(normal stress) and of
 /// sqrt(inertial number), in which models are nearly linear. If one of these coordinates has the

@@ -21,10 +21,10 @@ namespace pendular {
 /// shifted in time. Copies are also found within one recording whose time restarts.
 class KnownRows {
   public:
-    /// Removes copied rows from a recording. The list `result.excluded` names the copied rows with
-    /// the original rows, and `result.notes` names the files. If the study states a liquid content
-    /// or volume of grains for the copy that differs from that of the original, a message is added
-    /// to `result.doubts`.
+    /// Removes copied rows from a recording. Lists the copied rows with the original rows in
+    /// `result.excluded`, and names the files in `result.notes`. If study.toml states different
+    /// liquid contents or volumes of grains for the copy and the original, adds a message to
+    /// `result.doubts`.
     /// @param source entry of study.toml to which the recording belongs
     void take_out_copies(Recording& recording, const Source& source, Measurements& result);
 
@@ -56,10 +56,10 @@ class KnownRows {
 
 /// Moves readings that repeat an earlier reading from `measurements.readings` to
 /// `measurements.excluded`. A reading is a repetition if normal stress, inertial number, liquid
-/// content, volume of grains (if both are known), values, time and covariance equal those of an
-/// earlier reading. For two readings from different files, time and covariance need not be equal if
-/// shear stress and solid fraction have more than six digits, since values with so many digits are
-/// hardly equal by chance.
+/// content, volume of grains (if both are known), measured values, time and covariance equal those
+/// of an earlier reading. For two readings from different files, time and covariance need not be
+/// equal if shear stress and solid fraction have more than six digits, since values with so many
+/// digits are hardly equal by chance. Notes on the repetitions are added to `measurements.notes`.
 void count_readings_once(Measurements& measurements);
 
 }  // namespace pendular

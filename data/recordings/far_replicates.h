@@ -11,10 +11,9 @@ namespace pendular {
 /// Replicates (repeated readings at one condition) that differ from each other far more than all
 /// other replicates do.
 struct FarReplicates {
-    /// Variances [1] to add to the errors of each reading: first of the stress ratio, divided by
-    /// the squared stress ratio, second of the solid fraction, divided by the squared solid
-    /// fraction. The variances are 0 for readings that agree with their replicates (repeated
-    /// readings at one condition).
+    /// Relative variances [1] to add to the errors of each reading, for the stress ratio (index 0)
+    /// and the solid fraction (index 1): variance divided by the squared value. The variances are 0
+    /// for readings that agree with their replicates (repeated readings at one condition).
     std::vector<Eigen::Vector2d> variance;
     /// Clusters of files (connected by common conditions) whose files differ too much, although no
     /// single file can be identified as the wrong one. The first number of each pair is the index
@@ -35,7 +34,7 @@ struct FarReplicates {
 ///
 /// Files differ too much if the standard deviation between them exceeds 5 % in stress ratio or 3 %
 /// in solid fraction. One file is removed if the remaining files then agree. Otherwise all files
-/// stay, and `FarReplicates::unlike` lists their cluster. A condition is removed if its replicates
+/// stay, and `unlike` of the result lists their cluster. A condition is removed if its replicates
 /// scatter more than the replicates of all other conditions in its cluster of files (F test, p <
 /// 0.001). Files stay in the table and cause a note if they differ by less than the limits, but by
 /// more than half of the limits and by more than three times the scatter of their steps.

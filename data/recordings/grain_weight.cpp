@@ -38,9 +38,8 @@ std::optional<std::string> grain_weight_note(const Study& study,
     if (count == 0) return std::nullopt;
     return fmt::format(
         "The weight of the beads is neglected. It raises the normal stress at the base by up to "
-        "{:.0f} Pa. In {} of {} readings, those at applied normal stresses of {}, this is more "
-        "than "
-        "10 %. 'pendular diagnose' tests the effect grain-weight.",
+        "{:.0f} Pa. In {} of {} readings, those at an applied normal stress of {}, this is "
+        "more than 10 %. 'pendular diagnose' tests the effect grain-weight.",
         weight, count, readings.size(), range_of(least, greatest));
 }
 

@@ -25,8 +25,8 @@ struct IntervalRole {
 ///
 /// An interval is sheared if its largest shear stress exceeds 5 % of the largest shear stress of
 /// the test. The role of a sheared interval is the first role in the list that applies:
-/// - "steady", if the shear stress reaches three times the normal stress, so that the sample is
-/// hardly loaded, or if the lid turns by more than 1 rad.
+/// - "steady", if the sample is hardly loaded (the normal stress is not positive, or the shear
+/// stress reaches three times the normal stress), or if the lid turns by more than 1 rad.
 /// - "failure", if the file has only the intervals 4, 8, 12 and so on of a powder cell, or if the
 /// preceding sheared interval has a normal stress more than 5 % higher.
 /// - "preshear", if the next sheared interval whose normal stress differs by at least 5 % has a

@@ -10,8 +10,8 @@ namespace pendular {
 
 /// Smallest and largest plausible solid fraction [1] of grains in steady shear. Equal spheres fill
 /// at most pi/sqrt(18) = 0.7405 of space. Steady shear under load keeps the solid fraction above
-/// that of random loose packing, 0.55. The cohesion that separate liquid bridges cause lowers the
-/// solid fraction 0.55 by a few hundredths.
+/// that of random loose packing, 0.55. Cohesion by separate liquid bridges lowers the limit 0.55 by
+/// a few hundredths. The value 0.4 leaves a margin.
 /// Source: Hales, Ann. Math. 162 (2005) 1065; Onoda and Liniger, Phys. Rev. Lett. 64 (1990) 2727.
 constexpr double loosest_solid_fraction = 0.4, densest_solid_fraction = 0.74;
 

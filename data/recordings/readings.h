@@ -18,15 +18,17 @@ namespace pendular {
 /// entry has none, the volume in the table [cell]. Without a column height, the height is computed
 /// from the volume of grains and the solid fraction, if the study has a cell.
 ///
-/// Each reading has a covariance matrix: first of the shear stress [Pa], second of the solid
-/// fraction [1]. The standard deviation of a normal stress, times shear stress/normal stress, is
-/// added in quadrature to the standard deviation of the shear stress. The standard deviation of the
-/// normal stress is ignored if the table gives stress ratios, which hardly depend on the normal
-/// stress. A variance without a standard deviation in the table is 0; `pool_replicates` estimates
+/// Each reading has a covariance matrix of its errors. The first row and column are those of the
+/// shear stress [Pa], the second those of the solid fraction [1]. The standard deviation of a
+/// normal stress, times shear stress/normal stress, is added in quadrature to the standard
+/// deviation of the shear stress. The standard deviation of the normal stress is ignored if the
+/// table gives stress ratios, which hardly depend on the normal stress. If the table gives no
+/// standard deviation of a value, the variance of the value is 0 until `pool_replicates` estimates
 /// the variance.
 /// @param source entry of study.toml to which the table belongs
 /// @throws InputError at file:line:column for a malformed table, a missing column, an invalid
-///         value, and an unknown column whose name resembles a known name
+///         value, an unknown column whose name resembles a known name, and a liquid content that
+///         both the table and the entry of study.toml give
 Measurements read_points(const std::filesystem::path& path, const Source& source,
                          const Study& study);
 

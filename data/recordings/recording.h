@@ -38,7 +38,7 @@ struct Recording {
     std::vector<double> interval;
     /// Header cells of the columns of the file that were not read.
     std::vector<std::string> unused_columns;
-    /// Rows and intervals of the file that could not be read, with reasons.
+    /// Rows and intervals of the file that were not read, with reasons.
     std::vector<Excluded> left_out = {};
 
     std::size_t size() const { return time.size(); }
@@ -81,8 +81,8 @@ void fill_from_stresses(Recording& recording, const AnnularCell& cell);
 /// where the column interval changes. Without a column interval, a step begins where the angular
 /// velocity or the normal force changes to a new constant value. A constant value lasts at least
 /// `shortest_step` rows. The value differs from the preceding constant value by more than 5 % and
-/// by more than the noise. Rows between two constant values belong to the later step, as the
-/// transient of that step.
+/// by more than the noise. Rows between two constant values belong to the later step, as its
+/// transient.
 std::vector<Step> split_steps(const Recording& recording);
 
 /// Removes the rows whose element of `marked` is true from all columns of a recording.

@@ -29,12 +29,12 @@ struct ReplicateTable {
     std::vector<ReplicateCluster> clusters;
     double reference_stress = 1;  ///< geometric mean of the readings' normal stresses [Pa]
     /// Smallest normal stress of the readings with replicates (repeated readings at one condition),
-    /// divided by `reference_stress` [1]. Readings at smaller normal stresses get the scatter that
-    /// replicates have at this normal stress.
+    /// divided by `reference_stress` [1]; at most 1. Readings at smaller normal stresses get the
+    /// scatter that replicates have at this normal stress.
     double least_load = 1;
     /// Largest normal stress of the readings with replicates (repeated readings at one condition),
-    /// divided by `reference_stress` [1]. Readings at larger normal stresses get the scatter that
-    /// replicates have at this normal stress.
+    /// divided by `reference_stress` [1]; at least 1. Readings at larger normal stresses get the
+    /// scatter that replicates have at this normal stress.
     double greatest_load = 1;
 
     /// Returns the name, without the folder, of the file with index `file` in `files`.

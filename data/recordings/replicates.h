@@ -8,10 +8,9 @@
 namespace pendular {
 
 /// Estimates the scatter between replicates (repeated readings at one condition) and adds the
-/// scatter to the covariance matrices of all readings: first of the shear stress [Pa], second of
-/// the solid fraction [1]. The contribution that already follows from the readings' own errors is
-/// subtracted. The function also sets `Reading::replicates` and adds messages to
-/// `measurements.doubts` and `measurements.notes`.
+/// scatter to the covariance matrix of each reading (`Reading::covariance`). The contribution to
+/// the scatter that follows from the readings' own errors is subtracted. The function also sets
+/// `Reading::replicates` and adds messages to `measurements.doubts` and `measurements.notes`.
 ///
 /// Logarithms of stress ratios and of solid fractions are compared, so that set points that differ
 /// by 2 % do not count as scatter. A two-way analysis of variance (by conditions and by files)
@@ -21,9 +20,9 @@ namespace pendular {
 /// The scatter between steps is estimated for each cluster of files with common conditions, and
 /// shrunk towards the scatter of all clusters (`moderated`). Filling errors are pooled over all
 /// files and listed in `Reading::shared`. The prior for the filling errors is half of the scatter
-/// between steps and counts like one difference between files. Files or conditions far from their
-/// replicates are reported in `measurements.doubts`, left out of the pooling, and get an error as
-/// large as their distance (`set_far_replicates_apart`).
+/// between steps and counts like one difference between files. Files or conditions that differ too
+/// much from their replicates are reported in `measurements.doubts`, left out of the pooling, and
+/// get an error as large as their distance (`set_far_replicates_apart`).
 ///
 /// A variance with nu degrees of freedom is multiplied by (t/2)^2, where t is Student's quantile
 /// for nu at the level of two standard deviations. Two standard errors then cover 95 % although the

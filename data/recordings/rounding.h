@@ -28,8 +28,8 @@ void weigh_rounding(ReplicateTable& table, const std::vector<Reading>& readings)
 /// fraction of each reading, unless the variance given with the reading is at least as large. The
 /// rounding error that replicates (repeated readings at one condition) have in common is also added
 /// to `Reading::shared`.
-/// @param stated variances given with each reading, rounding included: first of the shear stress
-///         [Pa^2], second of the solid fraction [1]; 0 if no variance was given
+/// @param stated variances given with each reading, including rounding, of the shear stress [Pa^2]
+///         (index 0) and the solid fraction [1] (index 1); 0 if no variance was given
 void add_rounding(const ReplicateTable& table, const std::vector<Eigen::Vector2d>& stated,
                   std::vector<Reading>& readings);
 

@@ -2,9 +2,10 @@
 
 namespace pendular {
 
-/// Converts the times in successive recordings to the time since the first recording began [s].
-/// Times that keep increasing from recording to recording are used as recorded. A recording in
-/// which the times restart is assumed to follow the preceding recording without a pause.
+/// Converts the recorded times of successive recordings to times on the clock of the study's first
+/// recording [s]. Times that keep increasing from recording to recording are used as recorded. A
+/// recording in which the times restart is assumed to follow the preceding recording without a
+/// pause.
 class RunClock {
   public:
     /// Returns the offset [s] to add to the recorded times of the next step. The function must be

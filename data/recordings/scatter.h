@@ -10,8 +10,7 @@ namespace pendular {
 /// in stress ratio or in solid fraction.
 struct ReplicatedValue {
     std::size_t reading = 0;  ///< index of the reading among the study's readings
-    /// Index of the condition that the reading has in common with its replicates (repeated
-    /// readings).
+    /// Index in `ReplicateTable::groups` of the condition of the reading and its replicates.
     std::size_t condition = 0;
     std::size_t file = 0;  ///< index of the reading's file; a file counts as one filling
     /// Logarithm of the stress ratio or solid fraction of the reading, minus the mean logarithm at
@@ -36,8 +35,8 @@ struct ScatterSums {
     /// were removed [1].
     double within = 0;
     double freedom_within = 0;  ///< degrees of freedom of the residual sum of squares `within`
-    /// Reduction of the sum of squares of the scaled deviations that the means of files bring,
-    /// after the means of conditions were removed [1].
+    /// Sum of squares between files [1]: reduction of the sum of squares of the scaled deviations
+    /// if the means of files are removed after the means of conditions.
     double between = 0;
     double freedom_between = 0;  ///< degrees of freedom of the sum of squares `between`
     /// Squared norm of the design matrix of the files, after the means of conditions were removed.
@@ -81,8 +80,8 @@ struct LoadExponent {
 /// Returns the most probable exponent [1] with which the scatter between replicates (repeated
 /// readings at one condition) depends on the load (normal stress divided by a reference stress):
 ///     standard deviation ~ load^-exponent
-/// The exponent is common to all sets of values, but each set has a variance of its own. The result
-/// is zero for fewer than 10 degrees of freedom.
+/// The exponent is common to all sets of values, but each set has a variance of its own. All
+/// members of the result are 0 for fewer than 10 degrees of freedom.
 ///
 /// The prior of the exponent is normal with mean 0 and standard deviation 0.5, limited to the range
 /// from 0 to 1. Errors of an instrument are constant or proportional to the load, so that relative

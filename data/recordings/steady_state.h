@@ -10,9 +10,10 @@
 namespace pendular {
 
 /// Converts each step of a recording to a reading, the mean over the steady part of the step.
-/// Returns the readings in the order of the steps. `Measurements::excluded` lists spikes,
-/// transients and unusable steps. Notes report spikes, negative torques whose sign was changed,
-/// interpolation, errors that the resolution of a column limits, and columns that were not read.
+/// Returns the readings in the order of the steps. The member `excluded` of the result lists
+/// spikes, transients and unusable steps. The member `notes` reports spikes, negative torques whose
+/// sign was changed, interpolation, errors that the resolution of a column limits, and columns that
+/// were not read.
 ///
 /// Data points of steps that were recorded at uneven time intervals are first interpolated linearly
 /// to even spacing, since the transient and the autocorrelation are computed from evenly spaced
@@ -23,13 +24,14 @@ namespace pendular {
 /// torque and gap are constant. If a wobble of torque, force or gap with the rotation of the lid
 /// would bias the mean, the mean is taken over whole turns (`whole_turns_begin`).
 ///
-/// The covariance of a reading is the covariance of the means within the run, with autocorrelation
-/// and with the correlation of torque T and gap. The covariance includes the error of the mean
-/// normal force F_N. Since a model predicts the shear stress at the measured mean normal stress,
-/// the variance of the mean of T - r F_N is used, where r is the ratio of mean torque to mean
-/// normal force. Fluctuations of the force that the torque follows cancel out, and errors of the
-/// force alone add up. The ratio r is the slope of a cohesionless material. With cohesion, the
-/// slope is smaller, and the error a little too large.
+/// The covariance of a reading is the covariance of the means within the run, including
+/// autocorrelation and the correlation between torque T and gap. The covariance also includes the
+/// error of the mean normal force F_N. Since a model predicts the shear stress at the measured mean
+/// normal stress, the variance of the mean of T - r F_N is used, where r is the ratio of mean
+/// torque to mean normal force. Fluctuations of the force that the torque follows thus cancel out,
+/// and fluctuations of the force alone increase the variance. The ratio r is the slope dT/dF_N of a
+/// cohesionless material. The slope of a cohesive material is smaller, so that its error is
+/// estimated a little too large.
 ///
 /// @param liquid_content volume of liquid divided by volume of grains [1]
 /// @param clock converts the mean recorded time of a steady part to the time of the reading, which

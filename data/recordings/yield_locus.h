@@ -11,8 +11,8 @@ namespace pendular {
 /// Peak of the shear stress in an interval in which the sample was sheared to failure. The peak is
 /// given twice: at the data point with the largest shear stress, and after smoothing.
 struct FailurePoint {
-    int interval = 0;  ///< number in the file of the interval that was sheared to failure
-    int line = 0;      ///< line in the file of the data point with the largest shear stress
+    int interval = 0;  ///< number of the interval that was sheared to failure, from the file
+    int line = 0;  ///< line number, in the file, of the data point with the largest shear stress
     /// Normal stress at the data point with the largest shear stress [Pa].
     double normal_stress = 0;
     double shear_stress = 0;            ///< largest shear stress of the interval [Pa]
@@ -68,7 +68,7 @@ struct LinearYieldLocus {
     /// Effective angle of internal friction [rad]; empty without a preshear.
     std::optional<double> effective_angle;
     /// Flowability: major principal stress of the preshear divided by unconfined yield strength
-    /// [1]; empty without a preshear.
+    /// [1]. The flowability is empty without a preshear, and infinite if the strength is 0.
     std::optional<double> flowability;
     std::string flow_class;  ///< class of flowability, such as "cohesive"; empty without a preshear
 };
@@ -81,9 +81,9 @@ struct LinearYieldLocus {
 /// The second equation determines the Mohr circle through the preshear (normal stress s, shear
 /// stress t) that is tangent to the line. The centre C of the circle is the smaller root, and r is
 /// the radius. The major principal stress is C + r, and sin(effective angle) = r/C. If the preshear
-/// is above the line, the circle touches the line at the normal stress s instead. A negative
-/// intercept means c = 0. The class of flowability is "not flowing" below 1, "very cohesive" below
-/// 2, "cohesive" below 4, "easy-flowing" below 10, and "free-flowing" from 10 on.
+/// is above the line, the circle touches the line at the normal stress s instead. If the intercept
+/// of the line is negative, c = 0. The class of flowability is "not flowing" below 1, "very
+/// cohesive" below 2, "cohesive" below 4, "easy-flowing" below 10, and "free-flowing" from 10 on.
 /// @throws std::invalid_argument if there are fewer than two different normal stresses
 /// Source: Jenike, Bulletin 123, University of Utah (1964); Schulze, Powders and Bulk Solids
 /// (2008).
@@ -94,15 +94,17 @@ LinearYieldLocus linear_yield_locus(const std::vector<double>& normal_stress,
 /// Points of failure after preshears of equal normal stress, with straight lines fitted to the
 /// points.
 struct YieldLocus {
-    std::string test;  ///< name in the file of the test to which the points of failure belong
+    std::string test;  ///< name of the test to which the points of failure belong, from the file
     /// Preshear before the first point of failure, if recorded.
     std::optional<PreshearPoint> preshear;
     std::vector<FailurePoint> points;
     /// Linear yield locus: straight line fitted to the normal stresses and shear stresses at
-    /// failure. Failure is the data point with the largest shear stress of an interval.
+    /// failure. Each point of failure is the data point with the largest shear stress of an
+    /// interval. The member is empty if all points have equal normal stress.
     std::optional<LinearYieldLocus> line;
     /// Linear yield locus: straight line fitted to the normal stresses and shear stresses at
-    /// failure. Failure is the smoothed peak of the shear stress of an interval.
+    /// failure. Each point of failure is the smoothed peak of the shear stress of an interval. The
+    /// member is empty if all points have equal normal stress.
     std::optional<LinearYieldLocus> smoothed;
 };
 

@@ -23,14 +23,14 @@ struct StatedDirect {
     Position effect_position = {}, value_position = {}, error_position = {};
 };
 
-/// Reads the direct measurements that were made from the tables [[direct]] of study.toml, which
-/// have the keys effect, value and error. Returns the measurements in the order of the file.
+/// Reads the tables [[direct]] of study.toml, which state the direct measurements that were made
+/// and have the keys effect, value and error. Returns the measurements in the order of the file.
 /// @throws InputError if a table lacks a key, has an unknown key or an empty value
 std::vector<StatedDirect> read_direct(const StudyTable& root);
 
-/// Reads the direct measurements that a measuring rig can make from the tables [[rig.direct]] of
-/// study.toml, which have the keys effect, error and, optionally, cost. Returns the measurements in
-/// the order of the file.
+/// Reads the tables [[rig.direct]] of study.toml, which state the direct measurements that a
+/// measuring rig can make and have the keys effect, error and, optionally, cost. Returns the
+/// measurements in the order of the file.
 /// @param rig table [rig] of study.toml
 /// @throws InputError if a table lacks a key or has an unknown key, or if a cost is not positive
 std::vector<StatedDirect> read_direct_of_rig(const StudyTable& rig);

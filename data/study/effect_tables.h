@@ -64,9 +64,9 @@ const std::vector<std::string>& condition_targets();
 
 /// Reads the effects that a user defines in the tables [[effect]] of study.toml. Returns the
 /// effects in the order of the file.
-/// @throws InputError if a key is missing, unknown or has an invalid value, if two effects have one
-///         name, if an effect has no formula, or if an effect has formulas for quantities of two
-///         kinds (`WrittenEffect::Kind`)
+/// @throws InputError if a key is missing, unknown or has an invalid value, if two effects have
+///         equal names, if an effect has no formula, or if an effect has formulas for quantities of
+///         two kinds (`WrittenEffect::Kind`)
 std::vector<WrittenEffect> read_written_effects(const StudyTable& root);
 
 }  // namespace pendular

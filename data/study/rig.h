@@ -26,17 +26,18 @@ struct Rig {
     /// Liquid contents (volume of liquid divided by volume of grains [1]) at which the rig can
     /// measure; 0: dry.
     std::vector<double> liquid_contents = {0};
-    /// Solid volumes of the grains [m^3] with which the cell can be filled; empty: only the volume
-    /// in the table [cell] of the study.
+    /// Solid volumes of the grains [m^3] with which the cell can be filled; empty: the cell is
+    /// always filled with the volume in the table [cell] of the study.
     std::vector<double> bead_volumes = {};
     int repeats = 5;  ///< largest number of further readings that the rig may take at one condition
-    /// Largest total number of further readings that the rig may take, over all conditions.
+    /// Largest total number of further readings that the rig may take at all conditions together.
     int readings = 12;
     double wet_cost = 1;  ///< cost of a wet reading, relative to the cost of a dry reading [1]
     /// Cost of filling the cell with a different amount of grains, relative to the cost of a dry
     /// reading [1].
     double filling_cost = 0;
-    /// Times [s] that the user may wait between the last reading and the next reading.
+    /// Waiting times [s] between the last reading and the next reading that are considered when the
+    /// next reading is planned.
     std::vector<double> waits = {0};
     /// Cost of waiting for an hour between readings, relative to the cost of a dry reading [1].
     double hour_cost = 1;
@@ -46,7 +47,8 @@ struct Rig {
 };
 
 /// Reads the table [rig] of study.toml. The result is empty if the study has no table [rig].
-/// @param has_liquid whether the study has a table [liquid], which liquid contents above 0 need
+/// @param has_liquid whether the study has a table [liquid], which is required for liquid contents
+///         above 0
 /// @param grains grains whose density converts the key bead_mass to a solid volume
 /// @throws InputError at a key that is missing, unknown or has an invalid value
 std::optional<Rig> read_rig(const StudyTable& root, const GrainProperties& grains, bool has_liquid);

@@ -4,14 +4,14 @@
 
 namespace pendular {
 
-/// Scatter of an instrument that the user states in the table [scatter] of study.toml: standard
-/// deviations of shear stress and solid fraction, divided by the value [1].
+/// Scatter of an instrument that the user states in the table [scatter] of study.toml: relative
+/// standard deviations of shear stress and solid fraction [1].
 struct StatedScatter {
-    /// Standard deviations between repetitions of one step, divided by the value [1]: first of the
-    /// shear stress, second of the solid fraction.
+    /// Relative standard deviations [1] of the shear stress (first element) and of the solid
+    /// fraction (second element) between repetitions of one step.
     Eigen::Vector2d step = Eigen::Vector2d::Zero();
-    /// Standard deviations between fillings of the cell, divided by the value [1]: first of the
-    /// shear stress, second of the solid fraction.
+    /// Relative standard deviations [1] of the shear stress (first element) and of the solid
+    /// fraction (second element) between fillings of the cell.
     Eigen::Vector2d filling = Eigen::Vector2d::Zero();
 };
 

@@ -74,18 +74,18 @@ struct ModelSettings {
     /// Variant of the formula of the bridge force: `derived`, or `as_printed` in Badetti et al.
     /// (2018).
     FormulaVariant bridge_force = FormulaVariant::derived;
-    /// Expected standard errors [1] of the model's predictions, divided by the value: first of the
-    /// stress ratio, second of the solid fraction. The standard errors are 0 if the model counts as
-    /// exact.
+    /// Expected relative standard errors [1] of the model's predictions of the stress ratio (first
+    /// element) and of the solid fraction (second element). The standard errors are 0 if the model
+    /// counts as exact.
     std::array<double, 2> discrepancy = {0, 0};
 };
 
 /// Settings for the conversion of recordings to readings: table [import] of study.toml.
 struct ImportSettings {
-    /// Whether readings that are physically implausible are used nevertheless.
+    /// Whether physically implausible readings are used rather than excluded.
     bool keep_implausible = false;
-    /// Smallest shear strain of the steady part of a step [1]. A step with a shorter steady part is
-    /// excluded.
+    /// Smallest allowed shear strain of the steady part of a step [1]. A step with a shorter steady
+    /// part is excluded.
     double least_strain = 1;
 };
 
@@ -113,10 +113,11 @@ struct Study {
 /// Reads the file study.toml of a study and checks every key. Quantities are texts with a unit, or
 /// plain numbers if dimensionless.
 /// @param study folder of the study, or path of its study.toml
-/// @throws InputError at file:line:column for a key that is missing or unknown (suggesting the
-///         nearest known key), a unit of the wrong dimension, an invalid value (an inner radius
-///         above the outer radius for example), a file that is missing, outside of the study's
-///         folder without allow_outside, or in two entries, and a study without any file
+/// @throws InputError at file:line:column if a key is missing or unknown (the message suggests the
+///         nearest known key), if a unit has the wrong dimension, if a value is invalid (an inner
+///         radius above the outer radius for example), if a file is missing, belongs to two
+///         entries, or is outside of the study's folder although allow_outside is not true, or if
+///         the study has no file of measurements
 Study read_study(const std::filesystem::path& study);
 
 /// Pattern of file paths in an entry [[recording]] or [[readings]] of study.toml. Files that match
@@ -132,9 +133,9 @@ struct FilePattern {
 /// Reads only the patterns of file paths from study.toml, without the files, for a study in which
 /// nothing has been measured yet.
 /// @param study folder of the study, or path of its study.toml
-/// @throws InputError at file:line:column if the file cannot be read, for a syntax error, an
-///         unknown key of the top level or of an entry, and a wrong value of a key that says how
-///         files are read
+/// @throws InputError at file:line:column if study.toml cannot be read, has a syntax error or an
+///         unknown key of the top level or of an entry, or if a key that says how files are read
+///         has a wrong value
 std::vector<FilePattern> read_patterns(const std::filesystem::path& study);
 
 /// Returns a warning for the user if a liquid content is outside of the pendular range, in which

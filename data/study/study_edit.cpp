@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -161,7 +162,7 @@ std::vector<std::string> names_in(const toml::array* list) {
 std::string quoted_names(const std::vector<std::string>& names) {
     std::string result;
     for (const std::string& name : names)
-        result += fmt::format("{}\"{}\"", result.empty() ? "" : ", ", name);
+        result += (result.empty() ? "" : ", ") + toml_string(name);
     return result;
 }
 
@@ -364,6 +365,12 @@ std::string without_effect(const std::string& text, const std::string& file,
     const auto index = static_cast<std::size_t>(found - names.begin());
     names.erase(found);
     return checked(study, remove_from_list(study, read_list(study, *node), index), names);
+}
+
+std::string toml_string(const std::string& text) {
+    std::ostringstream written;
+    written << toml::toml_formatter(toml::value(text), toml::format_flags::none);
+    return written.str();
 }
 
 void replace_study(const std::filesystem::path& file, const std::string& text) {

@@ -7,12 +7,12 @@
 namespace pendular {
 
 /// Returns the text of study.toml with an effect added at the end of the list `effects` in the
-/// table [model]. If the table or the list is missing, the table or the list is added. All other
-/// text, comments and line ends are preserved.
+/// table [model]. A missing table or list is added. All other text, comments and line ends are
+/// preserved.
 /// @param text text of study.toml
 /// @param file path of study.toml, for error messages
 /// @param name name of the effect
-/// @throws InputError if the text is not TOML, if the effect is in the list already, or if the
+/// @throws InputError if the text is not TOML, if the list already contains the effect, or if the
 ///         layout of the list cannot be edited safely. In the last case, the message says what to
 ///         write by hand.
 std::string with_effect(const std::string& text, const std::string& file, std::string_view name);
@@ -25,6 +25,9 @@ std::string with_effect(const std::string& text, const std::string& file, std::s
 /// @throws InputError if the text is not TOML, if the effect is not in the list, or if the layout
 ///         of the list cannot be edited safely
 std::string without_effect(const std::string& text, const std::string& file, std::string_view name);
+
+/// Returns a text as a string of TOML, in quotes, with escapes for the characters that need them.
+std::string toml_string(const std::string& text);
 
 /// Replaces the content of a study's file study.toml by a new text, completely or not at all.
 /// @param file path of study.toml

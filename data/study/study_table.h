@@ -26,16 +26,16 @@ struct Word {
     Position position;
 };
 
-/// Table of a TOML file, either study.toml or a campaign (list of simulations to run). Every
-/// function that reads a value throws an InputError at the line and column of the key or value if
-/// the value has the wrong type or unit.
+/// Table of a TOML file, either study.toml or a campaign (list of simulations to run). If a value
+/// has the wrong type or unit, the function that reads the value throws an InputError at the line
+/// and column of the key or value.
 class StudyTable {
   public:
     /// Parses a text in TOML and returns the top level of the text as a table.
     /// @param file path of the file with the text, for error messages
     /// @param keys keys allowed on the top level
-    /// @throws InputError at a syntax error and at an unknown key, suggesting the nearest allowed
-    ///         key
+    /// @throws InputError at a syntax error and at an unknown key; for the key, the message
+    ///         suggests the nearest allowed key
     static StudyTable parse(const std::string& file, const std::string& text,
                             const std::vector<std::string>& keys);
 
@@ -44,7 +44,7 @@ class StudyTable {
     /// @throws InputError if the file cannot be read, at a syntax error and at an unknown key
     static StudyTable read(const std::filesystem::path& file, const std::vector<std::string>& keys);
 
-    /// Whether the table of the TOML file has a key.
+    /// Whether the table contains a given key.
     bool has(std::string_view key) const;
     /// Returns the position of a key's value in the file, or the position of the table if the key
     /// is missing.
@@ -71,31 +71,31 @@ class StudyTable {
     /// Returns the value of a key in SI units. The result is empty if the key is missing. The value
     /// in the file is a text with a unit of the dimension of `unit`, such as "500 um", or a plain
     /// number if `unit` is dimensionless.
-    /// @throws InputError for any other value
+    /// @throws InputError if the value has any other form
     std::optional<double> quantity(std::string_view key, std::string_view unit) const;
     /// Returns the value of a key in SI units. The result is empty if the key is missing. The value
     /// in the file is a text with a unit of the dimension of `unit`, or a plain number, which is
     /// taken to be in `unit`.
-    /// @throws InputError for any other value
+    /// @throws InputError if the value has any other form
     std::optional<double> quantity_in(std::string_view key, const Unit& unit) const;
     /// Returns the value of a required key in SI units. The value in the file is a text with a unit
     /// of the dimension of `unit`, or a plain number if `unit` is dimensionless.
-    /// @throws InputError if the key is missing, and for any other value
+    /// @throws InputError if the key is missing or the value has any other form
     double required_quantity(std::string_view key, std::string_view unit) const;
     /// Returns the positive value of a required key in SI units. The value in the file is a text
     /// with a unit of the dimension of `unit`, or a plain number if `unit` is dimensionless.
-    /// @throws InputError if the key is missing or its value is not positive, and for any other
-    ///         value
+    /// @throws InputError if the key is missing, or if the value is not positive or has any other
+    ///         form
     double positive_quantity(std::string_view key, std::string_view unit) const;
 
     /// Returns the values of a key in SI units, in the order of the file. The result is empty if
     /// the key is missing. The file has one value or an array of values. A value is a text with a
     /// unit of the dimension of `unit`, or a plain number if `unit` is dimensionless.
-    /// @throws InputError if the array is empty, and for any other value
+    /// @throws InputError if the array is empty or a value has any other form
     std::vector<double> quantities(std::string_view key, std::string_view unit) const;
 
-    /// Returns the plain numbers of a key, one number or an array, in the order of the file. The
-    /// result is empty if the key is missing.
+    /// Returns the plain numbers (without unit) of a key whose value is one number or an array of
+    /// numbers, in the order of the file. The result is empty if the key is missing.
     /// @throws InputError if the array is empty or a value is not a finite number
     std::vector<double> numbers(std::string_view key) const;
 
@@ -106,14 +106,13 @@ class StudyTable {
     /// @throws InputError if the value is neither true nor false
     std::optional<bool> flag(std::string_view key) const;
     /// Returns the text and the position of a key's value, which is a text or a plain number. The
-    /// result is empty if the key is missing. The function is for a quantity whose unit is not
+    /// result is empty if the key is missing. The function serves for a quantity whose unit is not
     /// known yet.
     /// @throws InputError if the value is neither a text nor a number
     std::optional<Word> stated(std::string_view key) const;
     /// Returns the text of a key that must be one of `words`. If the key is missing, the result is
     /// the first of `words`.
-    /// @throws InputError if the text is not one of `words`, suggesting the word that is nearest to
-    ///         the text
+    /// @throws InputError if the text is not one of `words`; the message suggests the nearest word
     std::string choice(std::string_view key, const std::vector<std::string>& words) const;
     /// Returns the texts of a key whose value is an array of texts. If the key is missing, the
     /// result is `missing`.
@@ -145,7 +144,7 @@ class StudyTable {
 
     std::shared_ptr<const toml::table> root_;  ///< the whole TOML file, which keeps `table_` alive
     const toml::table* table_;
-    std::string name_;  ///< name of the table as in the file: "[grains]"
+    std::string name_;  ///< name of the table with its brackets, such as "[grains]"
     Position position_;
 };
 

@@ -12,20 +12,20 @@ namespace pendular {
 /// model curve along the conditions of these readings. The readings differ mainly in the quantity
 /// on the x axis.
 struct PageSeries {
-    /// Text of the quantity by which the series differs from the remaining series of the panel,
-    /// with its unit.
+    /// Label of the series: the values, with units, by which the series differs from the other
+    /// series of the panel, such as "normal stress 300 Pa".
     std::string label;
     /// Indices of the readings in the study, in the order of rising x.
     std::vector<std::size_t> members;
-    /// Values on the x axis of the points of the curve. The list is empty if the series has no
-    /// curve.
+    /// Values on the x axis at the points of the curve, in the unit of the axis. The list is empty
+    /// if the series has no curve.
     std::vector<double> x;
     /// Conditions of the points of the curve, in the order of `x`.
     std::vector<Condition> along;
 };
 
-/// Panel (pair of axes) of a study's HTML report. The panel shows measured and predicted stress
-/// ratios or solid fractions.
+/// Pair of plots with a common x axis in a study's HTML report. The first plot shows measured and
+/// predicted stress ratios, the second shows measured and predicted solid fractions.
 struct PagePanel {
     std::string title, x_label;
     bool log_x = false;
@@ -35,18 +35,17 @@ struct PagePanel {
     std::vector<PageSeries> series;
 };
 
-/// Divides the readings of a study into panels of the study's HTML report. Dry readings are shown
-/// against the normal stress or the inertial number, whichever varies by the larger factor. Wet
-/// readings are shown against 1/P*, the inverse of the reduced pressure. A panel has one series for
-/// each value of the quantities that are not on the x axis, and separate series for points of
-/// failure. If readings with equal x have different bead masses or heights, the series is divided
-/// further by bead mass or by file, since one curve at the mean condition of the series would not
-/// describe any of these readings.
+/// Divides the readings of a study into a dry and a wet panel of the study's HTML report. Dry
+/// readings are shown against the normal stress or the inertial number, whichever varies by the
+/// larger factor. Wet readings are shown against 1/P*, the inverse of the reduced pressure. A panel
+/// has one series for each value of the quantities that are not on the x axis, and separate series
+/// for points of failure. If readings with equal x have different bead masses or heights, the
+/// series is divided further by bead mass or by file, since one curve at the mean condition of the
+/// series would not describe any of these readings.
 std::vector<PagePanel> page_panels(const std::vector<Reading>& readings, const Study& study);
 
-/// Returns the conditions at the points of all model curves of a study's HTML report. The
-/// conditions are in the order of the panels, in a panel in the order of its series, and in a
-/// series in the order of the points.
+/// Returns the conditions at the points of all model curves of a study's HTML report, ordered by
+/// panel, then by series, then by point.
 std::vector<Condition> points_of_curves(const std::vector<PagePanel>& panels);
 
 }  // namespace pendular

@@ -16,17 +16,16 @@ namespace pendular {
 /// the fit. The report computes curves, residuals, chi2 and relative RMS errors from this
 /// polynomial when a reader moves the parameters.
 ///
-/// Arrays are base64 of little-endian numbers. The key `response` begins with the predictions at
-/// all points (the readings, then the points of the curves) as 32-bit floats: first the stress
-/// ratios, second the solid fractions. Then follow the coefficients of first order, then the
-/// coefficients of second order. Each coefficient has two parts, first for the stress ratio, second
-/// for the solid fraction. Each part is a scale as a 32-bit float and one 16-bit integer per point.
-/// The coefficient at a point is integer x scale/32767, for parameter shifts in units of the
-/// standard errors.
+/// The keys `response`, `errors`, `form` and `without` of a model contain little-endian numbers as
+/// base64 text. The key `response` begins with the predictions at all points (the readings, then
+/// the points of the curves) as 32-bit floats: first the stress ratios, second the solid fractions.
+/// Then follow the coefficients of first order, then the coefficients of second order. Each
+/// coefficient has two parts, first for the stress ratio, second for the solid fraction. Each part
+/// is a scale as a 32-bit float and one 16-bit integer per point. The coefficient at a point is
+/// integer x scale/32767, for parameter shifts in units of the standard errors.
 /// @param panels panels of the report; `models` must have predictions at the points of the panels'
 ///        curves, in the order of `points_of_curves`
-/// @param recordings stresses of the study's recordings against the number of the row, which the
-///        report draws below the panels
+/// @param recordings recordings of the study, which the report draws below the panels
 nlohmann::ordered_json page_data(const SwitchedModels& models, const std::vector<PagePanel>& panels,
                                  const std::vector<PageRecording>& recordings);
 

@@ -12,8 +12,8 @@
 
 namespace pendular {
 
-/// Recording as a study's HTML report shows the recording: stresses against the number of the row,
-/// thinned to a few hundred points, with the ranges of rows that are averaged.
+/// Recording in a study's HTML report: stresses against the number of the row, thinned to a few
+/// hundred points, with the ranges of rows that are averaged.
 struct PageRecording {
     /// Shear stress [Pa] or normal stress [Pa] against the number of the row, from 1. If the file
     /// has no stresses, torque [N m] or normal force [N] takes the place of the stress.
@@ -25,10 +25,10 @@ struct PageRecording {
         /// the quantity. Empty for a window without a recorded value.
         std::vector<std::optional<double>> means;
     };
-    /// Path of the recording's file, as in `Reading::origin`.
+    /// Path of the recording's file, equal to `origin.file` of the readings from this file.
     std::string file;
     /// Curves of the recording against the number of the row: shear stress, then normal stress. A
-    /// stress of which no value is known is left out.
+    /// stress without any recorded value is left out.
     std::vector<Course> courses;
     /// Ranges of rows of the recording that are averaged.
     std::vector<AveragedWindow> windows;
@@ -48,13 +48,13 @@ PageRecording page_recording(const FileView& view, const std::vector<Reading>& r
 /// @param recordings number of recordings in the report
 std::size_t points_of_recordings(std::size_t recordings);
 
-/// Returns the JSON of recordings for a study's HTML report. Each recording has its name, `parts`
-/// (stresses against the number of the row) and `windows` (ranges of rows that are averaged). A
-/// part has a label, the keys `low`, `range` and `width`, and the points as base64. Each point
-/// consists of two unsigned little-endian numbers: first the number of rows since the point before
-/// (`width` bytes), second a 16-bit number k. The value at the point is low + range k/65535. A
-/// window has its first and last row, a text on its kind, the index of the reading that averages
-/// the rows (null: no reading), and the mean in each part.
+/// Returns the JSON of recordings for a study's HTML report. Each recording has the name of its
+/// file, `parts` (stresses against the number of the row) and `windows` (ranges of rows that are
+/// averaged). A part has a label, the keys `low`, `range` and `width`, and the points as base64.
+/// Each point consists of two unsigned little-endian numbers: first the number of rows since the
+/// previous point (`width` bytes), second a 16-bit number k. The value at the point is
+/// low + range k/65535. A window has its first and last row (counted from 1), its kind as text, the
+/// index of the reading that averages the rows (null: no reading), and the mean of each part.
 /// @param readings all readings (measured states) that the report shows
 nlohmann::ordered_json recordings_json(const std::vector<PageRecording>& recordings,
                                        const std::vector<Reading>& readings);

@@ -16,11 +16,11 @@
 
 namespace pendular {
 
-/// Results on a study that the HTML page of the study (the report) shows.
+/// Content of the HTML page of a study (the report): results, texts and settings.
 struct PageContent {
     std::string study;  ///< name of the study
-    /// Word that names the study in the commands that the page shows: the path of the study as the
-    /// user gave the path, quoted where a shell needs quotes.
+    /// Argument that names the study in the commands on the page: the path of the study as the user
+    /// typed it, quoted if a shell needs quotes.
     std::string study_argument;
     /// Study with its catalogue of effects (list of known physical effects).
     const ResolvedStudy& resolved;
@@ -30,8 +30,8 @@ struct PageContent {
     /// Verdict on the effects that the model lacks, with tests and refitted models.
     const StudyDiagnosis& diagnosis;
     Checks checks;  ///< tests of the residuals of the study's model
-    /// Shifts of the fitted friction coefficient by effects and by errors of measurement. Empty if
-    /// the shifts were not computed.
+    /// Shifts of the fitted friction coefficient that effects and errors of measurement cause.
+    /// Empty if the shifts were not computed.
     std::optional<ImpactTable> impacts = {};
     /// Ladder: sequence of the study's models, with one effect more or fewer in each step. May be
     /// empty.
@@ -39,8 +39,8 @@ struct PageContent {
     /// Lines of text on the next measurement to make, or one line that says why no measurement is
     /// planned. Empty if the next measurement was not computed.
     std::vector<std::string> next = {};
-    /// Fitted models, one for each combination of the leading effects. The reader of the page
-    /// switches these effects on and off.
+    /// Fitted models, one for each combination of the leading effects. The reader of the page can
+    /// switch these effects on and off.
     SwitchedModels switched;
     /// Panels that show readings, with the curves of the models in `switched`.
     std::vector<PagePanel> panels;

@@ -11,7 +11,7 @@ struct CellState {
     double height = 0;            ///< height of the sample in the cell [m]
     double angular_velocity = 0;  ///< angular velocity of the lid [rad/s]
     double liquid_content = 0;    ///< liquid volume divided by grain volume in the cell [1]
-    double bead_volume = 0;       ///< volume of the beads in the cell [m^3]
+    double bead_volume = 0;       ///< solid volume of the grains in the cell [m^3]
     double time = 0;              ///< time since the first recording began [s]
 
     // No effect changes the quantities below.
@@ -22,8 +22,7 @@ struct CellState {
 
     /// Returns the area of the annulus on which the lid presses [m^2].
     double area() const;
-    /// Returns the width of the annulus of the cell [m]: distance between the inner and the outer
-    /// side wall.
+    /// Returns the width of the annulus [m]: distance between the inner and the outer side wall.
     double width() const { return outer_radius - inner_radius; }
     /// Returns the weight of the dry grains in the cell [N].
     double weight() const;

@@ -9,8 +9,7 @@
 namespace pendular {
 
 /// Direct measurement of an effect's parameter without shearing grains, such as the measurement of
-/// the drag from the torque of the empty cell, or of the contact angle from a drop. A model that
-/// does not list the effect predicts the value `neutral`.
+/// the drag from the torque of the empty cell, or of the contact angle from a drop.
 struct DirectMeasurement {
     /// Name of the measured parameter as "EFFECT.PARAMETER", such as "torque-offset.torque".
     std::string parameter;
@@ -18,21 +17,23 @@ struct DirectMeasurement {
     /// Instrument or method that measures the parameter, such as "a viscometer"; empty if unknown.
     std::string by = {};
     /// Value of the parameter, in the parameter's unit, that a model predicts if the model does not
-    /// list the effect (`Effect::unlisted_value`): the value of the study's liquid for a property
-    /// of the liquid, such as the surface tension, otherwise the value at which the effect
-    /// vanishes, such as 1 for a torque gain.
+    /// list the effect (`Effect::unlisted_value`). If the study's liquid gives the parameter
+    /// (`Effect::given_by_liquid`), as for the surface tension, the model predicts the value of the
+    /// liquid. Otherwise the model predicts the value at which the effect vanishes, such as 1 for a
+    /// torque gain.
     double neutral = 0;
     /// Measured value of the parameter, in the parameter's unit; 0 if not measured yet.
     double value = 0;
     double standard_error = 0;  ///< standard error of the measured value, in the parameter's unit
 };
 
-/// Returns a direct measurement of an effect's parameter (made without shearing grains), converted
-/// from a table [[direct]] or [[rig.direct]] of study.toml to the SI unit of the parameter.
+/// Converts a table [[direct]] or [[rig.direct]] of study.toml to a direct measurement of an
+/// effect's parameter (made without shearing grains). The measurement is in the SI unit of the
+/// parameter.
 /// @param catalogue all effects available to the study
-/// @throws InputError for an effect that is unknown, can only be switched on or off, or does not
-///         apply to the study, a value or standard error in a unit that does not fit the parameter,
-///         or a standard error that is not positive
+/// @throws InputError if the effect is unknown, can only be switched on or off, or does not apply
+///         to the study, if a unit does not fit the parameter, or if the standard error is not
+///         positive
 DirectMeasurement direct_measurement(const StatedDirect& stated, const Study& study,
                                      const EffectCatalogue& catalogue);
 

@@ -26,17 +26,17 @@ struct ChangeInstrument {
     enum class Where { grains, transducers } where = Where::grains;
 };
 
-/// Effect that changes only the values of properties of the study's grains or liquid, such as the
-/// contact angle. The function `change` returns the condition with changed properties. A wet
-/// condition that the function receives always has its member `liquid` set.
+/// Effect that changes only properties of the study's grains or liquid, such as the contact angle.
+/// The function `change` receives a condition and returns the condition with changed properties. If
+/// the received condition is wet, its member `liquid` is set.
 struct ChangeCondition {
     std::function<EffectiveCondition(EffectiveCondition, const Values&)> change;
 };
 
-/// Effect that makes a model compute the strength of wet grains by a more accurate method, which is
-/// the formula (closure) or the simulation of `level`. A model that already uses a higher level is
-/// not changed. The levels of `closures::Level` are ordered from the simplest formula to the
-/// simulation.
+/// Effect that makes a model compute the strength (stress ratio) of wet grains by a more accurate
+/// method. The method is the formula (closure) or the simulation that `level` names. A model that
+/// already uses a higher level is not changed. The levels are ordered from the simplest formula to
+/// the simulation.
 struct ChangeClosure {
     closures::Level level = closures::Level::simulation;
 };
@@ -77,14 +77,15 @@ struct Effect {
     std::vector<EffectParameter> parameters;
     Change change;
     Touches touches = Touches::all;
-    /// Whether the effect acts through the capillary forces between grains. The change of stress
-    /// ratio and solid fraction by the effect is then proportional to 1/(reduced pressure). The
-    /// member is false for an effect with forces of its own between wet grains, such as viscosity.
+    /// Whether the effect acts through the capillary forces between grains. The program then
+    /// assumes that the effect changes stress ratio and solid fraction in proportion to 1/(reduced
+    /// pressure). The member is false for an effect with forces of its own between wet grains, such
+    /// as viscosity.
     bool fades_with_capillarity = false;
-    /// Property of the liquid that is the effect's parameter, such as the viscosity of the liquid.
-    /// If this member is set, the effect acts in every study with a liquid, with the liquid's
-    /// value, without being listed. If this member is null, the effect acts only if the study lists
-    /// the effect.
+    /// Property of the liquid that is the effect's parameter, such as the surface tension. If this
+    /// member is set, the effect acts in every study with a liquid, with the liquid's value,
+    /// without being listed. If this member is null, the effect acts only if the study lists the
+    /// effect.
     double Liquid::*given_by_liquid = nullptr;
     /// Names of the quantities on which the change of the readings by the effect depends, such as
     /// "time", or "1/normal_stress" for a change that is largest at small normal stress.
@@ -135,22 +136,22 @@ struct ActiveEffect {
     /// Whether all parameters of the effect have their neutral values, so that the effect changes
     /// nothing.
     bool is_neutral() const { return values == effect->neutral(); }
-    /// Returns the values of the effect's parameters in SI units, accessed by parameter name. The
-    /// returned object is valid as long as this object and `effect`.
+    /// Returns the values of the effect's parameters in SI units, accessed by parameter name. This
+    /// object and `effect` must outlive the returned object.
     Values by_name() const { return {effect->parameters, values}; }
 };
 
 /// Returns an effect as text for messages, such as "torque-offset (torque 0.1 mN m)". The text
 /// consists of the name of the effect and of the names and values of its parameters, in the units
-/// of `printed_unit`.
+/// in which the program prints them (`printed_unit`).
 std::string to_string(const ActiveEffect& active);
 
 /// Whether an effect can change readings at a condition. Some effects change only readings of dry
 /// grains, of wet grains, or at points of failure (`Effect::touches`).
 bool touches(const Effect& effect, const Condition& condition);
 
-/// Returns those effects of a list that can change readings at a given condition, in the order of
-/// the list.
+/// Returns the effects of a list that can change readings at a given condition, in the order of the
+/// list.
 std::vector<ActiveEffect> touching(const std::vector<ActiveEffect>& effects,
                                    const Condition& condition);
 
@@ -179,7 +180,7 @@ const Effect& built_in_effect(std::string_view name);
 /// Converts parameter values of an effect on grains from SI units to the reduced units of a
 /// simulation, in which grain diameter, grain mass and normal stress are 1.
 /// @param normal_stress normal stress of the simulated condition [Pa]
-/// @throws std::invalid_argument if the effect does not come with the program
+/// @throws std::invalid_argument if the effect is not built in
 EffectValues in_run_units(const EffectValues& values, double normal_stress,
                           const GrainProperties& grains);
 

@@ -10,9 +10,8 @@
 
 namespace pendular {
 
-/// All effects available to a study, which are the effects that come with the program and the
-/// effects that the user defines in study.toml. References and pointers to effects are valid as
-/// long as the catalogue.
+/// All effects available to a study: the built-in effects and the effects that the user defines in
+/// study.toml. References and pointers to effects are valid as long as the catalogue exists.
 class EffectCatalogue {
   public:
     /// Makes a catalogue of the built-in effects only.
@@ -37,8 +36,8 @@ class EffectCatalogue {
     /// Whether an effect was defined by the user in study.toml rather than built in.
     bool is_written(const Effect& effect) const;
 
-    /// Returns the effects of a study's model in the order of the list `effects` of [model] in
-    /// study.toml, which names the effects.
+    /// Returns the effects that the list `effects` of [model] in study.toml names, in the order of
+    /// the list.
     /// @throws InputError at the name of an effect that is unknown (the message suggests the
     ///         nearest name) or does not apply to the study
     std::vector<const Effect*> active(const Study& study) const;
@@ -47,9 +46,9 @@ class EffectCatalogue {
     std::vector<Effect> effects_;
 };
 
-/// Returns the level of accuracy at which a study's model computes the strength of wet grains. The
-/// level is the highest of the levels of the base model and of the listed effects. The levels are
-/// ordered from the simplest formula to the simulation.
+/// Returns the level of accuracy at which a study's model computes the strength (stress ratio) of
+/// wet grains. The level is the highest among the level of the base model and the levels of the
+/// listed effects. The levels are ordered from the simplest formula to the simulation.
 closures::Level level_of(const Study& study);
 
 /// Reason why an effect does not apply to a study.
@@ -63,9 +62,9 @@ struct Obstacle {
 };
 
 /// Returns the reason why an effect does not apply to a study; empty if the effect applies. An
-/// effect does not apply if the study has no readings that the effect changes. An effect does not
-/// apply either if the study lacks the liquid, cell, bead volume or base model that the effect
-/// needs, or if the study's model already contains what the effect would add.
+/// effect does not apply if the study has no readings that the effect changes, if the study lacks
+/// the liquid, cell, bead volume or base model that the effect needs, or if the study's model
+/// already contains what the effect would add.
 std::optional<Obstacle> obstacle(const Effect& effect, const Study& study);
 
 /// Returns the reason why an effect does not apply to a study, as a sentence for the user that

@@ -9,8 +9,8 @@
 
 namespace pendular {
 
-/// SI units of the result of a formula (`target`) and of its variables, in the order of the
-/// variables. The last variable is the parameter of an effect, whose unit is to be checked.
+/// SI units in a formula: unit of the result (`target`) and units of the variables, in the order of
+/// the variables. The last variable is the parameter of an effect, whose unit is to be checked.
 struct FormulaUnits {
     std::string target;
     std::vector<std::string> variables;
@@ -18,7 +18,7 @@ struct FormulaUnits {
 
 /// Checks whether the unit of a formula's last variable makes the formula dimensionally
 /// homogeneous, so that the formula holds in every system of units of mass, length and time. Angles
-/// count as numbers. If the unit is wrong, the function returns the SI unit that the variable
+/// count as dimensionless. If the unit is wrong, the function returns the SI unit that the variable
 /// should have, or an empty text if no unit makes the formula homogeneous. The function returns an
 /// empty optional if the unit is right or nothing could be checked.
 /// @param text text of the formula; nothing is checked if it contains numbers that may have a

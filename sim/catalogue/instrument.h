@@ -16,9 +16,9 @@ namespace pendular {
 class InstrumentMap {
   public:
     InstrumentMap() = default;
-    /// Combines those effects of a list that act on the instrument and have a parameter that
-    /// differs from its neutral value, at which the effect changes nothing. All other effects of
-    /// the list are ignored.
+    /// Combines the effects of a list that act on the instrument. An effect is ignored if all its
+    /// parameters have their neutral values, at which the effect changes nothing, or if the effect
+    /// does not act on the instrument.
     explicit InstrumentMap(const std::vector<ActiveEffect>& effects);
 
     /// Whether no effect on the instrument acts, so that the instrument shows the true state of the
@@ -62,15 +62,14 @@ CellState shown_state(const Condition& shown, double shear_stress, double solid_
 /// @param truth true state of the cell
 Condition true_condition(const Condition& shown, const CellState& truth, const InstrumentMap& map);
 
-/// Returns the reading that the instrument shows if `predicted` is the true reading. A reading
-/// consists first of the shear stress [Pa], second of the solid fraction [1]. The true height
-/// follows from the predicted solid fraction and the true volume of grains. The torque and the gap
-/// that the instrument shows are converted to a reading like recorded values, with the volume of
-/// grains that the instrument shows. If no effect acts, the predicted reading is returned bit for
-/// bit.
-/// @param predicted true reading: first the shear stress [Pa], second the solid fraction [1]
-/// @param truth true state of the cell, of which the torque and the height are replaced by those of
-///         `predicted`
+/// Returns the reading that the instrument shows if `predicted` is the true reading. A reading is a
+/// vector of shear stress [Pa] and solid fraction [1]. The true height follows from the predicted
+/// solid fraction and the true volume of grains. The torque and the gap that the instrument shows
+/// are converted to a reading like recorded values, with the volume of grains that the instrument
+/// shows. If no effect acts, the predicted reading is returned bit for bit.
+/// @param predicted true reading: shear stress [Pa] and solid fraction [1]
+/// @param truth true state of the cell; its torque and height are replaced by the values that
+///         follow from `predicted`
 Eigen::Vector2d shown_reading(const Eigen::Vector2d& predicted, CellState truth,
                               const InstrumentMap& map, const AnnularCell& cell);
 

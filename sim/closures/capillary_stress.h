@@ -49,9 +49,10 @@ double mean_stress(const State& state);
 ///     Pcap = -(Phi/(pi a^2)) [Z_c F0 + Z_d F_d + Z_d <F h>_d/a]
 /// Phi is the solid fraction, Z_c the number of contacts per grain, Z_d the number of distant
 /// bridges per grain (bridges between grains that do not touch), F_d the mean force of distant
-/// bridges, and <F h>_d the mean product of force F and gap h of distant bridges. The formula is
-/// exact except for overlaps. The capillary normal stress along the velocity gradient differs from
-/// Pcap by at most 3 %, and by at most 2 % in most states of Badetti et al. (2018).
+/// bridges, and <F h>_d the mean product of force F and gap h of distant bridges. The only
+/// approximation is that overlaps of grains in contact are neglected. The capillary normal stress
+/// along the velocity gradient differs from Pcap by at most 3 %, and by at most 2 % in most states
+/// of Badetti et al. (2018).
 /// Source: Badetti et al. (2018), Eq. (10).
 double capillary_pressure(const State& state);
 
@@ -68,8 +69,8 @@ double capillary_pressure(double solid_fraction, double effective_coordination);
 /// with pull-off force F0 and grain diameter a. This shear stress is positive in steady shear.
 ///     a^2 s12cap,c/F0 = -(3/pi) Z_c Phi F12c
 /// Z_c is the number of contacts per grain, Phi the solid fraction, and F12c the mean of n1 n2 over
-/// contacts with direction n. Direction 1 is the flow, direction 2 the velocity gradient. The
-/// formula is exact except for overlaps.
+/// contacts with direction n. Direction 1 is the flow, direction 2 the velocity gradient. The only
+/// approximation is that overlaps of grains in contact are neglected.
 /// Source: Badetti et al. (2018), Eq. (28).
 double contact_capillary_shear_stress(const State& state);
 
@@ -80,12 +81,12 @@ double contact_capillary_shear_stress(const State& state);
 /// Phi is the solid fraction, Z_d the number of distant bridges per grain, F_d the mean force of
 /// distant bridges, and l0 the mean distance of the centres that distant bridges join. F12d is the
 /// mean of n1 n2 over distant bridges with direction n. Direction 1 is the flow, direction 2 the
-/// velocity gradient. A_force and A_length are the 12 components of the anisotropies of force and
-/// distance. The formula is of first order in the anisotropies. Badetti et al. (2018) call it
-/// "quite accurate". The contribution of the next order, -15 F12d^2 A_force in the bracket, is not
-/// small, since bridges are most frequent in directions in which their force is small. Simulations
-/// at a stiffness number of 1000 gave magnitudes 3 to 9 % larger than the formula, most at a high
-/// friction coefficient.
+/// velocity gradient. A_force and A_length are the anisotropies (component 12) of force and
+/// distance. The formula is of first order in the anisotropies. Badetti et al. (2018) call the
+/// formula "quite accurate". The contribution of the next order, -15 F12d^2 A_force in the bracket,
+/// is not small, since bridges are most frequent in directions in which their force is small.
+/// Simulations at a stiffness number of 1000 gave magnitudes 3 to 9 % larger than the formula. The
+/// difference was largest at a high friction coefficient.
 /// Source: Badetti et al. (2018), Eq. (30).
 double distant_capillary_shear_stress(const State& state);
 
@@ -95,12 +96,12 @@ double distant_capillary_shear_stress(const State& state);
 /// Phi is the solid fraction, Z_c the number of contacts per grain, and Z_d the number of distant
 /// bridges per grain (bridges between grains that do not touch). F12c and F12d are the means of n1
 /// n2 over the directions n of contacts and of distant bridges. Direction 1 is the flow, direction
-/// 2 the velocity gradient. F_d, l0 and A_force are the mean force, the mean distance of centres
-/// and the 12 component of the force anisotropy of distant bridges. Badetti et al. (2018) call the
-/// agreement "very good", on a scale from 0 to 0.1. At a large liquid content, the contributions of
-/// contacts and of distant bridges nearly cancel. Relative errors are then large, and absolute
-/// errors are more meaningful. Simulations at a stiffness number of 1000 gave values smaller than
-/// the formula by 0.001 to 0.011.
+/// 2 the velocity gradient. For distant bridges, F_d is the mean force, l0 the mean distance of the
+/// centres, and A_force the force anisotropy (component 12). Badetti et al. (2018) call the formula
+/// a "very good estimate", judged on a scale from 0 to 0.1. At a large liquid content, the
+/// contributions of contacts and of distant bridges nearly cancel. Relative errors are then large,
+/// and absolute errors are more meaningful. Simulations at a stiffness number of 1000 gave values
+/// smaller than the formula by 0.001 to 0.011.
 /// Source: Badetti et al. (2018), Eq. (31).
 double capillary_shear_stress(const State& state);
 

@@ -12,8 +12,8 @@ struct ClosureValues {
     /// Stress ratio of dry grains that have the friction coefficient and the inertial number of the
     /// wet grains.
     double dry_stress_ratio = 0;
-    /// Stress ratio of wet grains from the contact forces alone: shear stress divided by normal
-    /// stress, both without the contribution of the bridge forces.
+    /// Stress ratio of the contact forces alone in wet grains: shear stress divided by normal
+    /// stress, after the contributions of the bridge forces are subtracted from both.
     /// Source: Badetti et al. (2018), Eq. (18).
     double contact_stress_ratio = 0;
     /// Effective coordination number Z* = Z_c + Z_d F_d/F0. Z_c is the number of contacts per
@@ -32,15 +32,16 @@ struct ClosureValues {
     /// diameter a and pull-off force F0.
     /// Source: Badetti et al. (2018), Eq. (25).
     double generalised_cohesion = 0;
-    /// Stress ratio of wet grains from the simulated normal stress and shear stress of the bridge
-    /// forces.
+    /// Stress ratio of wet grains, computed from the normal stress and the shear stress of the
+    /// bridge forces and from the stress ratio of dry grains.
     /// Source: Badetti et al. (2018), Eq. (19).
     double strength1 = 0;
-    /// Stress ratio of wet grains from the effective coordination number and the shear stress of
-    /// the bridge forces.
+    /// Stress ratio of wet grains, computed from the effective coordination number, the shear
+    /// stress of the bridge forces and the stress ratio of dry grains.
     /// Source: Badetti et al. (2018), Eq. (22).
     double strength2 = 0;
-    /// Stress ratio of wet grains from the effective coordination number alone.
+    /// Stress ratio of wet grains, computed from the effective coordination number and the stress
+    /// ratio of dry grains. The shear stress of the bridge forces is neglected.
     /// Source: Badetti et al. (2018), Eq. (23).
     double strength3 = 0;
     double saturation = 0;  ///< share of the pore volume between the grains that liquid fills [1]
@@ -51,7 +52,7 @@ struct ClosureValues {
 struct ClosureQuantity {
     const char* name;   ///< key of the value in JSON and CSV
     const char* text;   ///< name of the value in printed tables
-    const char* label;  ///< label of the value at an axis
+    const char* label;  ///< label of the value on the axis of a figure
     double ClosureValues::*value;
 };
 

@@ -38,14 +38,14 @@ struct State {
     /// are the components of the line of centres along the flow and along the velocity gradient.
     double fabric_12_distant = 0;
     /// Component 12 of the anisotropy of the force of distant pairs (joined by a bridge but not
-    /// touching) [1]. The component is negative in steady shear. For the force q(n) of distant
+    /// touching) [1]. The component is negative in steady shear. For the mean force q(n) of distant
     /// pairs with direction n, the component is the integral of q n1 n2 over the sphere, divided by
     /// 4 pi and the mean of q. Direction 1 is the flow, direction 2 the velocity gradient.
     double force_anisotropy_12_distant = 0;
     /// Component 12 of the anisotropy of the distance between the centres of distant pairs (joined
-    /// by a bridge but not touching) [1]. For the distance q(n) of distant pairs with direction n,
-    /// the component is the integral of q n1 n2 over the sphere, divided by 4 pi and the mean of q.
-    /// Direction 1 is the flow, direction 2 the velocity gradient.
+    /// by a bridge but not touching) [1]. For the mean distance q(n) of distant pairs with
+    /// direction n, the component is the integral of q n1 n2 over the sphere, divided by 4 pi and
+    /// the mean of q. Direction 1 is the flow, direction 2 the velocity gradient.
     double length_anisotropy_12_distant = 0;
 };
 
@@ -54,8 +54,8 @@ struct State {
 /// attract. The total shear stress of the sample is negative. A positive shear stress of the bridge
 /// forces therefore reduces the magnitude of the total shear stress.
 struct CapillaryStress {
-    /// Normal stress of the bridge forces in units of F0/a^2 [1], with pull-off force F0 and grain
-    /// diameter a. Attraction makes the normal stress negative.
+    /// Normal stress of the bridge forces along the velocity gradient, in units of F0/a^2 [1], with
+    /// pull-off force F0 and grain diameter a. Attraction makes the normal stress negative.
     double normal = 0;
     /// Shear stress of the bridge forces in units of F0/a^2 [1], with pull-off force F0 and grain
     /// diameter a.

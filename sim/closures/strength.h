@@ -8,7 +8,8 @@
 // equations: Badetti et al. (2018).
 namespace pendular::closures {
 
-/// Returns the stress ratio of the contact forces alone [1], without the capillary stresses.
+/// Returns the stress ratio of the contact forces alone [1]: shear stress divided by normal stress,
+/// after the capillary stresses are subtracted from both.
 ///     |s12 - s12cap| / (s22 - s22cap)      s12, s22: shear and normal stress, cap: capillary
 /// If capillary forces load the contacts as external stresses do, the stress ratio of the contact
 /// forces equals the stress ratio of dry grains. At reduced pressures of 0.5 and above, the two
@@ -54,9 +55,10 @@ double rumpf_cohesion(double dry_stress_ratio, double solid_fraction, double coo
 /// units of F0/a^2 [1], with pull-off force F0 and grain diameter a.
 ///     c*_g = mu*_0 Phi Z*/pi - a^2 s12cap/F0
 /// mu*_0 is the stress ratio of dry grains, Phi the solid fraction, and Z* the effective
-/// coordination number. All arguments are dimensionless. The formula is satisfactory also at small
-/// liquid contents, at which `reduced_cohesion` fails. At larger liquid contents, the formula is as
-/// accurate as `reduced_cohesion`.
+/// coordination number. The formula is satisfactory also at small liquid contents, at which
+/// `reduced_cohesion` fails. At larger liquid contents, the formula is as accurate as
+/// `reduced_cohesion`.
+/// @param capillary_shear_stress capillary shear stress s12cap in units of F0/a^2 [1]
 /// Source: Badetti et al. (2018), Eq. (25).
 double generalised_cohesion(double dry_stress_ratio, double solid_fraction,
                             double effective_coordination, double capillary_shear_stress);
@@ -64,10 +66,10 @@ double generalised_cohesion(double dry_stress_ratio, double solid_fraction,
 /// Returns the stress ratio mu* of wet grains [1] from the stress ratio mu*_0 of dry grains, a
 /// reduced cohesion c* and the reduced pressure P*.
 ///     mu* = mu*_0 + c*/P*
-/// With c* from `generalised_cohesion`, mu* is accurate for all P* >= 0.5 (Eq. 22). With c*
-/// from `reduced_cohesion`, mu* is too high by up to 20 to 30 %, most at a small liquid content
-/// (Eq. 23). With c* from a straight-line (Mohr-Coulomb) fit, mu* is too high for P* <= 1
-/// (Eq. 16).
+/// With c* from `generalised_cohesion`, mu* is accurate for all P* >= 0.5 (Eq. 22). With c* from
+/// `reduced_cohesion` (Eq. 23), mu* is too high by up to 20 to 30 %. This error is largest at a
+/// small liquid content. With c* from a straight-line (Mohr-Coulomb) fit (Eq. 16), mu* is too high
+/// for P* <= 1.
 /// Source: Badetti et al. (2018), Eq. (22), Eq. (23), Eq. (16).
 double stress_ratio_from_cohesion(double dry_stress_ratio, double reduced_cohesion,
                                   double reduced_pressure);

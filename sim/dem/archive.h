@@ -23,9 +23,10 @@ void load(Archive& archive, Vector& v) {
     archive(cereal::binary_data(&v, sizeof v));
 }
 
-/// Archive that reads the bytes which `cereal::BinaryOutputArchive` wrote. In contrast to
-/// `cereal::BinaryInputArchive`, the archive throws an error, and allocates no memory, if the
-/// stated number of elements is larger than the remaining bytes can contain.
+/// Input archive of the serialisation library cereal, which reads the bytes that
+/// `cereal::BinaryOutputArchive` wrote. If the bytes state that a container has more elements than
+/// the remaining bytes can contain, the archive throws cereal::Exception.
+/// `cereal::BinaryInputArchive` would instead allocate memory for all stated elements.
 class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyClassElision> {
   public:
     explicit ByteReader(std::string_view bytes) : InputArchive(this), bytes_(bytes) {}
@@ -41,7 +42,7 @@ class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyCla
     }
 
   private:
-    std::string_view bytes_;  ///< bytes of the archive that were not read yet
+    std::string_view bytes_;  ///< bytes that have not been read yet
 };
 
 template <typename Number, std::enable_if_t<std::is_arithmetic_v<Number>, int> = 0>
@@ -86,9 +87,10 @@ void load(ByteReader& reader, std::vector<T, Allocator>& elements) {
     }
 }
 
-/// Returns an object, such as the state of a run, as bytes. The object must have a member function
-/// `serialize`. The function `restore` reads the bytes back, but only in a program that has the
-/// memory layout of this program.
+/// Returns an object, such as the state of a run, as bytes. The serialisation library cereal must
+/// be able to save the object, for example by a member function `serialize`. The function `restore`
+/// restores the object from the bytes, but only in a program with the memory layout of this
+/// program.
 template <typename State>
 std::string archived(const State& state) {
     std::ostringstream stream(std::ios::binary);
@@ -98,7 +100,7 @@ std::string archived(const State& state) {
 }
 
 /// Restores an object, such as the state of a run, from the bytes that `archived` returned.
-/// @return false if the bytes are too few or too many for the object
+/// @return false if the bytes are too few, too many or invalid for the object
 template <typename State>
 bool restore(std::string_view bytes, State& state) {
     ByteReader reader(bytes);
@@ -112,7 +114,8 @@ bool restore(std::string_view bytes, State& state) {
 
 }  // namespace pendular::dem
 
-/// Declares that `ByteReader` reads the bytes that `cereal::BinaryOutputArchive` writes.
+/// Trait that tells the serialisation library cereal that `ByteReader` reads the bytes that
+/// `cereal::BinaryOutputArchive` writes.
 template <>
 struct cereal::traits::detail::get_output_from_input<pendular::dem::ByteReader> {
     using type = cereal::BinaryOutputArchive;

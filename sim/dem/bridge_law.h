@@ -27,9 +27,10 @@ constexpr double largest_pendular_volume = 8e-3;
 
 /// Typical number of liquid bridges per grain [1]. The number serves to estimate a bridge volume
 /// from a liquid content, or a liquid content from a bridge volume, before a simulation gives the
-/// true number. Bridges between grains that touch and bridges between grains that do not touch are
-/// counted. At a friction coefficient of 0.09, the number is 7 to 8 in the pendular range (separate
-/// bridges), computed from the liquid contents and bridge volumes in Badetti et al. (2018).
+/// true number. The number includes bridges between grains that touch and bridges between grains
+/// that do not touch. At a friction coefficient of 0.09, the number is 7 to 8 in the pendular range
+/// (separate bridges), computed from the liquid contents and bridge volumes in Badetti et al.
+/// (2018).
 constexpr double typical_coordination = 7.5;
 
 /// Returns the liquid content of a sample [1]: volume of liquid divided by volume of grains.

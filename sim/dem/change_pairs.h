@@ -12,7 +12,7 @@ namespace pendular::dem {
 
 /// Batch of pairs of grains that the force loop passes to an effect on grains. The batch consists
 /// of arrays of `size` elements, one element per pair, in reduced units (grain diameter, grain mass
-/// and imposed normal stress are 1). Vectors point from the first to the second grain.
+/// and imposed normal stress are 1).
 struct PairBatch {
     std::size_t size = 0;
     double time_step = 0;
@@ -24,14 +24,15 @@ struct PairBatch {
     /// divided by the mean grain diameter [1].
     const double* diameter;
     const double* normal_speed;  ///< rate at which the gap of each pair grows, in reduced units
-    const double *rolling_x, *rolling_y,
-        *rolling_z;  ///< angular velocity of the second grain minus that of the first
-    const double *pair_rotation_x, *pair_rotation_y,
-        *pair_rotation_z;     ///< angular velocity at which the pair turns as a whole
+    /// Components of the angular velocity of the second grain of each pair minus the angular
+    /// velocity of the first grain, in reduced units.
+    const double *rolling_x, *rolling_y, *rolling_z;
+    /// Components of the angular velocity of each pair as a whole, in reduced units.
+    const double *pair_rotation_x, *pair_rotation_y, *pair_rotation_z;
     const double* elastic;    ///< elastic normal force of each pair's contact, in reduced units
     const double* stiffness;  ///< tangential stiffness of each pair's contact, in reduced units
-    /// Liquid bridge of each pair of grains: 1 if a bridge joins the grains, else 0. The function
-    /// `bridge` of an effect may change 1 to 0, which breaks the bridge.
+    /// State of the liquid bridge of each pair of grains: 1 if a bridge joins the grains, else 0.
+    /// The function `bridge` of an effect may change 1 to 0, which breaks the bridge.
     double* joined;
     /// Attraction of each pair by its liquid bridge, in reduced units; 0 without bridge. An effect
     /// may change the attraction, which initially has the value without the effect.
@@ -39,14 +40,16 @@ struct PairBatch {
     /// Largest tangential force of each pair's contact, in reduced units. An effect may change this
     /// force, which initially is the friction coefficient times `elastic`.
     double* coulomb_limit;
-    /// Force on the second grain of each pair, in reduced units. The opposite force acts on the
-    /// first grain.
+    /// Components of the total force on the second grain of each pair, in reduced units. The
+    /// opposite force acts on the first grain. The function `add` of an effect may change the
+    /// force, which initially has the value without the effect.
     double *fx, *fy, *fz;
-    /// Torque on the second grain of each pair, in reduced units. The opposite torque acts on the
-    /// first grain.
+    /// Components of the torque that effects exert on the second grain of each pair, in reduced
+    /// units. The opposite torque acts on the first grain. The torque of the tangential contact
+    /// force is not included.
     double *tx, *ty, *tz;
-    /// Values that the effect keeps from step to step for each pair, as
-    /// contact_history[value][pair].
+    /// Values that the effect keeps from step to step for each pair, accessed as
+    /// contact_history[value][pair] with the index of the value and the index of the pair.
     double* const* contact_history = nullptr;
 };
 
@@ -66,8 +69,8 @@ struct ChangePairs {
 
     /// Number of values that the effect keeps per pair (`PairBatch::contact_history`). The values
     /// are preserved when the neighbour lists are renewed. If the two grains of a pair exchange
-    /// their places (first and second), the values change sign, as the components of the force on
-    /// the second grain do.
+    /// their places (first and second), the values change sign, like the components of the force on
+    /// the second grain.
     std::size_t contact_history = 0;
     /// Whether the first value of the contact history (values that the effect keeps per pair) is
     /// the volume of the pair's bridge divided by V0. V0 is the mean volume of newly formed
@@ -86,7 +89,8 @@ struct ChangePairs {
     /// with the effect. The function is called before a run. If the function is null, the effect
     /// does not change the law.
     BridgeLaw (*bridge_law)(BridgeLaw, const Values&) = nullptr;
-    /// Function that changes `PairBatch::capillary`, the attraction of pairs with a bridge.
+    /// Function that changes `PairBatch::capillary`, the attraction of pairs with a bridge. The
+    /// function may also break bridges (`PairBatch::joined`).
     Stage bridge = nullptr;
     /// Function that changes `PairBatch::coulomb_limit`, the largest tangential force of contacts.
     Stage limit = nullptr;

@@ -20,8 +20,8 @@ class Checkpoint {
   public:
     /// Locks the checkpoint file `file`, which need not exist yet. The lock is a file in the folder
     /// of `file` whose name has the additional extension .lock.
-    /// @param every time after which the next checkpoint is due (`due`)
-    /// @throws InputError if another process uses the file, if the path is not that of a regular
+    /// @param every time from one checkpoint until the next checkpoint is due (`due`)
+    /// @throws InputError if another process uses the file, if the path exists but is not a regular
     ///         file, or if the folder of the file cannot be written
     explicit Checkpoint(const std::filesystem::path& file,
                         std::chrono::duration<double> every = std::chrono::minutes(10));

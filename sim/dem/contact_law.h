@@ -28,14 +28,14 @@ inline double tangential_ratio(double poisson_ratio) {
 /// Mindlin, in reduced units (grain diameter, grain mass and imposed normal stress are 1). Without
 /// contact, the overlap h and every force are zero.
 ///     F_N = (E~/3) h^(3/2),  K_N = dF_N/dh = (E~/2) h^(1/2),  K_T = K_N (2 - 2 nu)/(2 - nu)
-///     F_viscous = zeta sqrt(2 m K_N) dh/dt                    (not limited: it may attract)
+///     F_viscous = zeta sqrt(2 m K_N) dh/dt                    (may be an attraction)
 /// F_N is the elastic normal force, K_N the normal stiffness, and K_T the tangential stiffness. E~
 /// = E/(1 - nu^2) follows from Young's modulus E and Poisson ratio nu. The symbol zeta is the
 /// fraction of critical damping, and m the mass of a grain.
 /// Source: Badetti et al. (2018), section 2.2, and the works that the section cites for the
 /// simplified Hertz-Mindlin law.
 struct Hertz {
-    double root;              ///< square root of the overlap of the contact, in reduced units
+    double root;              ///< square root of (overlap divided by grain diameter) [1]
     double elastic;           ///< elastic normal force of the contact, in reduced units
     double normal_stiffness;  ///< normal stiffness of the contact, in reduced units
 
@@ -59,7 +59,8 @@ struct Hertz {
 /// Returns the factor [1], at most 1, by which a tangential force must be multiplied so that the
 /// force does not exceed Coulomb's limit.
 /// @param squared squared magnitude of the tangential force
-/// @param limit friction coefficient times the elastic normal force (without the viscous force)
+/// @param limit Coulomb's limit: friction coefficient times elastic normal force, without the
+///         viscous force
 inline double coulomb_factor(double squared, double limit) {
     return squared > limit * limit ? limit / std::sqrt(squared) : 1.0;
 }

@@ -173,7 +173,8 @@ class MotionProfile {
 };
 
 /// Adds the profile of the solid fraction along the height of the sample, in one state, to `sums`.
-/// Each sphere is cut at the boundaries of the bins.
+/// A grain that extends over several bins adds to each bin the part of its volume that is inside
+/// the bin.
 void add_solid_fraction(const Grains& grains, const Cell& cell, BinnedSums& sums);
 
 /// Adds the distributions of one state to `sums`: directions and forces of contacts, and directions

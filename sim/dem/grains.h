@@ -21,10 +21,11 @@ struct Grains {
         /// Centre of the grain [mean grain diameters]. The centre was inside the cell when the
         /// neighbour list was built, but may have left the cell since then.
         Vector position;
-        /// Velocity of the grain without the imposed flow, in reduced units. The velocity is that
-        /// of half a time step before `position`.
+        /// Velocity of the grain without the imposed flow, half a time step before the time of
+        /// `position`, in reduced units.
         Vector velocity;
-        /// Angular velocity of the grain in reduced units, half a time step before `position`.
+        /// Angular velocity of the grain, half a time step before the time of `position`, in
+        /// reduced units.
         Vector angular_velocity;
 
         template <typename Archive>
@@ -38,7 +39,8 @@ struct Grains {
     };
 
     std::vector<Motion> motion;
-    /// Net force and torque on each grain, summed during a time step; zero between steps.
+    /// Net force and torque on each grain in reduced units, summed during a time step and zero
+    /// between time steps.
     std::vector<ForceAndTorque> net_force;
     /// Displacement of each grain, without the imposed flow, since the narrow neighbour list was
     /// made [mean grain diameters].

@@ -26,9 +26,9 @@ struct MotionSums {
     /// neighbour list was made [squared grain diameters].
     double largest_squared = 0;
     MotionSums& operator+=(const MotionSums& other);
-    /// Returns the kinetic energy of the grains in the sums, in units of a^3 s22, with grain
-    /// diameter a and imposed normal stress s22. The energy follows from the velocities without the
-    /// imposed flow and from the angular velocities.
+    /// Returns the kinetic energy of the grains over which the sums were taken, in units of a^3
+    /// s22, with grain diameter a and imposed normal stress s22. The energy follows from the
+    /// velocities without the imposed flow and from the angular velocities.
     double energy() const;
 
     template <typename Archive>

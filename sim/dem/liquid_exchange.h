@@ -11,15 +11,15 @@ namespace pendular::dem {
 /// volume V_k of a bridge k between grains i and j relaxes towards the mean volume m_i of the
 /// bridges on grain i and the mean volume m_j of the bridges on grain j:
 ///     dV_k/d(strain) = rate [(m_i + m_j)/2 - V_k]
-/// The sum of the volumes of all bridges stays constant, except for rounding. A bridge that is
-/// larger than another bridge may become smaller than that bridge.
+/// The sum of the volumes of all bridges stays constant, except for rounding. The larger of two
+/// bridges may become the smaller one.
 class LiquidExchange {
   public:
     /// Changes the volumes of the bridges by the flow of liquid during one time step.
     /// @param pairs neighbour lists; the volumes of the bridges in the lists change
-    /// @param volume index, among the values of the contact history (values kept for each pair), of
-    ///         the volume of a bridge divided by the mean volume V0 of newly formed bridges; the
-    ///         sign of this value has no meaning
+    /// @param volume index of the bridge volume in the contact history (values that effects keep
+    ///         for each pair); the bridge volume is divided by the mean volume V0 of newly formed
+    ///         bridges, and its sign is ignored
     /// @param grains number of grains
     /// @param strain rate [1 per unit of shear strain] times the shear strain of the time step [1]
     void flow(PairList& pairs, std::size_t volume, std::size_t grains, double strain);

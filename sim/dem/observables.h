@@ -6,8 +6,9 @@
 
 namespace pendular::dem {
 
-/// Observables: quantities whose averages a run measures, from the table
-/// data/quantities/observables.def. Observables of liquid bridges are zero in dry runs.
+/// Observable: quantity whose average a run measures, such as the stress ratio. The table
+/// data/quantities/observables.def lists all observables. Observables of liquid bridges are zero in
+/// dry runs.
 enum class Observable {
 #define OBSERVABLE(name, ...) name,
 #include "data/quantities/observables.def"

@@ -39,10 +39,11 @@ struct Xyz {
 /// Relative position and velocities of two grains in reduced units (grain diameter, grain mass and
 /// imposed normal stress are 1).
 struct PairMotion {
-    /// Vector from the centre of the first grain to that of the second [grain diameters].
+    /// Vector from the centre of the first grain to the centre of the second grain [grain
+    /// diameters].
     Xyz separation;
-    /// Velocity of the second grain's centre minus that of the first, without the imposed flow, in
-    /// reduced units.
+    /// Velocity of the second grain minus the velocity of the first grain, without the imposed
+    /// flow, in reduced units.
     Xyz velocity;
     /// Sum of the angular velocities of the two grains, in reduced units. For unequal grains, the
     /// angular velocity of each grain is weighted with the distance from the grain's centre to the
@@ -54,7 +55,7 @@ struct PairMotion {
 /// (grain diameter, grain mass and imposed normal stress are 1).
 struct ContactKinematics {
     double distance;  ///< distance between the centres of the two grains [grain diameters]
-    Xyz normal;       ///< unit vector from the centre of the first to that of the second grain [1]
+    Xyz normal;       ///< unit vector from the first to the second grain's centre [1]
     /// Rate at which the distance between the grains' centres grows, in reduced units.
     double normal_speed;
     /// Tangential velocity, at the contact point, of the second grain's surface relative to the
@@ -80,9 +81,9 @@ struct ContactKinematics {
 };
 
 /// Returns the elastic normal force and the normal stiffness of a Hertz contact between two grains
-/// of any sizes, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
-/// Unequal spheres of the diameters d1 and d2 are as stiff as equal spheres of the diameter 2 d1
-/// d2/(d1 + d2).
+/// of any sizes, in reduced units (grain diameter, grain mass and imposed normal stress are 1). A
+/// contact of grains of the diameters d1 and d2 has the stiffness of a contact of two equal grains
+/// of the diameter 2 d1 d2/(d1 + d2).
 /// @param overlap overlap of the grains [grain diameters]
 /// @param modulus E/(1 - nu^2) divided by the imposed normal stress [1], with Young's modulus E and
 ///         Poisson ratio nu
@@ -134,7 +135,7 @@ struct NormalForces {
 /// Returns the forces of a contact between two grains, without the force of a bridge. The forces
 /// are the elastic normal force, the viscous normal force and the Coulomb limit, together with the
 /// tangential stiffness, in reduced units (grain diameter, grain mass and imposed normal stress are
-/// 1). All are zero if the grains do not touch.
+/// 1). All these quantities are zero if the grains do not touch.
 [[gnu::always_inline]] inline NormalForces contact_forces(const ContactKinematics& kinematics,
                                                           const PairSizes& sizes,
                                                           const Material& material) {
@@ -176,8 +177,10 @@ struct NormalForces {
 /// Tangential force of a contact after one time step, and energies of the contact in this time
 /// step, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
 struct TangentialStep {
-    Xyz force;      ///< tangential force on the second grain of the pair after the time step
-    double stored;  ///< energy in the tangential spring of the contact after the time step
+    /// Tangential force on the second grain of the pair after the time step, in reduced units.
+    Xyz force;
+    /// Energy stored in the tangential spring of the contact after the time step, in reduced units.
+    double stored;
     /// Energy that the contact loses in the time step by sliding at the Coulomb limit, in reduced
     /// units.
     double sliding;
@@ -188,8 +191,9 @@ struct TangentialStep {
     /// Returns the tangential force of a contact after one time step, with the energies of the
     /// contact. The force rotates with the pair of grains and about the normal of the contact. The
     /// component of the force along the new normal is removed. If the contact unloads, the force is
-    /// scaled down. The force then grows in the direction opposite to the sliding velocity and is
-    /// limited by Coulomb's law.
+    /// scaled down (`unloading_factor`). The product of tangential stiffness and sliding
+    /// displacement is then subtracted from the force. Finally, the force is limited by Coulomb's
+    /// law.
     /// @param force tangential force on the second grain before the time step
     /// @param old_root square root of the overlap before the time step
     /// @param old_stiffness tangential stiffness before the time step

@@ -23,9 +23,10 @@ struct PairNeeds {
 /// energies, and the largest overlap, of the pairs in the range.
 ///
 /// Pairs are processed in batches by vector instructions. The instruction set is chosen when the
-/// program runs. The result depends neither on the instruction set nor on parts of the loop that
-/// `needs` requests unnecessarily. The energies include neither the work of forces and torques that
-/// an effect adds nor the energy of bridges whose force an effect changes.
+/// program runs. The result does not depend on the instruction set. The forces do not change if
+/// `needs` requests a part of the loop that the sample does not need. The energies include neither
+/// the work of forces and torques that an effect adds nor the energy of bridges whose force an
+/// effect changes.
 /// @param stretch range of `pairs`, in whole batches
 PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,
                      const PairNeeds& needs, std::vector<Grains::ForceAndTorque>& net_force);

@@ -32,7 +32,7 @@ struct alignas(64) XyzLanes {
 /// units (grain diameter, grain mass and imposed normal stress are 1).
 struct Batch {
     /// Vector from the first to the second grain, relative velocity, and weighted sum of the
-    /// angular velocities of each pair, as in `PairMotion`, in reduced units.
+    /// angular velocities of each pair (see `PairMotion`), in reduced units.
     XyzLanes separation, velocity, angular_velocity;
     XyzLanes force;   ///< force on the second grain of each pair, in reduced units
     XyzLanes torque;  ///< torque on the second grain of each pair, in reduced units
@@ -67,7 +67,8 @@ struct alignas(64) SizeLanes {
 /// summation, and therefore the rounding, does not depend on the width of the vector unit.
 struct alignas(64) LaneSums {
     Lane virial_11{}, virial_22{}, virial_33{}, virial_12{}, largest_overlap{};
-    /// Sums of the stored energies and of the lost energies of the pairs, as in `PairEnergy`.
+    /// Sums of the stored energies and of the lost energies of the pairs (see `PairEnergy`), in
+    /// reduced units.
     Lane elastic{}, capillary{}, friction{}, bridges{}, unloading{};
 
     [[gnu::always_inline]] void add_virial(std::size_t k, const Xyz& force, const Xyz& separation) {
@@ -185,7 +186,8 @@ template <Gathered part>
     }
 }
 
-/// Kind of torques that contact forces and effects exert on the grains of the pairs in a batch.
+/// Torques on the grains of the pairs in a batch: no torques, equal torques or different torques on
+/// the two grains of a pair.
 enum class Torques {
     none,      ///< no torques, for pairs of grains that cannot touch
     shared,    ///< equal torques on both grains of a pair, in `Batch::torque`

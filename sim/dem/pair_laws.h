@@ -12,8 +12,8 @@
 namespace pendular::dem {
 
 /// Energies of all pairs of grains in a sample, in units of a^3 s22, with grain diameter a and
-/// imposed normal stress s22. Some members are stored energies, the others energies lost during one
-/// time step.
+/// imposed normal stress s22. The members `elastic` and `capillary` are stored energies. The other
+/// members are energies lost during one time step.
 struct PairEnergy {
     /// Elastic energy stored in all contacts, in reduced units. A contact stores (2/15) E~ h^(5/2)
     /// in normal direction and s^2/(2 K_T) in tangential direction, with overlap h, tangential
@@ -46,8 +46,8 @@ struct PairEnergy {
 struct PairSums {
     /// Sum of F1 r1 over the pairs of grains, in reduced units, positive in compression. The normal
     /// stress s11 of the forces is this sum divided by the volume. F1 is the component along the
-    /// flow of the force on the second grain, r1 that of the vector from the first to the second
-    /// grain.
+    /// flow of the force on the second grain. r1 is the component along the flow of the vector from
+    /// the first to the second grain.
     double virial_11 = 0;
     double virial_22 = 0;
     double virial_33 = 0;

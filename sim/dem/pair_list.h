@@ -39,10 +39,10 @@ struct Pairs : Neighbours {
     /// Square root of (overlap divided by grain diameter) of each pair in the last time step [1].
     /// The root is 0 without contact.
     std::vector<double> root;
-    /// Liquid bridge of each pair of grains: 1 if a bridge joins the grains, else 0.
+    /// State of the liquid bridge of each pair of grains: 1 if a bridge joins the grains, else 0.
     std::vector<double> bridge;
-    /// Values that physical effects keep from step to step for each pair, as
-    /// contact_history[value][pair].
+    /// Values that physical effects keep from step to step for each pair, accessed as
+    /// contact_history[value][pair] with the index of the value and the index of the pair.
     std::vector<std::vector<double>> contact_history;
 
     Pairs() = default;
@@ -73,7 +73,7 @@ struct Pairs : Neighbours {
     }
 };
 
-/// Data that the physical effects of a run need in its neighbour lists (`PairList`).
+/// Requirements of the physical effects of a run for its neighbour lists (`PairList`).
 struct ListWants {
     std::size_t contact_history = 0;  ///< number of values that effects keep for each pair
     /// Whether the distant neighbour list (pairs of grains that do not touch) must contain all
@@ -94,8 +94,8 @@ struct ListWants {
 ///     (D + skin - 2 u (1 + g)) (1 - g) > d,   g = e + e^2
 /// D is the largest grain diameter, and u the largest displacement of a grain without the imposed
 /// flow since the list was made. The strain e is the affine strain (shear plus changes of the
-/// cell's edges) since the list was made. This criterion includes the moving offset of the periodic
-/// images.
+/// cell's edges) since the list was made. The criterion also holds for periodic images, which move
+/// relative to each other during shear.
 ///
 /// Whenever shear has mixed the grains, the grains are renumbered in rows along the flow
 /// (`order_in_rows`), so that the force loop reads memory in order.
@@ -111,7 +111,7 @@ class PairList {
     /// @param rupture_distance gap at which liquid bridges break [grain diameters], 0 without
     ///         bridges
     /// @param parts number of threads that renew the lists; the lists do not depend on this number
-    /// @param wants data that the physical effects of the run need
+    /// @param wants requirements of the physical effects of the run
     explicit PairList(double rupture_distance = 0, int parts = 1, const ListWants& wants = {});
 
     /// Renews the neighbour lists that are no longer valid after a time step. When the wide list is
@@ -147,8 +147,8 @@ class PairList {
     /// Returns the number of times that the narrow and the distant neighbour list were renewed.
     std::size_t renewals() const { return renewals_; }
 
-    /// Saves or loads the neighbour lists. The lists can be loaded only into an object whose
-    /// rupture distance of bridges equals that of the saved object.
+    /// Saves or loads the neighbour lists. The lists can be loaded only into an object that was
+    /// constructed with the rupture distance of the saved object.
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(wide_, narrow_, distant_, live_, live_distant_, moved_, wide_strain_,

@@ -16,8 +16,8 @@ namespace pendular::dem {
 struct alignas(64) Stages {
     XyzLanes normal, sliding_velocity;
     XyzLanes rotation_rate;  ///< angular velocity of each pair as a whole, in reduced units
-    /// Angular velocity of the second grain of each pair minus that of the first grain, in reduced
-    /// units.
+    /// Angular velocity of the second grain of each pair minus the angular velocity of the first
+    /// grain, in reduced units.
     XyzLanes rolling;
     /// Torque that effects exert on the second grain of each pair, in reduced units. The opposite
     /// torque acts on the first grain.
@@ -54,8 +54,8 @@ struct alignas(64) Stages {
     }
 };
 
-/// Computes the angular velocity of the second grain minus that of the first grain for each pair of
-/// a batch.
+/// Computes, for each pair of a batch, the angular velocity of the second grain minus the angular
+/// velocity of the first grain, in reduced units.
 /// @param begin index in `pairs` of the first pair of the batch
 /// @param rolling receives the differences of the angular velocities
 [[gnu::always_inline]] inline void gather_rolling(const Grains::Motion* motion, const Pairs& pairs,
@@ -74,7 +74,8 @@ struct alignas(64) Stages {
 
 /// Returns a batch of pairs as a `PairBatch`, the form in which effects on grains receive a batch.
 /// The data are not copied.
-/// @param contact_history pointers to one array for each value that effects keep per pair
+/// @param contact_history one pointer for each value that effects keep per pair, to the elements of
+///         this value for the batch
 inline PairBatch batch_for_effects(Batch& b, Stages& s, const SizeLanes& sizes, double time_step,
                                    double* const* contact_history) {
     return {.size = lanes,

@@ -7,9 +7,9 @@
 
 namespace pendular::dem {
 
-/// Calls work(part) for part = 0 to parts - 1, each on a thread of its own. The work of a part may
-/// depend only on the number of the part, so that results do not depend on the scheduling of the
-/// threads.
+/// Calls work(part) for part = 0 to parts - 1, each call on a thread of its own. The work of a part
+/// may depend only on the number of the part, so that results do not depend on the scheduling of
+/// the threads.
 template <typename Work>
 void in_parts(int parts, const Work& work) {
     if (parts == 1) {
@@ -23,8 +23,8 @@ void in_parts(int parts, const Work& work) {
 }
 
 /// Divides `count` items into `parts` ranges of nearly equal size, and returns range number `part`,
-/// counted from 0. The range consists first of the index of its first item, second of the index
-/// after its last item. Each range begins at a multiple of `grain` items (this parameter has
+/// counted from 0. In the returned pair, `first` is the index of the first item and `second` the
+/// index after the last item. Each range begins at a multiple of `grain` items (this parameter has
 /// nothing to do with the grains of a sample).
 inline std::pair<std::size_t, std::size_t> range_of(int part, int parts, std::size_t count,
                                                     std::size_t grain = 1) {

@@ -101,7 +101,7 @@ struct RunOptions {
 constexpr int most_threads = 1024;
 
 /// Solid fraction [1] above which a sample counts as crystallised. The solid fraction is first
-/// corrected to that of rigid grains (`rigidity_shift`).
+/// corrected to the solid fraction of rigid grains (`rigidity_shift`).
 constexpr double crystal_solid_fraction = 0.645;
 
 /// Localization of the shear [1] above which the program warns the user that a flow is not uniform.
@@ -114,8 +114,8 @@ constexpr double localised_above = 0.05;
 /// reached earlier. The end of the preceding transient is determined from the simulation.
 /// @param effects the effects on grains that `parameters.effects` names
 /// @throws std::invalid_argument for parameters that `check_run_parameters` does not accept, an
-///         impossible number of threads, and an initial state whose number of grains differs from
-///         `parameters.grains`
+///         impossible number of threads, and an initial state that is missing or whose number of
+///         grains differs from `parameters.grains`
 /// @throws SimulationError if the stress is not finite, an overlap exceeds half a grain diameter,
 ///         or the sample does not reach or keep its normal stress
 /// @throws Interrupted if a stop is requested
@@ -124,8 +124,8 @@ constexpr double localised_above = 0.05;
 RunResult run(const RunParameters& parameters, const GrainEffects& effects,
               const RunOptions& options = {});
 
-/// Returns the amount by which the solid fraction of a run exceeds that of rigid grains, because
-/// grains in contact overlap [1]:
+/// Returns the amount by which the solid fraction of a run exceeds the solid fraction of rigid
+/// grains, because grains in contact overlap [1]:
 ///     1.23 x 3 solid_fraction mean_overlap
 /// The factor 1.23 +- 0.15 was measured in dry samples with a friction coefficient of 0.12 at
 /// stiffness numbers between 300 and 4000.

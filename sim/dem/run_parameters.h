@@ -17,8 +17,8 @@ class GrainEffects;
 /// the servo that adjusts the height of the cell to keep the normal stress.
 constexpr double largest_inertial_number = 0.5;
 
-/// Requested precision of a run: largest standard error of the average of one observable, in the
-/// observable's unit. The run may stop once its standard error is that small.
+/// Requested precision of a run: largest allowed standard error of the average of one observable,
+/// in the observable's unit. A run may end early once it reaches all requested precisions.
 struct Precision {
     Observable which = Observable::stress_ratio;
     double standard_error = 0;

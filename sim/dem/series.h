@@ -40,7 +40,7 @@ struct Block {
 };
 
 /// Block of a run that is not complete yet. A block is a shear strain of `block_strain`. The
-/// averages of the block are summed step by step, so that the run can be stopped and resumed
+/// quantities to be averaged are summed step by step, so that the run can be stopped and resumed
 /// between any two steps.
 class OpenBlock {
   public:
@@ -107,9 +107,9 @@ class Series {
         return result;
     }
     /// Returns a time series of the ratio of two quantities, with one value per block, from block
-    /// `from` on (counted from 0). The mean of the values is the mean of `numerator(block)` divided
-    /// by the mean of `denominator(block)`. To first order, the scatter of the values is the
-    /// scatter of this ratio.
+    /// number `from` on, counted from 0. The mean of the values is the mean of `numerator(block)`
+    /// divided by the mean of `denominator(block)`. Each value is
+    /// numerator(block)/denominator(block), linearised about these two means.
     template <typename Numerator, typename Denominator>
     std::vector<double> ratio(std::size_t from, Numerator numerator,
                               Denominator denominator) const {
@@ -135,14 +135,15 @@ class Series {
         return values(from, [&](const Block& b) { return b.structure.*which; });
     }
     /// Returns the average of the field `which` in each bin, with its standard error. A field is a
-    /// quantity as a function of one coordinate. Averaged are the blocks from number `from` on,
-    /// counted from 0. An average is the mean of the blocks' sums divided by the mean of the
-    /// blocks' weights, or NaN if a bin has no data.
+    /// quantity as a function of one coordinate. The average is taken over the blocks from number
+    /// `from` on, counted from 0. The average is the mean of the blocks' sums divided by the mean
+    /// of the blocks' weights, or NaN if the bin has no data.
     BinnedMeans field(std::size_t from, Field which, const Bins1d& bins) const;
-    /// Returns the number of blocks at the start of a run that averages must leave out, since the
-    /// flow is not yet steady; empty if the flow is not steady so far. The function examines stress
-    /// ratio, solid fraction and, if `wet` is true, the number per grain of bridges between grains
-    /// that do not touch. In wet samples, this number becomes steady last.
+    /// Returns the number of blocks at the start of a run in which the flow is not yet steady, so
+    /// that averages must exclude these blocks. The result is empty if the flow is not steady so
+    /// far. The function examines stress ratio, solid fraction and, if `wet` is true, the number
+    /// per grain of bridges between grains that do not touch. In wet samples, this number becomes
+    /// steady last.
     std::optional<std::size_t> transient(bool wet) const;
     Trace trace() const;
 

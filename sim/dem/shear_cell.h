@@ -49,11 +49,12 @@ Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diam
 /// stress are 1, so that the shear rate equals the inertial number.
 ///
 /// The height servo is of first order: (dH/dt)/H = (s22 - 1)/(B t0), with cell height H and normal
-/// stress s22. The time t0 = sqrt(m/(a s22)) is that in which a grain of mass m moves its own
-/// diameter a. B is 0.05 times the stiffness number, well below the modulus of the packing. The
-/// servo is implicit in the viscous contribution to s22, which follows dH/dt within one time step.
-/// The normal stress returns to its imposed value within a fraction of t0 at every stiffness,
-/// without tuning. Since ln H is bounded, the time average of s22 is exactly 1.
+/// stress s22. The inertial time t0 = sqrt(m/(a s22)) is about the time in which the normal stress
+/// moves a grain of mass m by its diameter a. B is 0.05 times the stiffness number, well below the
+/// modulus of the packing. The servo is implicit in the viscous contribution to s22, which follows
+/// dH/dt within one time step. The normal stress returns to its imposed value within a fraction of
+/// t0 at every stiffness, without tuning. Since ln H is bounded, the time average of s22 is exactly
+/// 1.
 ///
 /// The time step is a fixed fraction of sqrt(m/K_N), with grain mass m and normal stiffness K_N of
 /// the stiffest contact. The time step is updated as this stiffness changes, and is smaller if the
@@ -105,8 +106,8 @@ class ShearCell {
     /// Returns the law of the liquid bridges, including the changes by effects on grains.
     const BridgeLaw& bridges() const { return bridges_; }
     const GrainEffects& effects() const { return effects_; }
-    /// Returns the mean stress of the sample in the last time step, at the positions before the
-    /// time step, divided by the imposed normal stress [1].
+    /// Returns the mean stress of the sample in the last time step, computed from the positions
+    /// before the time step, divided by the imposed normal stress [1].
     const Stress& stress() const { return stress_; }
     const Flow& flow() const { return flow_; }
     double shear_rate() const { return flow_.shear_rate; }
@@ -116,7 +117,7 @@ class ShearCell {
     const PairEnergy& energy() const { return energy_; }
     /// Returns the kinetic energy of all grains in units of a^3 s22, with grain diameter a and
     /// imposed normal stress s22. The energy follows from the velocities without the imposed flow
-    /// and from the angular velocities, half a time step after the last forces.
+    /// and from the angular velocities, half a time step after the time of the last forces.
     double kinetic_energy() const { return motion_.energy(); }
     double strain() const { return strain_; }
     double time_step() const { return time_step_; }
@@ -137,8 +138,8 @@ class ShearCell {
     void set_time_step_fraction(double fraction) { fraction_ = fraction; }
 
     /// Saves or loads the state of the simulation. The state can be loaded only into a ShearCell
-    /// whose number of grains, laws and number of threads (parts) equal those of the saved
-    /// ShearCell.
+    /// that was constructed with the number of grains, the material, the bridge law, the effects
+    /// and the number of threads (parts) of the saved ShearCell.
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(grains_, cell_, pairs_, flow_, stress_, motion_, servo_, bridging_, fraction_,
@@ -177,8 +178,8 @@ class ShearCell {
     int parts_ = 1;
     std::vector<Share> shares_;
     std::size_t shares_made_at_ = 0;  ///< value of PairList::renewals when `shares_` were made
-    /// Contributions to the net force and torque on each grain that each thread except the first
-    /// summed.
+    /// Sums of the forces and torques on each grain by each thread, one array for each thread
+    /// except the first.
     std::vector<std::vector<Grains::ForceAndTorque>> other_net_forces_;
     Stress stress_;
     PairEnergy energy_;

@@ -60,11 +60,11 @@ std::string grains_vtp(const Snapshot& snapshot);
 std::string pairs_vtp(const Snapshot& snapshot);
 
 /// Writer of snapshots of a run into a folder, at shear strains 0, `every`, 2 `every` and so on.
-/// The file `beads.dump` has all frames. For ParaView, `snapshots.pvd` lists `vtk/beads_NNNNN.vtp`
-/// and `vtk/pairs_NNNNN.vtp` with the strain as time. Each file is complete or absent. The dump is
-/// written as `.beads.dump.part` and renamed when the object is destroyed, whether the run is
-/// complete or was stopped. If a checkpoint resumes the run, frames made after that checkpoint are
-/// made again.
+/// The file `beads.dump` (LAMMPS text dump) has all frames. For ParaView, `snapshots.pvd` lists
+/// `vtk/beads_NNNNN.vtp` and `vtk/pairs_NNNNN.vtp` with the strain as time. Each file is complete
+/// or absent. The dump is written as `.beads.dump.part` and renamed when the object is destroyed,
+/// whether the run is complete or was stopped. If a checkpoint resumes the run, frames made after
+/// that checkpoint are made again.
 class Snapshots {
   public:
     Snapshots(std::filesystem::path folder, double every);

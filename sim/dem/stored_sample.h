@@ -8,8 +8,8 @@
 
 namespace pendular::dem {
 
-/// Final state of a run in single precision, from which a new run can start. A run is continued bit
-/// for bit only from a checkpoint. The contact history (tangential forces and other values of each
+/// Final state of a run in single precision, from which a new run can start. Only from a checkpoint
+/// can a run continue bit for bit. The contact history (tangential forces and other values of each
 /// pair) is not stored. The contact history forms again over a sliding distance of about one
 /// overlap, which is a small part of any transient. Samples of unequal grains are not stored;
 /// `grains` is then empty.

@@ -15,8 +15,8 @@ struct alignas(32) Vector {
     constexpr explicit Vector(Lanes all) : lanes(all) {}
 
     double operator[](std::size_t k) const { return lanes[k]; }
-    /// Returns a writable reference to component k, from 0. This operator moves the vector from its
-    /// register to memory; an assignment to `lanes` does not.
+    /// Returns a writable reference to component k, counted from 0. This operator moves the vector
+    /// from its register to memory; an assignment to `lanes` does not.
     double& operator[](std::size_t k) { return reinterpret_cast<double*>(&lanes)[k]; }
 
     Vector& operator+=(const Vector& other) {

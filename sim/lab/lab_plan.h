@@ -34,7 +34,7 @@ struct LabPlan {
     /// study.toml that the virtual laboratory writes does not list these effects, since a
     /// calibration has to find them.
     std::vector<ActiveEffect> effects;
-    int replicates = 2;  ///< number of recordings at each liquid content, dry grains included
+    int replicates = 2;  ///< number of recordings at each liquid content, including 0 (dry)
     Instrument instrument;
     Fidelity fidelity;
     std::uint64_t seed = 1;
@@ -43,7 +43,7 @@ struct LabPlan {
 /// Planned recording of a virtual laboratory: one pass through all steps of constant set points at
 /// one liquid content.
 struct PlannedRecording {
-    std::string file;  ///< name of the recording's file, as in "wet_0.03_1.csv"
+    std::string file;  ///< name of the recording's file, such as "wet_0.03_1.csv"
     /// Liquid content of the recording [1]: liquid volume divided by grain volume, 0 for dry
     /// grains.
     double liquid_content = 0;
@@ -58,8 +58,8 @@ struct PlannedRecording {
 /// Returns all recordings of a plan in the order of measurement. The recordings of dry grains come
 /// first, followed by the recordings at each liquid content. There is no pause between recordings.
 /// The time of a step of constant set points is the mean time [s] of the part of the step after the
-/// start-up transient. An effect on the grains that depends on time keeps, throughout a step, the
-/// strength that it has at this mean time.
+/// start-up transient. If an effect on the grains depends on time, its strength at this mean time
+/// is used for the whole step.
 std::vector<PlannedRecording> recordings_of(const LabPlan& plan);
 
 /// Returns the true condition of the grains, in SI units, at which the instrument shows the

@@ -67,8 +67,9 @@ double time_steps(std::vector<Condition>& steps, const GrainProperties& grains,
 ///
 /// The noise within the step is Gaussian. Like the fluctuations of simulated samples, it is
 /// correlated over a strain of 0.03 for the torque and of 0.1 for the gap. The normal force has
-/// white noise about its set point, with a relative standard deviation of `noise` times 0.2 %. If
-/// `noise` is 1, the mean normal force of a step of 400 data points is therefore off by 0.01 %.
+/// white noise about the value that the instrument shows without noise, with a relative standard
+/// deviation of `noise` times 0.2 %. If `noise` is 1, the mean normal force of a step of 400 data
+/// points therefore has a standard error of 0.01 %.
 ///
 /// If the faults of the instrument change with time (`TrueState::shown`), the faults are applied at
 /// the time of each data point.

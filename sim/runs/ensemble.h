@@ -66,13 +66,13 @@ dem::RunResult run_one(const dem::RunParameters& run, const dem::RunOptions& opt
 std::vector<std::size_t> longest_first(const std::vector<dem::RunParameters>& runs);
 
 /// Returns the expected computing time of a run, transient included, in arbitrary units, for
-/// comparison with that of other runs. The computing time is proportional to the number of grains
-/// times the number of time steps.
+/// comparison with other runs. The computing time is proportional to the number of grains times the
+/// number of time steps.
 double expected_cost(const dem::RunParameters& run);
 
 /// Returns the expected wall time [s] of `runs` on `threads` threads, one run per thread; empty if
 /// no measured run succeeded. The time of a run is its `expected_cost` times a median of wall time
-/// divided by expected cost. The median is taken over those measured runs that are wet or dry like
+/// divided by expected cost. The median is taken over the measured runs that are wet or dry like
 /// the run and have effects or no effects like the run. If there is no measured run of this kind,
 /// the median is taken over all measured runs. The result is at least the time of the longest run.
 /// @param measured runs that were already carried out

@@ -21,8 +21,8 @@ class MpiProcesses {
 
     /// Whether this process has rank 0 and therefore distributes the runs.
     bool manager() const { return rank_ == 0; }
-    /// Returns the number of MPI processes that carry out runs: all processes except that of rank
-    /// 0.
+    /// Returns the number of MPI processes that carry out runs: all processes except the process of
+    /// rank 0.
     int workers() const { return size_ - 1; }
 
     /// Distributes simulations to the processes of the other ranks, the longest simulation first,

@@ -11,9 +11,9 @@
 
 namespace pendular {
 
-/// Returns effects on grains as the object with which the solver applies the effects in a run. An
-/// effect is left out if all its parameters have their neutral values, at which the effect changes
-/// nothing.
+/// Converts effects on grains into the object with which the solver applies the effects in a run.
+/// An effect is left out if all its parameters have their neutral values, at which the effect
+/// changes nothing.
 /// @param effects names of the effects, with parameter values in reduced units (grain diameter,
 ///         grain mass and imposed normal stress are 1)
 /// @param wet whether the run has liquid bridges

@@ -23,9 +23,9 @@ struct RunScale {
     RunScale of(const dem::RunParameters& run) const;
 };
 
-/// Returns the reason, for a message, why an effect cannot act on a single simulation. Effects on
-/// the instrument, on a closure (analytical formula) or on the flow cannot act on a simulation. The
-/// text is empty if the effect can act.
+/// Returns the reason why an effect cannot act on a single simulation, as text for a message to the
+/// user. Effects on the instrument, on a closure (analytical formula) or on the flow cannot act on
+/// a simulation. The text is empty if the effect can act.
 std::string why_no_run_has(const Effect& effect);
 
 /// Whether an effect has a parameter with a unit other than 1 and rad. The value of this parameter
@@ -34,8 +34,8 @@ std::string why_no_run_has(const Effect& effect);
 bool needs_scale(const Effect& effect);
 
 /// Applies effects to the parameters of a run and returns the changed parameters. Effects of type
-/// `ChangeCondition` change the friction coefficient and the reduced pressure. Effects on grains
-/// are added to `run.effects` in reduced units.
+/// `ChangeCondition` change the friction coefficient and the reduced pressure, or remove the liquid
+/// from the run. Effects on grains are added to `run.effects` in reduced units.
 /// @param effects effects with parameter values in SI units
 /// @param scale grains, liquid and normal stress with which SI units are converted to the reduced
 ///         units of the run (grain diameter, grain mass and normal stress are 1)

@@ -170,6 +170,29 @@ TEST_F(StudyChanges, TakeOverAProposedEffect) {
     EXPECT_FALSE(fs::exists(proposed));
 }
 
+TEST_F(StudyChanges, KeepTheTextsOfAProposedEffectInTheirQuotes) {
+    study(cell + "[model]\neffects = []\n");
+    const fs::path proposed = folder_.path() / "out" / "proposed.toml";
+    const WrittenEffect gain{.name = "gain",
+                             .parameter = "factor",
+                             .unit = "1",
+                             .lower = 0.5,
+                             .upper = 2,
+                             .neutral = 1,
+                             .smallest_of_interest = 0.01,
+                             .summary = "Torque \"shown\" with \\ and 'gain'",
+                             .formulas = {{"torque", "torque*factor", {}}},
+                             .position = {}};
+    write_proposed(proposed, {{{gain.name}}, {gain}});
+    const StudyChange change =
+        plan_change(read_study(file()), Action::add, gain.name, read_proposed(proposed).effects);
+    folder_.write("study.toml", change.new_text);
+    const ResolvedStudy again = read_study(file());
+    ASSERT_EQ(again.effects().size(), 1u);
+    EXPECT_EQ(again.effects()[0]->summary, gain.summary);
+    EXPECT_EQ(again.effects()[0]->neutral(), std::vector<double>{1});
+}
+
 TEST_F(StudyChanges, AreCarriedOutWhole) {
     study(cell + "[model]\neffects = []  # none yet\n");
     const StudyChange change = plan(Action::add, "torque-offset");

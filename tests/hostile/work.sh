@@ -32,3 +32,20 @@ attack "work: a checkpoint whose stated size wraps round" 2 "truncated or corrup
 printf 'pendular checkpoint, format 4\nchecksum 0 of 18446744073709551615' >x.ckpt
 run simulate --beads 200 --strain 1 --checkpoint x.ckpt
 E
+attack "work: a proposed summary that ends its own quotes" 0 "" <<'E'
+study s; mkdir s/out
+cat >s/out/proposed.toml <<'T'
+[[proposal]]
+effects = ["gain"]
+[[effect]]
+name = "gain"
+summary = "shown\"x\\"
+parameter = "factor"
+lower = 0.5
+upper = 2
+neutral = 1
+matters = 0.01
+stress_ratio = "stress_ratio*factor"
+T
+run add s --proposed 1
+E

@@ -19,8 +19,8 @@ struct BlockColumn {
     std::string name;  ///< name of the column in the file, such as "Contrainte de Cisaillement"
     /// Unit of the column in the file, such as "Pa"; empty if the file gives no unit.
     std::string unit;
-    /// Name of the quantity that the column is read as, such as "shear_stress". The name is empty
-    /// if the column is not used.
+    /// Name of the quantity that the program reads from the column, such as "shear_stress". The
+    /// name is empty if the column is not used.
     std::string quantity;
     /// Name of the quantity whose set points the column contains, such as "normal_force". The name
     /// is empty for a column of measured values.
@@ -51,8 +51,8 @@ struct Block {
     std::optional<std::size_t> declared_rows;
     std::vector<BlockColumn> columns;
     /// Rows of the interval. Header cells of used columns read `quantity [unit]`. Header cells of
-    /// unused columns keep the text of the file, with the number of the column. Numbers have a
-    /// decimal point.
+    /// unused columns keep the text of the file, with the number of the column. In the layout
+    /// "plain", all header cells keep the text of the file. Numbers have a decimal point.
     Table table;
 };
 
@@ -65,8 +65,8 @@ struct SkippedRows {
     bool points = true;
 };
 
-/// Numbers of intervals and cells read from a file. The numbers are limited so that a small file
-/// cannot use much memory.
+/// Numbers of intervals and cells read from a file. The numbers are limited so that reading a small
+/// file cannot use much memory.
 struct FileCounts {
     std::size_t intervals = 0;
     /// Number of header cells read from the file: sum of the columns of all intervals.
@@ -110,7 +110,8 @@ struct SourceLines {
 
     /// Splits a line into cells.
     /// @param line index of the line, from 0
-    /// @throws InputError at a quoted cell that is not closed
+    /// @throws InputError at a quoted cell that is not closed, or if the line has more than
+    ///         `most_cells_of_line` cells
     Row row(std::size_t line, char delimiter) const;
 };
 
@@ -118,16 +119,17 @@ struct SourceLines {
 bool is_blank(const Row& row);
 
 /// Returns the delimiter (tab, semicolon or comma) that splits the lines from `begin` to `end` - 1
-/// most consistently. With the most consistent delimiter, most lines have as many cells as the
-/// preceding line. At most 1000 lines are examined. If two delimiters are equally consistent, the
-/// earlier delimiter in the order tab, semicolon, comma is returned.
+/// most consistently, so that the largest number of lines have as many cells as the preceding line.
+/// At most 1000 lines are examined. If two delimiters are equally consistent, the earlier delimiter
+/// in the order tab, semicolon, comma is returned.
 char consistent_delimiter(const SourceLines& source, std::size_t begin, std::size_t end);
 
 /// Returns the whole number from 1 to a billion that a cell states, such as the number of an
 /// interval. The result is 0 if the cell has any other text.
 int count_of(const std::string& cell);
 
-/// Returns the unit in a cell without brackets: "mN·m" for "[mN·m]" or "(mN·m)".
+/// Returns the text of a cell with a unit, without the brackets around the unit: "mN·m" for
+/// "[mN·m]" or "(mN·m)".
 std::string bare_unit(std::string_view cell);
 
 /// Sets the columns and the header of an interval from the names and units in the file. If several
@@ -152,7 +154,7 @@ void set_columns(BlockFile& file, Block& block, Row header, const std::vector<st
 void add_row(BlockFile& file, Block& block, Row row);
 
 /// Adds a line of a file to `file.skipped`, the list of lines that are left out. If the preceding
-/// line was left out for an equal reason, the line extends the entry of the preceding line.
+/// line was left out for the same reason, the entry of the preceding line is extended by this line.
 /// @param reason reason for the user
 /// @param points whether the line is one of the points (rows) whose number the file declares
 void skip_line(BlockFile& file, int line, const char* reason, bool points = true);

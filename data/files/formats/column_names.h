@@ -17,12 +17,13 @@ struct ColumnMeaning {
 /// Returns the quantity that a column contains in a file that the software of a rheometer exported,
 /// given the name and unit of the column. The known names are those that RheoCompass, Rheoplus,
 /// TRIOS, rSpace and RheoWin use in English, French and German, and all names that `find_quantity`
-/// knows. The unit must fit the quantity or be empty.
+/// knows. If the name is not known, or if the unit neither fits the quantity nor is empty, the
+/// result has no quantity.
 ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit);
 
 /// Returns the quantity whose set points a column contains, given the name and unit of the column.
-/// The result is "normal_force" for "Normal Force set" or "Normal Force (target) [N]", and empty
-/// for columns without set points.
+/// The result is "normal_force" for "Normal Force set" or "Normal Force (target)". The result is
+/// empty for columns without set points.
 std::string_view set_point_of(std::string_view name, std::string_view unit);
 
 /// Whether a column with a given name, such as "Point No.", numbers the points of an interval.

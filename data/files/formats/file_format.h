@@ -23,8 +23,8 @@ struct FileFormat {
     /// Intervals whose role the user states. The key is a role such as "failure". The value is the
     /// list of the numbers or names of the intervals, such as "4".
     std::map<std::string, std::vector<std::string>> roles;
-    /// Whether torques of the file that lost a decimal mark are corrected from the shear stresses
-    /// and reported.
+    /// Whether torques whose decimal mark or thousands mark was lost in the file are corrected by
+    /// means of the shear stresses (`repair_torques`). Corrections are reported.
     bool repair = false;
 };
 

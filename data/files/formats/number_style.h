@@ -25,13 +25,13 @@ class NumberStyleFinder {
 
     /// Returns the style of the numbers in all tables examined so far.
     /// @param decimal decimal mark that the user states; empty: to be determined
-    /// @throws InputError at the first ambiguous cell, with both interpretations, if no cell
-    ///         determines the decimal mark ("2,800" alone), and at a cell that contradicts other
-    ///         cells or the stated mark
+    /// @throws InputError at the first ambiguous cell, such as "2,800", if no cell determines the
+    ///         decimal mark; the message gives both interpretations
+    /// @throws InputError at a cell that contradicts other cells or the stated mark
     NumberStyle style(const std::string& decimal) const;
 
   private:
-    /// First cell of a file in which a given style of numbers, such as a decimal comma, occurs.
+    /// First cell of a file that contains a number in a given style, such as a decimal comma.
     struct Example {
         std::string text;
         Position at;
@@ -47,8 +47,8 @@ class NumberStyleFinder {
     Example open_;
 };
 
-/// Returns a number as text with a decimal point and without thousands separators. A text that is
-/// no number in the given style is returned unchanged.
+/// Returns the text of a number with a decimal point and without thousands separators. A text that
+/// is no number in the given style is returned unchanged.
 std::string rewritten(const std::string& text, const NumberStyle& style);
 
 /// Rewrites all numbers in the cells of a table with a decimal point and without thousands

@@ -40,9 +40,9 @@ struct Course {
 std::optional<Course> course_of(std::span<const double> samples);
 
 /// Tests for each step whether torque or gap still approaches a steady value at the end of the
-/// step. Returns one entry for each test, significant or not. The p value is that of the change of
-/// the trend over the second half of the step. The p value is 1 unless the trend clearly bends
-/// towards a constant value that is at least 0.5 % away at the end of the step.
+/// step. Returns one entry for each test, significant or not. The p value of an entry is the p
+/// value of the change over the second half of the step. The p value is 1 unless the trend clearly
+/// bends towards a constant value that is at least 0.5 % away at the end of the step.
 std::vector<RecordingFinding> run_in_tests(const std::string& file,
                                            const std::vector<RecordedStep>& steps);
 

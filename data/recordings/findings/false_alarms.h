@@ -8,8 +8,8 @@ namespace pendular {
 
 /// Probability [1] that chance alone causes a finding of one kind, such as a wobble, in the
 /// recordings of a faultless study. Since faults of six kinds are tested, chance causes a finding
-/// in at most 3 % of faultless studies. The allowed share is 5 %. The difference covers
-/// approximations in the distributions of the test statistics.
+/// in at most 3 % of faultless studies. The intended limit is 5 %. The margin covers approximations
+/// in the distributions of the test statistics.
 constexpr double finding_significance = 0.005;
 
 /// Returns the findings that are significant among all tests of one kind in a study, by the

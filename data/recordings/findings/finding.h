@@ -30,11 +30,14 @@ struct RecordingFinding {
     /// Number of steps from which the fault was found. For a level change, `count` is the number of
     /// recordings that were compared.
     std::size_t count = 1;
-    /// Size of the fault, in the SI unit of the faulty column. The size of a saturation is the
-    /// largest value, of a wobble the amplitude, of a stick-slip the median drop, of a drift the
-    /// change over a whole step, of a level change the change of the column, and of an unfinished
-    /// run-in the distance from the steady value at the end of the step. Drifts and level changes
-    /// are negative for a decrease.
+    /// Size of the fault, in the SI unit of the faulty column. The size depends on the kind of
+    /// fault:
+    /// - saturation: largest value of the column
+    /// - level change: change of the column, negative for a decrease
+    /// - wobble: amplitude
+    /// - stick-slip: median drop of the torque
+    /// - drift: change over a whole step, negative for a decrease
+    /// - unfinished run-in: distance from the steady value at the end of the step
     double size = 0;
     /// Standard error of the size of the fault, in the SI unit of the faulty column; 0: not
     /// estimated.
@@ -63,10 +66,10 @@ struct RecordingFinding {
 std::string_view to_string(RecordingFinding::Kind kind);
 
 /// Returns sentences for the user about findings, the most serious kinds first. Findings that agree
-/// in kind, quantity and, for a wobble, period are combined in a sentence. Most sentences have the
-/// number of steps and files, the first position, the usual size with its unit and in per cent, and
-/// the smallest p value. The sentence on a saturation has the share of saturated rows and no p
-/// value. The sentence on a level change has the number of recordings.
+/// in kind, quantity and, for a wobble, period are combined in a sentence. Most sentences state the
+/// number of steps and files, the first position, the median size with its unit and in per cent,
+/// and the smallest p value. The sentence on a saturation states the share of saturated rows
+/// instead of a p value. The sentence on a level change states the number of recordings.
 /// @param all true: findings are not combined, and each finding has a sentence of its own
 std::vector<std::string> sentences(const std::vector<RecordingFinding>& findings, bool all = false);
 

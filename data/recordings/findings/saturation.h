@@ -15,7 +15,7 @@ namespace pendular {
 struct Saturation {
     std::string quantity;  ///< name of the saturated column: "torque" or "normal_force"
     double limit = 0;  ///< largest magnitude of the column that the instrument records [N m or N]
-    std::set<int> lines;  ///< line numbers in the file of the saturated rows
+    std::set<int> lines;  ///< line numbers of the saturated rows in the file
     /// p value of the saturation [1]: probability that an unlimited column appears as clearly
     /// saturated by chance.
     double p = 1;
@@ -23,8 +23,8 @@ struct Saturation {
 
 /// Finds the columns of a recording that are cut off at their largest value. Torque and normal
 /// force are examined by magnitude. Rows are saturated if they are within half the resolution or
-/// within 2e-4 of the largest value. A column is saturated in any of three cases, in the first two
-/// at p < 1e-4:
+/// within 2e-4 of the largest value. A column counts as saturated in each of three cases, of which
+/// the first two require at least three saturated rows and p < 1e-4:
 /// - More separate runs of rows reach the largest value than reach values just below it. In
 /// ordinary noise, values become rarer towards the largest value, so that fewer runs reach the
 /// largest value. The p value is binomial.
@@ -38,9 +38,9 @@ struct Saturation {
 std::vector<Saturation> saturations(const Recording& recording,
                                     const std::vector<RecordedStep>& steps);
 
-/// Removes saturated data points from the lists of spikes (`RecordedStep::spikes`), so that the
-/// data points are not reported as spikes, and lists them in `result.excluded` as saturated. They
-/// are listed there because their values were replaced like those of spikes.
+/// Reports spikes in saturated rows as saturation: removes the data points from the lists of spikes
+/// (`RecordedStep::spikes`) and adds them to `result.excluded` as saturated. In
+/// `RecordedStep::series`, the values of the data points remain replaced by medians, as for spikes.
 /// @param saturated saturated columns of the recording
 /// @param file path of the recording
 void separate_from_spikes(const std::vector<Saturation>& saturated, const std::string& file,
@@ -54,7 +54,7 @@ void set_aside_saturated(const std::vector<Saturation>& saturated, const Recordi
                          const std::vector<RecordedStep>& steps, const ImportSettings& choice,
                          Measurements& part);
 
-/// Adds a message to `measurements.doubts` for torque and for normal force, if the column is
+/// Adds one message to `measurements.doubts` for each column (torque, normal force) that is
 /// saturated in any recording of the study.
 void doubt_saturated(Measurements& measurements, const ImportSettings& choice);
 

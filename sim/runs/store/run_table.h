@@ -16,12 +16,12 @@ namespace pendular {
 void write_runs(const std::filesystem::path& file, const std::vector<StoredRun>& runs);
 
 /// Returns a hash that identifies a run by its inputs and results, as 16 hexadecimal digits. The
-/// hash is that of the run's row in the CSV file of `write_runs`. The hash does not depend on
-/// whether the run comes from a CSV file, from a store or directly from the simulation.
+/// hash is computed from the run's row in the CSV file that `write_runs` writes. The hash does not
+/// depend on whether the run comes from a CSV file, from a store or directly from the simulation.
 std::string run_fingerprint(const StoredRun& stored);
 
 /// Reads simulation runs from a CSV file that has the columns of `write_runs`, in any order.
-/// Columns of results, and the column of effects, may be missing.
+/// Columns of results, and the columns `effects` and `physics_version`, may be missing.
 /// @throws InputError for a file that cannot be read as a table, at a cell with an invalid value,
 ///         at a run that cannot be simulated, and at the header for an unknown column or a missing
 ///         input column
@@ -29,8 +29,8 @@ std::vector<StoredRun> read_runs(const std::filesystem::path& file);
 
 /// Returns the path of the atlas, a CSV file of the simulation runs that come with the program. The
 /// path is the value of the environment variable PENDULAR_ATLAS. If this variable is not set, the
-/// path is that of the installed file or, if no file is installed, of the file in the repository.
-/// The path is empty if the variable is not set and neither file exists.
+/// path is the path of the installed file or, if no file is installed, the path of the file in the
+/// repository. The path is empty if the variable is not set and neither file exists.
 std::filesystem::path atlas_file();
 
 }  // namespace pendular

@@ -24,7 +24,8 @@ constexpr const char* store_in_memory = ":memory:";
 /// written is opened for reading only.
 /// @param file absolute path, or `store_in_memory`
 /// @param must_exist whether a missing file is an error
-/// @throws InputError for a file that is no store or has a newer format
+/// @throws InputError for a file that is missing although `must_exist` is true, is no store, or has
+///         a newer format
 /// @throws SQLite::Exception for other errors of SQLite
 std::unique_ptr<SQLite::Database> open_store_file(const std::filesystem::path& file,
                                                   bool must_exist);
