@@ -19,6 +19,9 @@ struct FittedShape {
     /// change at a reading where the profile of the shape equals 1.
     double change = 0;
     double standard_error = 0;  ///< standard error of `change` [unit of `change`]
+    /// Index of the shape among those that were tried. The index has no meaning outside of
+    /// `propose`.
+    std::size_t index = 0;
 };
 
 /// Proposal for a misfit that no known effect explains: one or two changes of unknown cause which,

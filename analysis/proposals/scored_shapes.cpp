@@ -194,6 +194,17 @@ std::vector<ScoredShapes::Score> ScoredShapes::singles() const {
     return scores;
 }
 
+ScoredShapes::Score ScoredShapes::single(std::size_t index) const {
+    Score score = score_of(index);
+    const Eigen::VectorXd change = change_by(score);
+    for (const Score& other : singles()) {
+        if (other.shapes.front() != index && std::abs(change.dot(change_by(other))) > alike) {
+            add_alike(score, other);
+        }
+    }
+    return score;
+}
+
 std::vector<ScoredShapes::Score> ScoredShapes::pairs(std::size_t most) const {
     const std::vector<Score> firsts = unlike(singles(), most);
     std::vector<Score> scores;

@@ -49,6 +49,10 @@ class ScoredShapes {
     /// Returns the scores of all single shapes (changes of unknown cause), in decreasing order of
     /// `reduction` minus `price`.
     std::vector<Score> singles() const;
+    /// Returns the score of one shape (change of unknown cause). Its `alike` names the shapes of
+    /// other quantities that change the readings in nearly the same way, if their scores are
+    /// similar.
+    Score single(std::size_t index) const;
     /// Returns the scores of pairs of shapes (changes of unknown cause), in decreasing order of
     /// `reduction` minus `price`. Each of the `most` best shapes is paired with every shape. The
     /// best shapes are chosen by `unlike`.

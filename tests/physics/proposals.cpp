@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "reports/proposal_report.h"
 #include "tests/physics/planted_readings.h"
@@ -60,7 +63,7 @@ TEST(Proposals, NameADragThatGrowsWithSpeed) {
     const auto proposals = proposals_for(seal_drag(drag), 11);
     ASSERT_FALSE(proposals.empty());
     ASSERT_EQ(proposals[0].shapes.size(), 1u);
-    const auto& [shape, effect, change, error] = proposals[0].shapes[0];
+    const auto& [shape, effect, change, error, index] = proposals[0].shapes[0];
     EXPECT_TRUE(proposals[0].fits());
     EXPECT_LT(proposals[0].p, 0.001);
     EXPECT_EQ(shape.name(), "torque-with-angular-velocity");
@@ -142,7 +145,7 @@ TEST(Proposals, NameAStepInTime) {
                                          12);
     ASSERT_FALSE(proposals.empty());
     ASSERT_EQ(proposals[0].shapes.size(), 1u);
-    const auto& [shape, effect, change, error] = proposals[0].shapes[0];
+    const auto& [shape, effect, change, error, index] = proposals[0].shapes[0];
     EXPECT_TRUE(proposals[0].fits());
     EXPECT_EQ(shape.profile.dependence, Dependence::above);
     EXPECT_EQ(shape.profile.variable, "time");
@@ -150,6 +153,33 @@ TEST(Proposals, NameAStepInTime) {
     EXPECT_NEAR(change, 0.1, 4 * error);
     EXPECT_NE(sentence_on(proposals[0]).find("% larger than in the model where the time"),
               std::string::npos);
+}
+
+TEST(Proposals, HaveNoNeedlessPart) {
+    // A torque transducer that shows less, the larger the torque: by 10 % at 60 mN m.
+    TemporaryFolder folder;
+    const std::filesystem::path study = copied_example("wet", folder);
+    for (const auto& entry : std::filesystem::directory_iterator(study)) {
+        if (entry.path().extension() != ".csv") continue;
+        std::istringstream recording(content_of(entry.path()));
+        std::string text, line;
+        std::getline(recording, line);
+        text = line + '\n';
+        while (std::getline(recording, line)) {
+            const auto first = line.find(',') + 1, last = line.find(',', first);
+            const double torque = std::stod(line.substr(first, last - first));
+            text += line.substr(0, first) + fmt::format("{:.7g}", torque * (1 - torque / 600)) +
+                    line.substr(last) + '\n';
+        }
+        std::ofstream(entry.path()) << text;
+    }
+    const Outcome outcome = run_pendular("diagnose " + study.string() + " --quiet --json -");
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    const auto proposed = nlohmann::json::parse(outcome.output).at("proposed");
+    ASSERT_EQ(proposed.size(), 1u);
+    EXPECT_TRUE(proposed[0].at("sentence").get<std::string>().starts_with("The stress ratio"));
+    EXPECT_EQ(proposed[0].at("sentence").get<std::string>().find("Besides"), std::string::npos);
+    EXPECT_LT(proposed[0].at("chi2"), 130);
 }
 
 TEST(Proposals, NameASaturation) {
@@ -183,7 +213,7 @@ TEST(Proposals, NameAnOscillation) {
         14);
     ASSERT_FALSE(proposals.empty());
     EXPECT_TRUE(proposals[0].fits());
-    const auto& [shape, effect, change, error] = proposals[0].shapes[0];
+    const auto& [shape, effect, change, error, index] = proposals[0].shapes[0];
     EXPECT_EQ(shape.profile.dependence, Dependence::oscillation);
     EXPECT_NEAR(shape.profile.constant, period, 5);
     EXPECT_NEAR(std::abs(change), 0.08, 4 * error);
