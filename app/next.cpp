@@ -11,6 +11,7 @@
 #include "reports/diagnosis_report.h"
 #include "reports/draw_figure.h"
 #include "reports/next_report.h"
+#include "reports/proposal_report.h"
 #include "workflow/json.h"
 #include "workflow/next_json.h"
 #include "workflow/rival_effects.h"
@@ -90,9 +91,10 @@ int next(const std::vector<std::string>& arguments) {
     }
     if (d.diagnosis.verdict == Verdict::inconclusive && next.plans.empty()) {
         console.line(
-            "These readings are not planned to rule out the effects that, according to 'pendular "
-            "diagnose', could go undetected.");
+            "The plan does not aim to rule out the effects that, according to 'pendular diagnose', "
+            "could go undetected.");
     }
+    if (const std::string check = sensor_line(d.proposals); !check.empty()) console.line(check);
     if (!orders) {
         if (const std::string methods =
                 direct_methods(d.diagnosis.effects, session->resolved().catalogue());

@@ -11,9 +11,9 @@
 
 namespace pendular::app {
 
-/// Physical effects of a single simulation, set by command-line options. A scale converts
-/// parameters in SI units to the reduced units of the simulation. The scale consists of diameter
-/// and density of the grains, normal stress, and surface tension.
+/// Physical effects of a single simulation, set by command-line options. Their parameters are given
+/// in SI units and made dimensionless with reference quantities (a scale): diameter and density of
+/// the grains, normal stress, and surface tension.
 class RunEffects {
   public:
     /// Adds the options for the effects, --EFFECT.PARAMETER, and for the scale (grains, normal

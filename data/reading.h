@@ -145,8 +145,8 @@ struct Doubt {
 /// user. Variances and mean squares are relative: for the stress ratio, they are divided by the
 /// squared stress ratio, and for the solid fraction, by the squared solid fraction.
 struct ReplicateScatter {
-    /// Scatter between steps that were repeated at one condition, in a group of files with common
-    /// conditions.
+    /// Group of files that were recorded at the same conditions, with the scatter between their
+    /// repeated steps (steps at the same set points).
     struct Group {
         std::vector<std::string> files;  ///< paths of the files in the group
         /// Covariance matrix [1] of the relative deviations between repeated steps at the normal

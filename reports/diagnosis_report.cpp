@@ -291,8 +291,8 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
             return indistinguishable_line(d, space);
         case Verdict::suspect_measurement:
             return fmt::format(
-                "Suspect measurement: an error in {} explains the residuals, and no physical "
-                "effect does.",
+                "Suspect measurement: an error in {} explains the residuals, and none of the known "
+                "effects does.",
                 joined(d.suspects, "or"));
         default:
             return fmt::format("Unknown: something is missing that no known effect explains{}",
@@ -346,10 +346,11 @@ std::vector<std::string> incomplete_lines(const Diagnosis& d, const std::array<d
 std::string discrepancy_line(double size) {
     if (size == 0) return "";
     return fmt::format(
-        "A systematic error of the model of about {:.1f} % of the shear stress would explain the "
-        "remaining misfit. Look for the cause before you accept this error. To accept it, write "
-        "discrepancy = {:.2g} into section [model] of study.toml, which "
-        "enlarges the standard errors and corrects no value.",
+        "If the model stays as it is, a systematic error of about {:.1f} % of its shear stress "
+        "would "
+        "explain the misfit. Look for the cause before you accept this error. To accept it, write "
+        "discrepancy = {:.2g} into section [model] of study.toml, which enlarges the standard "
+        "errors and corrects no value.",
         100 * size, size);
 }
 
@@ -367,7 +368,7 @@ std::string fit_line(const Diagnosis& d) {
     return fmt::format(
         "Fitted to all readings: chi2 = {:.1f} for {}. Test for lack of fit: p "
         "{}. "
-        "Test for a missing known effect: p {}. (A small p speaks against the model.)",
+        "Test for an improvement by a known effect: p {}. (A small p speaks against the model.)",
         d.chi2, freedom_text(d.dof), p_text(d.lack_of_fit_p), p_text(d.further_p));
 }
 

@@ -22,9 +22,10 @@ namespace {
 std::string set_points(const Condition& c, const Study& study) {
     constexpr double rpm = 2 * std::numbers::pi / 60;
     const auto set = set_point_of(c, study);
-    return set ? fmt::format(", set {:.3g} N and about {:.2g} rpm", set->normal_force,
-                             set->angular_velocity / rpm)
-               : "";
+    if (!set) return "";
+    // Two digits without an exponent: 250, not 2.5e+02.
+    const double speed = std::stod(fmt::format("{:.2g}", set->angular_velocity / rpm));
+    return fmt::format(", set {:.3g} N and about {:g} rpm", set->normal_force, speed);
 }
 
 /// Text of a condition: "300 Pa, I = 0.03 (shear rate 1.2 1/s, set 0.98 N and about 2.9 rpm), dry,
@@ -156,13 +157,14 @@ std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
     const auto& parameters = model.model->parameters();
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
-        lines.push_back(fmt::format("  {}: standard error {:.2g} -> {:.2g}{}", parameters[k].name,
-                                    std::sqrt(model.covariance(i, i)), best.standard_errors(i),
-                                    parameters[k].unit == "1" ? "" : " " + parameters[k].unit));
+        lines.push_back(
+            fmt::format("  {}: standard error {} -> {}", parameters[k].name,
+                        with_unit(std::sqrt(model.covariance(i, i)), parameters[k].unit),
+                        with_unit(best.standard_errors(i), parameters[k].unit)));
     }
     lines.emplace_back(
-        "  (in a fit to all readings; smaller than the errors of 'pendular calibrate', which "
-        "widens them where few repetitions determine the scatter)");
+        "  (errors of a fit to all readings, for comparison with each other only; the errors to "
+        "report are those of 'pendular calibrate')");
     return lines;
 }
 
@@ -195,8 +197,8 @@ std::vector<std::string> next_lines(const NextMeasurement& next, const Diagnosis
     }
     if (diagnosis.verdict == Verdict::unknown) {
         return {
-            "No measurement is planned: something is missing that no known effect explains, and "
-            "more precise parameters do not change that."};
+            "No reading is planned: no known effect explains the misfit, and more readings at such "
+            "conditions do not change that. Find the cause first."};
     }
     return next.plans.empty() ? sharpening_lines(next) : separating_lines(next);
 }

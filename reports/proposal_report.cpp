@@ -35,11 +35,15 @@ const char* words_for(const std::string& variable) {
     return words.at(variable);
 }
 
-/// How a change follows a power of a coordinate.
-std::string proportion(double power) {
+/// How a change follows a power of a coordinate: "in proportion to the square of the time".
+std::string proportion(double power, const std::string& coordinate) {
     const std::string inverse = power < 0 ? "in inverse proportion to " : "in proportion to ";
     const double size = std::abs(power);
-    return inverse + (size == 1 ? "it" : size == 2 ? "its square" : "its square root");
+    return inverse +
+           (size == 1   ? ""
+            : size == 2 ? "the square of "
+                        : "the square root of ") +
+           coordinate;
 }
 
 /// Where a change acts and how it varies, as an end of a sentence.
@@ -50,15 +54,15 @@ std::string course_of(const Profile& p) {
     const std::string where_full = fmt::format("where {} is {}", x, at(p.full_at));
     switch (p.dependence) {
         case Dependence::power:
-            return fmt::format("{}, elsewhere {}", where_full, proportion(p.constant));
+            return fmt::format("{}, and elsewhere {}", where_full, proportion(p.constant, x));
         case Dependence::logarithm:
             return fmt::format("{}, falling with its logarithm to 0 at {}", where_full,
                                at(p.constant));
         case Dependence::above:
-            return fmt::format("where {} is above {}, and as in the model below", x,
+            return fmt::format("where {} is above {}, and agrees with the model elsewhere", x,
                                at(p.constant));
         case Dependence::below:
-            return fmt::format("where {} is below {}, and as in the model above", x,
+            return fmt::format("where {} is below {}, and agrees with the model elsewhere", x,
                                at(p.constant));
         case Dependence::beyond:
             return fmt::format("{}, falling linearly to 0 at {} and below", where_full,
@@ -90,20 +94,32 @@ std::string phrase_on(const FittedShape& fitted) {
                        fitted.change < 0 ? "smaller" : "larger", course_of(fitted.shape.profile));
 }
 
-/// Part of the instrument whose values a proposal changes; empty for changes of the beads.
+/// Part of the instrument whose values a proposal, or a change that looks like it, changes; empty
+/// for changes of the beads.
 std::string instrument_of(const Proposal& proposal) {
     static const std::map<std::string, const char*, std::less<>> devices = {
         {"torque", "the torque transducer with a known torque"},
         {"normal_force", "the load cell with known weights"},
         {"height", "the gap sensor with a gauge block"}};
-    for (const FittedShape& each : proposal.shapes) {
-        const auto device = devices.find(each.shape.quantity.target);
-        if (device != devices.end()) return device->second;
+    for (const auto* shapes : {&proposal.shapes, &proposal.alike}) {
+        for (const FittedShape& each : *shapes) {
+            const auto device = devices.find(each.shape.quantity.target);
+            if (device != devices.end()) return device->second;
+        }
     }
     return "";
 }
 
 }  // namespace
+
+std::string sensor_line(const std::vector<Proposal>& proposals) {
+    const std::string device = proposals.empty() ? "" : instrument_of(proposals.front());
+    return device.empty() ? ""
+                          : fmt::format(
+                                "Check {} before you add the proposal: an error of the instrument "
+                                "belongs in its calibration.",
+                                device);
+}
 
 std::string sentence_on(const FittedShape& shape) {
     return capitalised(phrase_on(shape));
@@ -136,15 +152,10 @@ std::vector<std::string> proposal_lines(const std::vector<Proposal>& proposals, 
             phrases.push_back(phrase_on(each));
         }
         lines.push_back(
-            fmt::format("These readings can hardly distinguish this change from another: {}.",
+            fmt::format("The cause may be another, which these readings can hardly tell apart: {}.",
                         fmt::join(phrases, "; or ")));
     }
-    if (const std::string device = instrument_of(best); !device.empty()) {
-        lines.push_back(fmt::format(
-            "Check {} before you add the proposal: an error of the instrument belongs in its "
-            "calibration.",
-            device));
-    }
+    if (const std::string check = sensor_line(proposals); !check.empty()) lines.push_back(check);
     for (std::size_t k = 1; k < proposals.size(); ++k) {
         lines.push_back(fmt::format("Proposal {} would explain the readings as well: {}.", k + 1,
                                     sentence_on(proposals[k])));

@@ -76,9 +76,9 @@ struct StudyDiagnosis {
     /// Rival models that the readings do not rule out, with other effects in place of one effect
     /// that the study lists.
     std::vector<RivalModel> rivals = {};
-    /// Proposed changes of the predictions, defined by formulas and not by known physical effects,
-    /// that would explain the readings. Empty if known effects explain all of the misfit, or if
-    /// leading effects explain most of the misfit and no proposal is clearly better.
+    /// Proposed changes of unknown cause that would explain the readings, defined by formulas.
+    /// Empty if known effects explain all of the misfit, or if the known effects that explain most
+    /// of the misfit are nearly as good as the best proposal.
     std::vector<Proposal> proposals = {};
     /// Simulations that tested the verdict. Empty if no simulations were requested.
     std::optional<Confirmation> confirmed = {};

@@ -50,9 +50,9 @@ struct Point {
 /// Prediction of a rival model (one of several models to be told apart) for the measurement at one
 /// point, with the errors of the prediction.
 struct Forecast {
-    /// Values that the rival model predicts at the point. A reading has two values, first the shear
-    /// stress [Pa] and second the solid fraction [1]. A direct measurement has the value of the
-    /// measured parameter [its unit].
+    /// Values that the rival model predicts at the point. For a reading: shear stress [Pa] and
+    /// solid fraction [1]. For a direct measurement of an effect's parameter: the parameter [its
+    /// unit].
     Eigen::VectorXd value;
     /// Covariance matrix of the errors of `value` that come from errors of the rival model's fitted
     /// parameters.

@@ -351,7 +351,7 @@ void Diagnostician::decide() {
             finding.decision = "contains what is missing";
         } else if (std::ranges::any_of(result_.tried, unsettled)) {
             finding.decision = "refit not converged";
-        } else if (!finding.identifiable) {
+        } else if (!finding.identifiable && !looks_missing(finding)) {
             finding.decision = "cannot be seen";
         } else if (base) {
             finding.decision =

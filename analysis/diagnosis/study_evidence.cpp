@@ -294,7 +294,11 @@ std::vector<std::pair<std::string, std::vector<std::size_t>>> parts_since(
         std::ranges::sort(later);
         if (later == wet) continue;
         const std::string name = std::filesystem::path(file).filename().string();
-        parts.emplace_back(fmt::format("the readings of {} and later files", name), later);
+        const std::size_t after = recordings.size() - 1 - k;
+        parts.emplace_back(
+            after == 1 ? fmt::format("the readings of {} and the later file", name)
+                       : fmt::format("the readings of {} and the {} later files", name, after),
+            later);
     }
     return parts;
 }

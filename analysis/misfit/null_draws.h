@@ -21,9 +21,9 @@ struct SharedErrors {
     /// Variance of the error of each source [1]. The covariance of the readings includes the
     /// contribution variance x loadings loadings'.
     double variance = 0;
-    /// Mean squares of the analysis of variance [1]: `between` for the differences between sources
-    /// of error, `within` for the differences between the steps of constant set points of one
-    /// source.
+    /// Mean squares of the analysis of variance [1], in which a source of error, such as a filling
+    /// of the cell, is a group of steps: `between` for the differences between the sources,
+    /// `within` for the differences between the steps of one source.
     double between = 0, within = 0;
     /// Degrees of freedom of the mean square `between`. The number is infinite if `variance` is
     /// known exactly.

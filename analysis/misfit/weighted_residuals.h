@@ -48,8 +48,8 @@ class WeightedResiduals {
     ///        for each change
     Eigen::MatrixXd whiten(const Eigen::MatrixXd& columns) const;
     /// Converts whitened changes (in units of the readings' errors) back to the units of the
-    /// readings: returns L `columns`, with the Cholesky factor L of the covariance of measurement
-    /// and simulation.
+    /// readings: returns L `columns`. L is the Cholesky factor of the total covariance of the
+    /// errors, those of the measurement plus those of the simulation.
     Eigen::MatrixXd unwhiten(const Eigen::MatrixXd& columns) const;
     /// Returns L^-T `columns`, with the Cholesky factor L of the covariance of measurement and
     /// simulation. The scalar product of a returned column with a change in the units of the

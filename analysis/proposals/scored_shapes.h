@@ -108,9 +108,10 @@ class ScoredShapes {
     std::vector<ShapeOfChange> shapes_;
     /// Quantity that each shape (change of unknown cause) changes, as index into `changeables_`.
     std::vector<std::size_t> changed_by_;
-    /// Direction in which each shape (change of unknown cause) changes the readings: a column of
-    /// length 1, or 0 if the calibrated parameters imitate the change. The direction is P g/|P g|,
-    /// with the whitened change g of the readings and the projection P of `WeightedResiduals`.
+    /// Directions in which the shapes (changes of unknown cause) change the readings: a column for
+    /// each shape. The column is the unit vector P g/|P g|, with the change g of the readings in
+    /// units of their errors (whitened) and the projection P of `WeightedResiduals`. The column is
+    /// zero if the calibrated parameters imitate the change.
     Eigen::MatrixXd directions_;
     /// Length |P g| of the change of the readings by each shape (change of unknown cause) [1/unit
     /// of the shape's change]. g is the change in units of the readings' errors (whitened), and P

@@ -44,7 +44,8 @@ class KnownRange {
     /// predictions. The emulator must outlive the object.
     explicit KnownRange(const Emulator& emulator);
 
-    /// Whether any training run without effects on grains has liquid bridges.
+    /// Whether the emulator was trained on a simulation with liquid bridges, among the simulations
+    /// without added physical effects on the grains.
     bool knows_wet() const { return wet_.runs > 0; }
     /// Whether any training run without effects on grains is dry.
     bool knows_dry() const { return dry_.runs > 0; }

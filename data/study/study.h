@@ -47,7 +47,8 @@ struct ListedEffect {
     Position position;  ///< position of the effect's name in study.toml
 };
 
-/// Stress ratio of a wet reading, from which a constant cohesion can be fitted.
+/// Stress ratio of a wet reading: a data point for the fit of a cohesion that does not depend on
+/// the normal stress (straight line of stress ratio against reciprocal normal stress).
 struct MeasuredStrength {
     Condition condition;        ///< condition of the wet reading
     double stress_ratio = 0;    ///< measured stress ratio of the wet reading [1]

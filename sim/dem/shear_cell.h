@@ -116,8 +116,9 @@ class ShearCell {
     /// zero if the last time step was made without energy accounting.
     const PairEnergy& energy() const { return energy_; }
     /// Returns the kinetic energy of all grains in units of a^3 s22, with grain diameter a and
-    /// imposed normal stress s22. The energy follows from the velocities without the imposed flow
-    /// and from the angular velocities, half a time step after the time of the last forces.
+    /// imposed normal stress s22. The energy is computed from the velocity fluctuations (velocities
+    /// minus the imposed shear flow) and the angular velocities, half a time step after the last
+    /// computation of the forces.
     double kinetic_energy() const { return motion_.energy(); }
     double strain() const { return strain_; }
     double time_step() const { return time_step_; }
@@ -153,8 +154,9 @@ class ShearCell {
     void check_state() const;
     PairSums sum_forces(const PairLaws& laws);
     /// Adds the forces of the pairs of one share (work of one thread) to `net_forces`. If `moved`
-    /// is given, each grain of the share is also moved after its last pair, and the sums over the
-    /// motion of the grains are added to `moved`.
+    /// is given, each grain of the share is also moved as soon as the forces of all its pairs are
+    /// added, and its contributions to sums over the grains, such as the kinetic energy, are added
+    /// to `moved`.
     PairSums sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces,
                         const PairLaws& laws, MotionSums* moved = nullptr);
     /// Adds the forces that other threads summed for the grains of thread `part` to the net forces

@@ -59,7 +59,7 @@ TEST(SuspectMeasurements, HoldAllRecordingsSinceAChangeOfTheInstrument) {
     }
     // Not from wet_1.csv on, since the liquid is added there, nor wet_2.csv alone a second time.
     const std::vector<std::string> names = suspects_of(readings);
-    EXPECT_THAT(names, Contains("the readings of dry_2.csv and later files"));
+    EXPECT_THAT(names, Contains("the readings of dry_2.csv and the 2 later files"));
     EXPECT_THAT(names, Contains(HasSubstr("later")).Times(1));
     readings[0].condition.time = 150;  // dry_1.csv goes on after dry_2.csv has begun
     readings[1].condition.time = 120;

@@ -106,7 +106,7 @@ TEST(PlantedDiagnosis, SuspectsAllRecordingsSinceTheTorqueChanged) {
     }
     const Diagnosis d = diagnose(models(), evidence_of(readings, {}));
     EXPECT_EQ(d.verdict, Verdict::suspect_measurement);
-    EXPECT_THAT(d.suspects, Contains("the readings of recording_6.csv and later files"));
+    EXPECT_THAT(d.suspects, Contains("the readings of recording_6.csv and the 2 later files"));
 }
 
 TEST(PlantedDiagnosis, DoesNotSuspectRecordingsThatExplainLessThanAnEffect) {

@@ -415,7 +415,7 @@ TEST(NextLines, AskToRepeatSuspectReadingsFirst) {
     EXPECT_TRUE(orders_readings(next, diagnosis));
     diagnosis.verdict = Verdict::unknown;
     EXPECT_THAT(next_lines(next, diagnosis),
-                testing::ElementsAre(testing::StartsWith("No measurement is planned")));
+                testing::ElementsAre(testing::StartsWith("No reading is planned")));
     EXPECT_FALSE(orders_readings(next, diagnosis));
     diagnosis.verdict = Verdict::inconclusive;
     EXPECT_THAT(next_lines(next, diagnosis).front(), testing::StartsWith("Take 20 readings"));
