@@ -36,7 +36,7 @@ bool enough_turns(std::span<const double> angle) {
 Eigen::MatrixXd harmonic_columns(std::span<const double> angle) {
     const auto n = static_cast<Eigen::Index>(angle.size());
     const Eigen::Map<const Eigen::ArrayXd> phase(angle.data(), n);
-    Eigen::MatrixXd columns(n, Eigen::Index{2} + 2 * highest_per_turn);
+    Eigen::MatrixXd columns(n, Eigen::Index{2} * (1 + highest_per_turn));
     columns.col(0).setOnes();
     columns.col(1).setLinSpaced(n, -1, 1);
     for (int q = 1; q <= highest_per_turn; ++q) {
