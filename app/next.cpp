@@ -94,7 +94,8 @@ int next(const std::vector<std::string>& arguments) {
             "The plan does not aim to rule out the effects that, according to 'pendular diagnose', "
             "could go undetected.");
     }
-    if (const std::string check = sensor_line(d.proposals); !check.empty()) console.line(check);
+    const std::string check = sensor_line(d.proposals);
+    if (d.diagnosis.verdict == Verdict::unknown && !check.empty()) console.line(check);
     if (!orders) {
         if (const std::string methods =
                 direct_methods(d.diagnosis.effects, session->resolved().catalogue());

@@ -347,10 +347,9 @@ std::string discrepancy_line(double size) {
     if (size == 0) return "";
     return fmt::format(
         "If the model stays as it is, a systematic error of about {:.1f} % of its shear stress "
-        "would "
-        "explain the misfit. Look for the cause before you accept this error. To accept it, write "
-        "discrepancy = {:.2g} into section [model] of study.toml, which enlarges the standard "
-        "errors and corrects no value.",
+        "would explain the misfit. Look for the cause before you accept this error. To accept it, "
+        "write discrepancy = {:.2g} into section [model] of study.toml, which enlarges the "
+        "standard errors and corrects no value.",
         100 * size, size);
 }
 

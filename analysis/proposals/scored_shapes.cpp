@@ -195,14 +195,11 @@ std::vector<ScoredShapes::Score> ScoredShapes::singles() const {
 }
 
 ScoredShapes::Score ScoredShapes::single(std::size_t index) const {
-    Score score = score_of(index);
-    const Eigen::VectorXd change = change_by(score);
-    for (const Score& other : singles()) {
-        if (other.shapes.front() != index && std::abs(change.dot(change_by(other))) > alike) {
-            add_alike(score, other);
-        }
-    }
-    return score;
+    std::vector<Score> scores = singles();
+    const auto at = std::ranges::find(scores, std::vector{index}, &Score::shapes);
+    std::rotate(scores.begin(), at, at + 1);
+    const std::vector<Score> first = unlike(scores, 1);
+    return first.empty() ? scores.front() : first.front();
 }
 
 std::vector<ScoredShapes::Score> ScoredShapes::pairs(std::size_t most) const {

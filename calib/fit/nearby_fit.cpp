@@ -88,8 +88,7 @@ double chi2_at(const Model& model, const Measured& measured,
 /// @return whether the last step was short
 bool descend(const Model& model, const Measured& measured, const Eigen::MatrixXd* simulation,
              Eigen::VectorXd& at) {
-    const Prediction here =
-        simulation ? model.predict(at, PredictionPart::slopes) : model.predict(at);
+    Prediction here = simulation ? model.predict(at, PredictionPart::slopes) : model.predict(at);
     const Eigen::MatrixXd covariance =
         measured.covariance + (simulation ? *simulation : here.covariance);
     const Eigen::LLT<Eigen::MatrixXd> root(covariance);
@@ -97,11 +96,10 @@ bool descend(const Model& model, const Measured& measured, const Eigen::MatrixXd
         throw std::logic_error("the covariance of the readings is not positive definite");
     }
     double chi2 = root.matrixL().solve(measured.value - here.value).squaredNorm();
-    for (int turn = 0; turn < most_steps; ++turn) {
-        const Prediction tangent = turn == 0 ? here : model.predict(at, PredictionPart::slopes);
-        const Eigen::MatrixXd& slopes = tangent.jacobian;
+    for (int turn = 0;; ++turn) {
+        const Eigen::MatrixXd slopes = here.jacobian;
         Eigen::VectorXd step =
-            best_parameters(Tangent(model, at, tangent), measured, covariance, at, {}) - at;
+            best_parameters(Tangent(model, at, std::move(here)), measured, covariance, at, {}) - at;
         if (turn == 0 && root.matrixL().solve(slopes * step).norm() < short_step) return true;
         double lower = chi2_at(model, measured, root, at + step);
         for (int halving = 0; !(lower <= chi2) && halving < most_halvings; ++halving) {
@@ -113,8 +111,9 @@ bool descend(const Model& model, const Measured& measured, const Eigen::MatrixXd
         at += step;
         chi2 = lower;
         if (is_short) return true;
+        if (turn + 1 == most_steps) return false;
+        here = model.predict(at, PredictionPart::slopes);
     }
-    return false;
 }
 
 }  // namespace

@@ -302,6 +302,9 @@ TEST(Figures, AreDrawnInEveryFormatWithTheirNumbers) {
     // corner, as there is one parameter.
     ASSERT_THAT(names, testing::ElementsAre("calibration", "inertial_number", "parity", "residuals",
                                             "chi2_ledger", "profile"));
+    for (const Curve& curve : figures.back().panels.at(0).curves) {
+        EXPECT_LE(std::ranges::max(curve.y), 9.001) << "behind the key: " << curve.label;
+    }
     for (const auto& figure : figures) {
         draw(figure, folder.path());
         for (const std::string extension : {".svg", ".png", ".pdf", ".csv"}) {

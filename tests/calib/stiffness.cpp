@@ -55,6 +55,21 @@ TEST(Stiffness, ChangesPredictionsAsRunsThatWereLeftOut) {
               0.9 * run[Observable::distant_coordination].value);
 }
 
+TEST(Stiffness, OfTheStateHasNoInfluence) {
+    const auto runs = shipped_runs();
+    const auto stiff_run = std::ranges::find_if(runs, at_state);
+    ASSERT_NE(stiff_run, runs.end());
+    const Emulator emulator(runs, shipped_hyperparameters());
+    FlowState state = emulated::flow_state_of(stiff_run->parameters);
+    const auto fraction_of = [&] {
+        return emulated_at(emulator, state, stiff, {Observable::solid_fraction})[0].value.value;
+    };
+    state.stiffness_number = stiff;
+    const double of_stiff = fraction_of();
+    state.stiffness_number = 0;
+    EXPECT_EQ(fraction_of(), of_stiff);
+}
+
 TEST(Stiffness, ChangesNothingAtThatOfTheTrainingRuns) {
     std::vector<dem::RunResult> soft = shipped_runs();
     std::erase_if(soft, is_stiff);

@@ -78,6 +78,14 @@ TEST(PlantedDiagnosis, NamesEveryEffectWithWhatItsAdditionBrings) {
     EXPECT_GE(as_foretold, all_planted.size() - 2) << otherwise;
 }
 
+TEST(PlantedDiagnosis, StatesThePowerNearTheNeutralValue) {
+    // What the emulator's error of a change takes away is a part of its length, at one amplitude.
+    for (const Finding& finding : diagnosed({"rolling-resistance", 0.3}, 5).scan) {
+        EXPECT_LE(finding.test.information, finding.test.length * (1 + 1e-9))
+            << models().candidates()[finding.candidate].name;
+    }
+}
+
 TEST(PlantedDiagnosis, TellsTheAngleFromTheTensionByNothing) {
     const Diagnosis d = diagnosed({"contact-angle", 0.9}, 5);
     EXPECT_EQ(d.verdict, Verdict::indistinguishable);

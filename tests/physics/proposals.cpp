@@ -11,6 +11,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "analysis/proposals/scored_shapes.h"
 #include "reports/proposal_report.h"
 #include "tests/physics/planted_readings.h"
 #include "tests/support/app_support.h"
@@ -175,11 +176,29 @@ TEST(Proposals, HaveNoNeedlessPart) {
     }
     const Outcome outcome = run_pendular("diagnose " + study.string() + " --quiet --json -");
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
-    const auto proposed = nlohmann::json::parse(outcome.output).at("proposed");
+    const auto diagnosis = nlohmann::json::parse(outcome.output);
+    for (const auto& finding : diagnosis.at("scan")) {
+        const bool significant = finding.at("p").is_number() && finding.at("p") < 0.05;
+        EXPECT_FALSE(significant && finding.at("decision") == "cannot be seen") << finding;
+    }
+    const auto& proposed = diagnosis.at("proposed");
     ASSERT_EQ(proposed.size(), 1u);
     EXPECT_TRUE(proposed[0].at("sentence").get<std::string>().starts_with("The stress ratio"));
     EXPECT_EQ(proposed[0].at("sentence").get<std::string>().find("Besides"), std::string::npos);
     EXPECT_LT(proposed[0].at("chi2"), 130);
+}
+
+TEST(Proposals, OfTwoChangesAreAsSignificantAsTheLesserOne) {
+    const auto readings = readings_hiding(seal_drag(3e-4), 11);
+    const Evidence evidence = evidence_of(readings, {});
+    const DiagnosisOptions options;
+    const Diagnosis diagnosis = diagnose(models(), evidence, options);
+    const Explanations explanations(models(), evidence, options);
+    const Explanation base{.fit = diagnosis.fit, .chi2 = diagnosis.chi2};
+    const ScoredShapes scored(planted_study(), models(), readings, base, explanations, 1);
+    EXPECT_LT(scored.p(scored.singles().front()), 0.001);
+    // One change is hidden, so that a second one only follows the noise.
+    EXPECT_GT(scored.p(scored.pairs(1).front()), 0.001);
 }
 
 TEST(Proposals, NameASaturation) {
