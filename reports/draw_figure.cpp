@@ -96,12 +96,12 @@ double round_step(double rough) {
     return decade * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
 }
 
-/// Width of a character of a number at an axis [in].
-constexpr double width_of_character = 0.09;
+/// Width of a character of a number at an axis, and distance between two numbers [in].
+constexpr double width_of_character = 0.09, between_numbers = 0.15;
 
 /// Distance of the tics of a linear axis of this width [in], so that their numbers do not touch.
 double step_of_tics(AxisRange range, double width) {
-    constexpr double most = 7, between_numbers = 0.15;
+    constexpr double most = 7;
     const double span = range.second - range.first;
     double step = round_step(span / most);
     // Numbers have the most digits where they are no multiples of the next larger step.
@@ -146,7 +146,8 @@ bool have_room(const std::vector<double>& tics, AxisRange range, double width) {
     for (std::size_t k = 1; k < tics.size(); ++k) {
         const double distance =
             std::log(tics[k] / tics[k - 1]) / std::log(range.second / range.first) * width;
-        if (distance < (width_of(tics[k - 1]) + width_of(tics[k])) / 2) return false;
+        if (distance < (width_of(tics[k - 1]) + width_of(tics[k])) / 2 + between_numbers)
+            return false;
     }
     return true;
 }
@@ -156,7 +157,7 @@ bool have_room(const std::vector<double>& tics, AxisRange range, double width) {
 /// Where no series has, round numbers at even distances.
 std::string tics_of_logarithm(AxisRange range, double width) {
     const std::vector<std::vector<double>> series = {
-        {1}, {1, 2, 5}, {1, 2, 3, 4, 6}, {1, 2, 3, 6}, {1, 3}};
+        {1}, {1, 3}, {1, 2, 5}, {1, 2, 3, 4, 6}, {1, 2, 3, 6}};
     std::vector<double> tics;
     for (const std::size_t enough : {4, 3}) {
         for (const std::vector<double>& digits : series) {

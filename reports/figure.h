@@ -66,7 +66,7 @@ struct Panel {
     std::vector<Curve> curves;
     /// Whether the panel has the line y = x and equal ranges of both axes.
     bool diagonal = false;
-    /// Whether the panel has the line y = 0.
+    /// Whether the panel has the line y = 0. The y axis then includes zero.
     bool zero_line = false;
     Key key = Key::none;
     /// Share of the panel's height that is kept free above the data, for the key (legend) [1].

@@ -50,7 +50,7 @@ Extent extent(const Panel& panel, bool along_x) {
             if (!along_x && !curve.from.empty()) extent.include(curve.from[k]);
         }
     }
-    if (!along_x && !panel.log_y && (panel.y_from_zero || has_bars(panel))) {
+    if (!along_x && !panel.log_y && (panel.y_from_zero || panel.zero_line || has_bars(panel))) {
         extent.include(0);
     } else if (!along_x && panel.log_y && has_bars(panel)) {
         extent.include(0.6 * extent.least());  // leaves the shortest bar visible

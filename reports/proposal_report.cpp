@@ -151,9 +151,8 @@ std::vector<std::string> proposal_lines(const std::vector<Proposal>& proposals, 
         for (const FittedShape& each : best.alike) {
             phrases.push_back(phrase_on(each));
         }
-        lines.push_back(
-            fmt::format("The cause may be another, which these readings can hardly tell apart: {}.",
-                        fmt::join(phrases, "; or ")));
+        lines.push_back(fmt::format("These readings can hardly tell this cause from another: {}.",
+                                    fmt::join(phrases, "; or ")));
     }
     if (const std::string check = sensor_line(proposals); !check.empty()) lines.push_back(check);
     for (std::size_t k = 1; k < proposals.size(); ++k) {

@@ -283,4 +283,10 @@ TEST(SymbolsOnPaper, AreHalfFilledInPixelsToo) {
     }
 }
 
+TEST(Layout, HoldsTheLineAtZero) {
+    const Panel below{.curves = {{.x = {1, 2}, .y = {-2, -1}}}, .zero_line = true};
+    const Page page = page_of({.name = "", .title = "", .panels = {below}});
+    EXPECT_GE(page.panels[0].y.second, 0) << "the line would cross the title";
+}
+
 }  // namespace reports_symbols_test
