@@ -19,13 +19,16 @@
 #include "app/progress.h"
 #include "reports/diagnosis_figure.h"
 #include "reports/diagnosis_report.h"
+#include "reports/diagnosis_table.h"
 #include "reports/draw_figure.h"
 #include "reports/failure_report.h"
 #include "reports/impact_figure.h"
 #include "reports/impact_report.h"
+#include "reports/next_steps.h"
 #include "reports/proposal_figure.h"
 #include "reports/proposal_report.h"
 #include "reports/scan_figures.h"
+#include "reports/undetected_effects.h"
 #include "reports/with_error.h"
 #include "workflow/confirm_diagnosis.h"
 #include "workflow/diagnosis_json.h"
@@ -56,7 +59,8 @@ that describe the readings. Verdicts:
   unknown               something is missing, and no known effect explains it
 If no known effect explains the residuals, the command tries empirical corrections, for example a
 torque that depends on the normal stress. Corrections that explain the readings are written to
-proposed.toml as [[effect]] tables; 'pendular add STUDY --proposed 1' adds the first one.
+proposed.toml as [[effect]] tables. If the sensor that a correction concerns is right, add the first
+correction with 'pendular add STUDY --proposed 1'.
 Entries in the column 'decision' of the table of effects:
   missing                   adding the effect explains the residuals
   missing, with others      adding the effect explains most of the residuals, but not all
@@ -79,8 +83,6 @@ when the verdict stays the same, the simulations agree with the emulator and the
 error by more than a fifth, or when the time is over. All results are kept; after Ctrl-C the same
 command continues with them.)";
 
-/// Largest number of direct measurements that are named without --all.
-constexpr std::size_t most_methods = 4;
 /// Time for --confirm without a number [min].
 constexpr double usual_minutes = 5;
 
@@ -128,7 +130,12 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
     const Measurements& measurements = session.measurements();
     console.line(fit_line(diagnosis));
     console.table(checks_table(checks), 3);
-    console.table(diagnosis_table(diagnosis, models), 4);
+    const std::vector<std::string> undetected =
+        undetected_table(d, impacts, session.resolved().catalogue());
+    console.table(undetected, 5);
+    if (undetected.empty() || console.all()) {
+        console.table(diagnosis_table(diagnosis, models, console.all()), 4);
+    }
     if (const std::string line =
             rivals_line(d.rivals, diagnosis.chi2, session.resolved().catalogue());
         !line.empty()) {
@@ -160,39 +167,18 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
     for (const std::string& line : proposal_lines(d.proposals, diagnosis.chi2, diagnosis.dof)) {
         console.line(line);
     }
-    const std::vector<std::string> effects =
-        impacts ? by_impact(*impacts, diagnosis.effects) : diagnosis.effects;
-    console.table(unseen_table(diagnosis, models, effects), 3);
     if (const std::string line = undetectable_line(diagnosis, models); !line.empty()) {
         console.line(line);
     }
-    for (const std::string& line : advice_on(diagnosis, models, !d.proposals.empty())) {
+    for (const std::string& line : close_effects_lines(diagnosis, models)) {
         console.line(line);
     }
     if (const std::string order = order_line(d, session.resolved().catalogue()); !order.empty()) {
         console.line(order);
     }
-    if (diagnosis.verdict != Verdict::unknown) {
-        const std::size_t most = console.all() ? effects.size() : most_methods;
-        if (const std::string methods =
-                direct_methods(effects, session.resolved().catalogue(), most);
-            !methods.empty()) {
-            const bool several = methods.find(';') != std::string::npos;
-            console.line(fmt::format("{} can be measured directly: {}.",
-                                     several ? "These effects" : "This effect", methods));
-        }
-    }
     if (measurements.doubts.empty() && !d.mistake) {
         console.line(error_basis(measurements));
     }
-}
-
-/// Prints the shifts of the fitted friction coefficient by effects and errors of measurement.
-void print_impacts(Console& console, const ImpactTable& impacts, const Diagnosis& diagnosis) {
-    for (const std::string& line : impact_lines(impacts, diagnosis)) {
-        console.line(line);
-    }
-    if (console.all()) console.table(impact_table(impacts), impacts.impacts.size());
 }
 
 /// Prints a note for each effect that study.toml defines and that is estimated at a bound of its
@@ -345,6 +331,9 @@ int diagnose(const std::vector<std::string>& arguments) {
     json["repeated"] = to_json(d.repeated);
     const std::optional<ImpactTable> impacts =
         impacts_of(d, static_cast<std::size_t>(session->options().threads));
+    const std::vector<NextStep> steps =
+        next_steps(d, impacts, session->resolved(), common->study_word());
+    json["to_do"] = texts_of(steps);
     json["impact"] = impacts ? to_json(*impacts) : nullptr;
     add_belief(json, belief);
     write_proposed(common->out_folder() / "proposed.toml", proposed_of(d));
@@ -359,8 +348,15 @@ int diagnose(const std::vector<std::string>& arguments) {
     for (std::size_t k = 0; k < belief.reasons.size(); ++k) {
         if (k != belief.misfit_reason) console.line("Warning: " + belief.reasons[k]);
     }
-    if (impacts) print_impacts(console, *impacts, diagnosis);
+    for (const std::string& line : suspect_lines(d)) {
+        console.line(line);
+    }
+    if (const std::string friction = friction_line(d); !friction.empty()) console.line(friction);
     print_evidence(console, d, checks, impacts, *session.operator->());
+    if (impacts && console.all()) console.table(impact_table(*impacts), impacts->impacts.size());
+    for (const std::string& line : step_lines(steps)) {
+        console.line(line);
+    }
     print_notes(console, d, measurements, common->study_word());
     note_bounds(console, d, session->study());
     const auto figures = common->out_folder() / "figures";
@@ -372,7 +368,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     if (impacts) drawn.push_back(impact_figure(*impacts));
     console.json(json);  // before the figures, which need gnuplot
     console.figures(figures, draw_all(drawn, figures));
-    console.next(next_step(diagnosis, common->study_word(), !d.proposals.empty()));
+    console.next(next_command(d, common->study_word()));
     return diagnosis.fit.converged ? done : not_converged;
 }
 

@@ -1,32 +1,33 @@
 // `pendular next`: plans the most informative next measurement.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/command.h"
 #include "app/console.h"
 #include "app/open_session.h"
-#include "reports/diagnosis_report.h"
 #include "reports/draw_figure.h"
 #include "reports/next_report.h"
-#include "reports/proposal_report.h"
+#include "reports/next_steps.h"
 #include "workflow/json.h"
 #include "workflow/next_json.h"
-#include "workflow/rival_effects.h"
 
 namespace pendular::app {
 namespace {
 
 const char* const about_next =
-    R"(Diagnoses the study and plans the next measurement. If several models explain the readings equally
-well, the command looks for the condition at which their predictions differ most compared with the
-errors, and states how many readings tell the models apart. If no single condition does, it combines
-several conditions, or states that the rheometer cannot tell the models apart. If only one model fits,
-the command looks for the condition that reduces the standard errors of its parameters most. The
-section [rig] of study.toml lists the settings that the rheometer can reach; without this section, the
-plan stays within the range of the readings:
+    R"(Diagnoses the study and lists what to do next, in order: checks of the instrument and direct
+measurements of effects first, then the most informative readings. If several models explain the
+readings equally well, the command looks for the condition at which their predictions differ most
+compared with the errors, and states how many readings tell the models apart. If no single condition
+does, it combines several conditions, or states that the rheometer cannot tell the models apart. If
+only one model fits, the command looks for the condition that reduces the standard errors of its
+parameters most. The section [rig] of study.toml lists the settings that the rheometer can reach;
+without this section, the plan stays within the range of the readings:
 
   [rig]
   normal_stress = ["0.1 kPa", "5 kPa"]
@@ -75,40 +76,18 @@ int next(const std::vector<std::string>& arguments) {
     const NextMeasurement next = session->next(d);
     auto json = to_json(next);
     json["verdict"] = to_string(d.diagnosis.verdict);
+    const std::optional<ImpactTable> impacts =
+        impacts_of(d, static_cast<std::size_t>(session->options().threads));
+    const std::vector<NextStep> steps =
+        next_steps(d, impacts, session->resolved(), common->study_word());
+    json["to_do"] = texts_of(steps);
     write_json(common->out_folder() / "next.json", json);
-    const std::vector<std::string> lines = next_lines(next, d.diagnosis);
-    const bool orders = orders_readings(next, d.diagnosis);
-    const std::string& assumed = next.rivals.front().name;
-    if (next.plans.empty() && assumed != present_model && orders) {
-        console.answer(fmt::format(
-            "Add {} to the model before you take readings: the diagnosis found it missing.",
-            assumed));
-        console.line(fmt::format("The plan for a model with {}:", assumed));
-    }
+    const std::vector<std::string> lines = step_lines(steps, plan_lines(next));
     console.answer(lines.front());
     for (std::size_t k = 1; k < lines.size(); ++k) {
         console.line(lines[k]);
     }
-    if (d.diagnosis.verdict == Verdict::inconclusive && next.plans.empty()) {
-        console.line(
-            "The plan does not aim to rule out the effects that, according to 'pendular diagnose', "
-            "could go undetected.");
-    }
-    const std::string check = sensor_line(d.proposals);
-    if (d.diagnosis.verdict == Verdict::unknown && !check.empty()) console.line(check);
-    if (!orders) {
-        if (const std::string methods =
-                direct_methods(d.diagnosis.effects, session->resolved().catalogue());
-            !methods.empty()) {
-            console.line(fmt::format("Measure directly instead: {}.", methods));
-            console.line(fmt::format(
-                "Then write each value as [[direct]] into study.toml ('pendular next --help' shows "
-                "an example), and run: pendular diagnose {}",
-                common->study_word()));
-        }
-    }
-    const bool planned = d.diagnosis.verdict != Verdict::unknown &&
-                         d.diagnosis.verdict != Verdict::suspect_measurement;
+    const bool planned = std::ranges::any_of(steps, &NextStep::readings);
     if (planned && !session->study().rig) {
         console.note(
             "study.toml has no section [rig] with the settings that the rheometer can reach: the "
@@ -126,16 +105,12 @@ int next(const std::vector<std::string>& arguments) {
         draw(figure, common->out_folder() / "figures");
         console.figures(common->out_folder() / "figures", {"next"});
     }
-    const Diagnosis& diagnosis = d.diagnosis;
-    if (diagnosis.verdict == Verdict::missing && diagnosis.confidence_set.size() <= 1) {
-        console.next(
-            fmt::format("pendular add {} {}", common->study_word(), diagnosis.effects.front()));
-    } else if (orders) {
-        console.line(
-            fmt::format("Then list the new recording in study.toml, and run: pendular diagnose {}",
-                        common->study_word()));
-    } else if (diagnosis.verdict == Verdict::unknown) {
-        console.next(next_step(diagnosis, common->study_word(), !d.proposals.empty()));
+    if (d.diagnosis.verdict == Verdict::missing) {
+        console.next(next_command(d, common->study_word()));
+    } else {
+        console.line(fmt::format(
+            "Afterwards, list new recordings in study.toml, and run: pendular diagnose {}",
+            common->study_word()));
     }
     return done;
 }

@@ -20,7 +20,7 @@ const char* const about_report =
     R"(Writes a page on a study: one HTML file that needs no other file and no network. The page shows the
 verdict, measured values and model, the recordings with the rows that are averaged, where the model
 fails, which effects explain the misfit and how they shift the friction coefficient, all models of the
-study so far, what to measure next, the fit with its correlations, and the sources of all effects.
+study so far, what to do next, the fit with its correlations, and the sources of all effects.
 Switches add the leading effects to the model or remove them, and sliders change the parameters. The
 page then draws the changed curves and residuals and states chi2 and RMS errors. Every combination of
 the leading effects is fitted beforehand, as 'pendular add' fits it without new simulations. Every

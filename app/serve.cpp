@@ -26,7 +26,7 @@ namespace {
 const char* const about_serve =
     R"(Shows the page of 'pendular report' in browsers on this computer and keeps it up to date: open the
 address that the command prints. The page is made again whenever study.toml or a recording changes on
-the disk, and says after each recording what to measure next. A recording that is dragged onto the page
+the disk, and says after each recording what to do next. A recording that is dragged onto the page
 is stored in the study's folder, if it can be read and its name matches a 'file' pattern of a
 [[recording]]. Buttons beside the switches add an effect to the study or remove it, as 'pendular add'
 and 'pendular drop' do. After an error in a file, the page shows the error and the results from before

@@ -9,6 +9,7 @@
 #include "data/input_error.h"
 #include "reports/diagnosis_report.h"
 #include "reports/next_report.h"
+#include "reports/next_steps.h"
 #include "reports/page/page_curves.h"
 #include "reports/page/report_page.h"
 #include "workflow/ladder_file.h"
@@ -17,12 +18,12 @@
 namespace pendular::app {
 namespace {
 
-/// Lines on the next measurement; one line that says why there is none.
-std::vector<std::string> lines_on_next(const Session& session, const StudyDiagnosis& diagnosis) {
+/// Lines on the planned readings; none where no reading can be planned.
+std::vector<std::string> planned(const Session& session, const StudyDiagnosis& diagnosis) {
     try {
-        return next_lines(session.next(diagnosis), diagnosis.diagnosis);
-    } catch (const InputError& error) {
-        return {error.what()};
+        return plan_lines(session.next(diagnosis));
+    } catch (const InputError&) {
+        return {};  // the steps name the command that says why
     }
 }
 
@@ -41,6 +42,9 @@ StudyPage study_page(const Session& session, const CommonOptions& common, std::s
     const auto folder = common.out_folder();
     std::error_code error;
     std::vector<std::string> notes;
+    const auto impacts = impacts_of(d, static_cast<std::size_t>(session.options().threads));
+    const std::vector<NextStep> steps =
+        next_steps(d, impacts, session.resolved(), common.study_word());
     const PageContent content{
         .study = study_name(session.study().file),
         .study_argument = common.study_word(),
@@ -48,9 +52,9 @@ StudyPage study_page(const Session& session, const CommonOptions& common, std::s
         .measurements = session.measurements(),
         .diagnosis = d,
         .checks = checks_of(d, session.options().seed),
-        .impacts = impacts_of(d, static_cast<std::size_t>(session.options().threads)),
+        .impacts = impacts,
         .ladder = read_ladder(folder / "ladder.json"),
-        .next = lines_on_next(session, d),
+        .steps = step_lines(steps, planned(session, d)),
         .switched = switched_models(session.resolved(), d, session.options(), switching),
         .panels = panels,
         .version = PENDULAR_VERSION,
@@ -64,8 +68,8 @@ StudyPage study_page(const Session& session, const CommonOptions& common, std::s
     return {.html = report_page(content),
             .answer = verdict_line(d.diagnosis, *d.models, content.checks),
             .verdict = std::string(to_string(d.diagnosis.verdict)),
-            .next = next_step(d.diagnosis, common.study_word(), !d.proposals.empty()),
-            .measure = next_paragraph(content.next),
+            .next = next_command(d, common.study_word()),
+            .measure = first_step(content.steps),
             .switches = fits.switches,
             .models = static_cast<std::size_t>(
                 std::ranges::count_if(fits.models, [](const auto& m) { return !!m; })),

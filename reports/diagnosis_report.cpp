@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "reports/failure_report.h"
 #include "reports/joined.h"
+#include "reports/parameter_name.h"
 #include "reports/tables.h"
 #include "reports/with_error.h"
 #include "workflow/diagnosis_json.h"
@@ -91,16 +93,6 @@ std::string reduction(const Diagnosis& d, const Explanation& by) {
     const auto dof = static_cast<double>(by.fit.dof);
     return fmt::format("chi2/dof from {:.2f} to about {:.2f}", chi2_per_dof(d.chi2, d.dof),
                        chi2_per_dof(by.chi2, dof));
-}
-
-const Finding& finding_of(const Diagnosis& d, const ModelSpace& space, const std::string& name) {
-    return *std::ranges::find_if(d.scan, [&](const Finding& finding) {
-        return space.candidates()[finding.candidate].name == name;
-    });
-}
-
-const EffectParameter& parameter_of(const ModelSpace& space, const Finding& finding) {
-    return space.candidates()[finding.candidate].parameters.front();
 }
 
 /// Text of a share, rounded down so that it never reads 100 % below 1: "99.7 %".
@@ -202,59 +194,6 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
         some_of(d.effects));
 }
 
-/// Refitted model with one candidate alone; null where there is none that converged.
-const Explanation* refit_with(const Diagnosis& d, std::size_t candidate) {
-    const auto found = std::ranges::find_if(d.tried, [&](const Explanation& each) {
-        return each.chosen == EffectSet{candidate} && !each.suspect && each.fit.converged;
-    });
-    return found == d.tried.end() ? nullptr : &*found;
-}
-
-}  // namespace
-
-std::string power_text(const Finding& finding) {
-    constexpr double significant = 0.05;
-    return finding.p < significant ? "-" : fmt::format("{:.2f}", finding.power);
-}
-
-std::string estimate_of(const Diagnosis& d, const Finding& finding, const ModelSpace& space) {
-    const Candidate& candidate = space.candidates()[finding.candidate];
-    if (candidate.is_switch()) return "switch";
-    const std::string& unit = candidate.parameters.front().unit;
-    const auto first = static_cast<Eigen::Index>(d.fit.parameters.size());
-    const Explanation* const refit = refit_with(d, finding.candidate);
-    const EffectParameter& p = candidate.parameters.front();
-    const bool determined = refit && refit->fit.parameters.size() > first &&
-                            refit->fit.standard_error(first) > 0 &&
-                            refit->fit.standard_error(first) < p.upper - p.lower;
-    if (determined) return refitted_text(*refit, first, unit);
-    return finding.standard_error > 0
-               ? with_error(finding.value, finding.standard_error, unit)
-               : fmt::format("{} (at its bound)", with_unit(finding.value, unit));
-}
-
-std::string chi2_change(double reduction) {
-    const std::string text = fmt::format("{:+.1f}", -reduction);
-    return text == "-0.0" || text == "+0.0" ? "0.0" : text;
-}
-
-namespace {
-
-std::string finding_line(const Diagnosis& d, const Finding& finding, const ModelSpace& space) {
-    const Candidate& candidate = space.candidates()[finding.candidate];
-    if (!finding.test.seen()) {
-        return fmt::format("  {:<24} {:>26} {:>11} {:>9} {:>8.0f} % {:>6} {:>8}   {}",
-                           candidate.name, "-", "-", "-", 100 * finding.test.share_imitated, "-",
-                           "-", finding.decision);
-    }
-    return fmt::format("  {:<24} {:>26} {:>11} {:>9} {:>8.0f} % {:>6} {:>8}   {}", candidate.name,
-                       estimate_of(d, finding, space),
-                       chi2_change(finding.test.predicted_reduction),
-                       finding.refitted_reduction ? chi2_change(*finding.refitted_reduction) : "",
-                       100 * finding.test.share_imitated, power_text(finding),
-                       p_text(finding.p, ""), finding.decision);
-}
-
 /// Sentence on how alike the effects of the verdict change the readings, beyond what the calibrated
 /// parameters imitate.
 std::string alike_line(const Diagnosis& d) {
@@ -274,7 +213,148 @@ std::string alike_line(const Diagnosis& d) {
         least, name(other), name(one));
 }
 
+/// Sentence on the single effect that comes closest to the missing one without explaining the
+/// readings; empty where none leaves less than a tenth of the misfit.
+std::string closest_rival_line(const Diagnosis& d, const ModelSpace& space) {
+    const Explanation* closest = nullptr;
+    for (const Explanation& each : d.tried) {
+        if (each.suspect || each.chosen.size() != 1 || !each.fit.converged || each.accepted) {
+            continue;
+        }
+        if (closest == nullptr || each.chi2 < closest->chi2) closest = &each;
+    }
+    constexpr double close = 0.9;
+    if (closest == nullptr || share_explained(d.chi2, d.dof, *closest) < close) return "";
+    return fmt::format(
+        "The closest other effect, {}, would leave chi2/dof at {:.2f}, which the readings rule "
+        "out.",
+        with_estimates(*closest, space), chi2_per_dof(closest->chi2, closest->fit.dof));
+}
+
+/// Text of an explanation in a sentence: "with wall-friction".
+std::string with_effects(const Explanation& explanation, const ModelSpace& space) {
+    return explanation.suspect ? "with the error of measurement taken out"
+                               : "with " + joined(names_of(explanation, space), "and");
+}
+
+/// Condition that all suspect readings have and no other reading has, as text; empty where there is
+/// none.
+std::string shared_only(const std::vector<Reading>& readings, const SuspectMeasurement& suspect) {
+    struct Property {
+        const char* name;
+        double (*of)(const Condition&);
+        const char* unit;
+    };
+    static const Property properties[] = {
+        {"liquid content", [](const Condition& c) { return c.liquid_content; }, "1"},
+        {"normal stress", [](const Condition& c) { return c.normal_stress; }, "Pa"},
+        {"mass of beads (volume)", [](const Condition& c) { return c.bead_volume.value_or(0); },
+         "m^3"}};
+    std::vector<std::string> texts;
+    for (const Property& property : properties) {
+        std::set<double> in, out;
+        for (std::size_t k = 0; k < readings.size(); ++k) {
+            const auto rows = suspect.columns.middleRows<2>(2 * static_cast<Eigen::Index>(k));
+            (rows.isZero(0) ? out : in).insert(property.of(readings[k].condition));
+        }
+        if (in.size() == 1 && !out.empty() && !out.contains(*in.begin())) {
+            texts.push_back(
+                fmt::format("{} {}", property.name, with_unit(*in.begin(), property.unit)));
+        }
+    }
+    return joined(texts, "and");
+}
+
+/// Text of the size of an error of measurement: "shear stress 9.4 +- 0.4 % too high".
+std::string error_size(const Explanation& explanation, Eigen::Index first,
+                       const SuspectMeasurement& suspect) {
+    std::vector<std::string> texts;
+    for (std::size_t k = 0; k < suspect.quantities.size(); ++k) {
+        const Eigen::Index at = first + static_cast<Eigen::Index>(k);
+        const double size = explanation.fit.parameters(at);
+        const double error = explanation.fit.standard_error(at);
+        if (std::abs(size) < 2 * error) continue;
+        texts.push_back(fmt::format("{} {} % too {}", suspect.quantities[k],
+                                    with_error(100 * std::abs(size), 100 * error),
+                                    size < 0 ? "low" : "high"));
+    }
+    return joined(texts, "and");
+}
+
 }  // namespace
+
+std::vector<std::string> suspect_lines(const StudyDiagnosis& study) {
+    const Diagnosis& d = study.diagnosis;
+    std::vector<std::string> lines;
+    if (d.verdict != Verdict::suspect_measurement || study.overruled) return lines;
+    for (const Explanation& each : d.confidence_set) {
+        if (!each.suspect) continue;
+        const SuspectMeasurement& suspect = study.evidence.suspects[*each.suspect];
+        const std::string size = error_size(each, d.fit.parameters.size(), suspect);
+        std::string line =
+            fmt::format("With the error of {} taken out{}, chi2/dof falls from {:.2f} to {:.2f}.",
+                        suspect.name, size.empty() ? "" : " (" + size + ")",
+                        chi2_per_dof(d.chi2, d.dof), chi2_per_dof(each.chi2, each.fit.dof));
+        if (const std::string shared = shared_only(study.readings, suspect); !shared.empty()) {
+            line += fmt::format(
+                " Only these readings have {}: an effect that Pendular does not know and that "
+                "acts only there would look the same.",
+                shared);
+        }
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+std::string friction_line(const StudyDiagnosis& study) {
+    const Diagnosis& d = study.diagnosis;
+    const StudyModels& space = *study.models;
+    if (study.mistake || study.overruled) return "";
+    const auto text = [](const Fit& fit, const std::string& of) {
+        return fmt::format("{} {}", with_error(fit.parameters(0), fit.standard_error(0)), of);
+    };
+    std::vector<std::string> values;
+    const auto add = [&](const Explanation& each) {
+        constexpr std::size_t most = 3;
+        if ((!each.chosen.empty() || each.suspect) && values.size() < most) {
+            values.push_back(text(each.fit, with_effects(each, space)));
+        }
+    };
+    if (d.leaders) add(d.leaders->model);
+    std::ranges::for_each(d.confidence_set, add);
+    for (std::size_t k = 0; k < study.proposals.size() && values.empty(); ++k) {
+        values.push_back(text(study.proposals[k].explanation.fit, "with proposal 1"));
+    }
+    const bool alone = values.empty();
+    values.push_back(text(d.fit, alone ? "" : "in the study's present model"));
+    std::string line = fmt::format("The {} fitted to all readings is {}",
+                                   parameter_in_words(space.with({})->parameters().front().name),
+                                   joined(values, "and"));
+    if (alone) line.pop_back();
+    return line + (d.complete || d.leaders ? "." : ". Do not report it before the cause is found.");
+}
+
+std::vector<std::string> close_effects_lines(const Diagnosis& d, const ModelSpace& space) {
+    std::vector<std::string> lines;
+    const auto add = [&](std::string line) {
+        if (!line.empty()) lines.push_back(std::move(line));
+    };
+    if (d.verdict == Verdict::indistinguishable) add(alike_line(d));
+    if (d.verdict == Verdict::missing && d.complete) add(closest_rival_line(d, space));
+    if (d.verdict == Verdict::unknown) {
+        if (const Explanation* best = best_of(d.tried); best && !best->suspect) {
+            add(fmt::format("Of the known effects, {} {} most and {} {}, which is not enough.",
+                            with_estimates(*best, space),
+                            best->chosen.size() > 1 ? "explain" : "explains",
+                            best->chosen.size() > 1 ? "bring" : "brings", reduction(d, *best)));
+        }
+    }
+    if (d.errors_assumed) {
+        add("The errors of the readings are assumed to be 2 %: repeated readings or _sd columns "
+            "give a firmer verdict.");
+    }
+    return lines;
+}
 
 std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Checks& checks) {
     switch (d.verdict) {
@@ -298,28 +378,6 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
             return fmt::format("Unknown: something is missing that no known effect explains{}",
                                strongest_trend(checks));
     }
-}
-
-std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& space) {
-    std::vector<std::string> lines = {
-        fmt::format("  {:<24} {:>26} {:>11} {:>9} {:>10} {:>6} {:>8}   {}", "effect", "estimate",
-                    "chi2 change", "refitted", "imitated", "power", "p", "decision")};
-    for (const Finding& finding : d.scan) {
-        lines.push_back(finding_line(d, finding, space));
-    }
-    lines.push_back(
-        "  (chi2 change: predicted change of chi2 when the effect is added. Refitted: that change "
-        "after a refit. Imitated: share of the effect that a change of the fitted parameters can "
-        "reproduce. Power: probability that these readings detect the effect at its smallest size "
-        "of interest. p: probability that chance alone makes the most significant of all tests at "
-        "least this significant.)");
-    if (std::ranges::any_of(
-            d.scan, [](const Finding& f) { return f.refitted_reduction.value_or(0) < 0; })) {
-        lines.push_back(
-            "  (chi2 can grow with an effect where the emulator predicts the readings with smaller "
-            "errors.)");
-    }
-    return lines;
 }
 
 std::vector<std::string> incomplete_lines(const Diagnosis& d, const std::array<double, 2>& before,
@@ -369,115 +427,6 @@ std::string fit_line(const Diagnosis& d) {
         "{}. "
         "Test for an improvement by a known effect: p {}. (A small p speaks against the model.)",
         d.chi2, freedom_text(d.dof), p_text(d.lack_of_fit_p), p_text(d.further_p));
-}
-
-namespace {
-
-/// Texts of two sizes with their unit, with as many digits as tell them apart.
-std::pair<std::string, std::string> sizes_apart(double one, double other, const std::string& unit) {
-    constexpr int most_digits = 5;
-    for (int digits = 2;; ++digits) {
-        auto texts = std::pair(with_unit(one, unit, digits), with_unit(other, unit, digits));
-        if (texts.first != texts.second || digits == most_digits) return texts;
-    }
-}
-
-/// Line on the smallest size of an effect that the readings would show, and on the smallest size of
-/// interest; for a switch, on the share of studies that would show it.
-std::string unseen_line(const Finding& finding, const EffectParameter& p,
-                        const std::string& effect) {
-    if (p.is_switch()) {
-        return fmt::format("  {} (switch): detected in {:.0f} % of repetitions of this study.",
-                           effect, 100 * finding.power);
-    }
-    const auto [shown, matters] = sizes_apart(finding.detectable, p.smallest_of_interest, p.unit);
-    const bool both_ways = p.neutral == 0 && p.lower < 0;
-    const std::string what =
-        p.neutral != 0 ? fmt::format("a change of the {} ({}) by", spoken_parameter(p.name),
-                                     with_unit(p.neutral, p.unit))
-                       : fmt::format("{}{}", spoken_parameter(p.name), both_ways ? " +-" : "");
-    return fmt::format("  {}: {}{} or more would be detected; smallest size of interest {}.",
-                       effect, both_ways ? what : what + " ", shown, matters);
-}
-
-}  // namespace
-
-std::vector<std::string> unseen_table(const Diagnosis& d, const ModelSpace& space,
-                                      const std::vector<std::string>& effects) {
-    if (d.verdict != Verdict::inconclusive || effects.empty()) return {};
-    std::vector<std::string> lines = {
-        "Effects that could go undetected in these readings, each at its smallest size of "
-        "interest:"};
-    for (const std::string& effect : effects) {
-        const Finding& finding = finding_of(d, space, effect);
-        lines.push_back(unseen_line(finding, parameter_of(space, finding), effect));
-    }
-    return lines;
-}
-
-std::string undetectable_line(const Diagnosis& d, const ModelSpace& space) {
-    if (d.verdict != Verdict::inconclusive) return "";
-    std::vector<std::string> names;
-    for (const Finding& finding : d.scan) {
-        if (!finding.identifiable) names.push_back(space.candidates()[finding.candidate].name);
-    }
-    if (names.empty()) return "";
-    const bool several = names.size() > 1;
-    return fmt::format(
-        "{} {} these readings too little to be detected at any size within the bounds of {}.",
-        joined(names, "and"), several ? "change" : "changes",
-        several ? "their parameters" : "its parameter");
-}
-
-std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space, bool proposes) {
-    std::vector<std::string> lines;
-    if (d.verdict == Verdict::indistinguishable) lines.push_back(alike_line(d));
-    if (d.verdict == Verdict::inconclusive) {
-        lines.push_back(
-            "To rule out an effect, measure the effect directly or add readings at conditions "
-            "where the effect is larger. The readings that 'pendular next' plans reduce the "
-            "standard errors of the fitted parameters; they are not planned to rule out effects.");
-    }
-    if (d.verdict == Verdict::unknown) {
-        if (const Explanation* best = best_of(d.tried); best && !best->suspect) {
-            lines.push_back(fmt::format(
-                "Of the known effects, {} {} most and {} {}, which is not enough.",
-                with_estimates(*best, space), best->chosen.size() > 1 ? "explain" : "explains",
-                best->chosen.size() > 1 ? "bring" : "brings", reduction(d, *best)));
-        }
-        if (!proposes) {
-            lines.push_back("An effect of your own can be written as [[effect]] in study.toml.");
-        }
-    }
-    if (!d.suspects.empty() && d.verdict != Verdict::suspect_measurement) {
-        lines.push_back(fmt::format(
-            "An error in {} would explain the residuals as well: repeat {} before you trust an "
-            "effect.",
-            joined(d.suspects, "or"), d.suspects.size() == 1 ? "this measurement" : "these"));
-    }
-    if (d.errors_assumed) {
-        lines.push_back(
-            "The errors of the readings are assumed to be 2 %: repeated readings or _sd columns "
-            "give a firmer verdict.");
-    }
-    return lines;
-}
-
-std::string next_step(const Diagnosis& d, const std::string& study, bool proposes) {
-    switch (d.verdict) {
-        case Verdict::missing:
-            return fmt::format("pendular add {} {}", study, d.effects.front());
-        case Verdict::unknown:
-            if (proposes) return fmt::format("pendular add {} --proposed 1", study);
-            return fmt::format("pendular compare {} --all   # inspect the readings that deviate",
-                               study);
-        case Verdict::suspect_measurement:
-            return fmt::format("repeat the suspect readings, then pendular diagnose {}", study);
-        case Verdict::indistinguishable:
-            return fmt::format("pendular next {}", study);
-        default:
-            return fmt::format("pendular compare {}", study);
-    }
 }
 
 }  // namespace pendular

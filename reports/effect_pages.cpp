@@ -87,8 +87,8 @@ std::string spoken(std::string name) {
     return name;
 }
 
-/// Quantities on which the change of the readings by an effect depends, "normal stress (largest at
-/// small values), height".
+}  // namespace
+
 std::string dependences(const Effect& effect) {
     std::vector<std::string> texts;
     for (const std::string& name : effect.acts_through) {
@@ -98,6 +98,8 @@ std::string dependences(const Effect& effect) {
     }
     return fmt::format("{}", fmt::join(texts, ", "));
 }
+
+namespace {
 
 std::string table_line(const std::string& name, const std::string& parameter,
                        const std::string& unit, const std::string& touches,

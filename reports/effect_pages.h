@@ -30,6 +30,10 @@ struct EffectEntry {
     std::optional<EffectStatus> status = {};
 };
 
+/// Returns the names of the quantities on which the change of the readings by an effect depends, as
+/// a list for a sentence: "normal stress (largest at small values), height".
+std::string dependences(const Effect& effect);
+
 /// Returns a table of physical effects as lines of text, one line per parameter of an effect. The
 /// effects are grouped by the part of the experiment that they change.
 std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries);

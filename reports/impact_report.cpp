@@ -6,28 +6,13 @@
 #include <array>
 #include <cmath>
 
-#include "reports/parameter_name.h"
 #include "reports/with_error.h"
 
 namespace pendular {
 namespace {
 
-constexpr std::size_t most_lines = 2;
-/// Smallest shift worth a sentence, in standard errors of the parameter [1].
-constexpr double worth_a_line = 0.3;
 /// Smallest shift worth a row of the table, in standard errors of the parameter [1].
 constexpr double worth_a_row = 0.05;
-
-bool named(const Impact& impact, const Diagnosis& d) {
-    const auto& names = impact.measurement ? d.suspects : d.effects;
-    return std::ranges::find(names, impact.name) != names.end();
-}
-
-/// Whether a verdict states that an effect or an error is there, with an estimate.
-bool estimated(Verdict verdict) {
-    return verdict == Verdict::missing || verdict == Verdict::indistinguishable ||
-           verdict == Verdict::suspect_measurement;
-}
 
 std::string percent_text(double share) {
     return fmt::format("{:.2g} %", 100 * share);
@@ -42,40 +27,6 @@ std::string size_text(const Impact& impact, double size) {
     if (!impact.measurement) return with_unit(size, impact.unit);
     return impact.quantity.empty() ? fmt::format("{:.2g} standard errors", size)
                                    : percent_text(size);
-}
-
-/// Beginning of a sentence that states an error of measurement: "If the shear stress in the
-/// readings of dry_1.csv were 1 % too high".
-std::string if_wrong(const Impact& impact, double size) {
-    return fmt::format("If the {}{} were {} too {}",
-                       impact.quantity.empty() ? "" : impact.quantity + " in ",
-                       impact.quantity.empty() ? impact.name.substr(4) : impact.name,
-                       size_text(impact, std::abs(size)), size < 0 ? "low" : "high");
-}
-
-/// Beginning of a sentence on an effect or error: "With wall-friction in the model", "If
-/// torque-gain were present with gain 1.02".
-std::string condition_of(const Impact& impact, const Shift& shift, bool at_estimate) {
-    if (impact.measurement) return if_wrong(impact, shift.size);
-    if (at_estimate || impact.quantity == "on")
-        return fmt::format("With {} in the model", impact.name);
-    std::string parameter = impact.quantity;
-    std::ranges::replace(parameter, '_', ' ');
-    return fmt::format("With {} in the model ({} = {})", impact.name, parameter,
-                       size_text(impact, shift.size));
-}
-
-/// Sentence on the shift of the first parameter at one size; empty where the shift is negligible.
-std::string line_of(const ImpactTable& table, const Impact& impact, bool at_estimate) {
-    const Shift& shift = at_estimate ? impact.at_estimate : impact.at_interest;
-    const double by = shift.best()(0), error = table.errors(0);
-    if (!(std::abs(by) >= worth_a_line * error)) return "";
-    const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 12);
-    return fmt::format("{}, the {} fitted to all readings {} {:.{}f} instead of {:.{}f}.",
-                       condition_of(impact, shift, at_estimate),
-                       parameter_in_words(table.parameters.front().name),
-                       at_estimate && !impact.measurement ? "is" : "would be", table.fitted(0) + by,
-                       digits, table.fitted(0), digits);
 }
 
 /// Text of a shift of a parameter with this standard error, with its sign.
@@ -124,21 +75,6 @@ std::string impact_name(const Impact& impact) {
     return impact.measurement && !impact.quantity.empty()
                ? fmt::format("{}, {}", impact.quantity, impact.name)
                : impact.name;
-}
-
-std::vector<std::string> impact_lines(const ImpactTable& table, const Diagnosis& d) {
-    std::vector<std::string> lines;
-    if (d.verdict == Verdict::unknown) return lines;  // the verdict names no effect to add
-    const bool at_estimate = estimated(d.verdict);
-    for (const Impact& impact : table.impacts) {
-        if (lines.size() == most_lines) break;
-        const bool wanted = at_estimate ? named(impact, d) : !impact.measurement;
-        if (!wanted) continue;
-        if (std::string line = line_of(table, impact, at_estimate); !line.empty()) {
-            lines.push_back(std::move(line));
-        }
-    }
-    return lines;
 }
 
 std::vector<std::string> by_impact(const ImpactTable& table,

@@ -7,16 +7,6 @@
 
 namespace pendular {
 
-/// Returns at most two sentences on how much effects or errors of measurement shift the fitted
-/// friction coefficient. The sentences concern the effects or errors that the verdict of the
-/// diagnosis names, at their estimated sizes. If the verdict is nothing-missing or inconclusive,
-/// the sentences concern the first effects in `table`, at their smallest sizes of interest: "With
-/// wall-friction in the model (coefficient = 0.05), the friction coefficient fitted to all readings
-/// would be 0.1080 instead of 0.1200." Shifts below 0.3 standard errors of the friction coefficient
-/// are left out. Returns an empty list if the verdict is unknown (no known effect explains the
-/// misfit).
-std::vector<std::string> impact_lines(const ImpactTable& table, const Diagnosis& diagnosis);
-
 /// Returns names of effects from a verdict, sorted by the shift that each effect causes in the
 /// fitted friction coefficient at its smallest size of interest, the largest shift first. Effects
 /// that `table` does not list come last, in the order of `effects`.

@@ -78,7 +78,7 @@ std::vector<std::string> pair_names(const NextMeasurement& next, bool separated)
     return names;
 }
 
-std::string joined(const std::vector<std::string>& names) {
+std::string semicolons(const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names, "; "));
 }
 
@@ -125,11 +125,11 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
             "No plan of up to {}, with at most {} at one condition, tells {}{} apart. Their "
             "predictions differ most at {}.",
             readings(next.most_readings), next.most_repeats, names.size() > 2 ? "any two of " : "",
-            pendular::joined(names, "and"), where(next.points[best.point], next.study)));
+            joined(names, "and"), where(next.points[best.point], next.study)));
         add_forecasts(lines, next, best);
         return lines;
     }
-    const std::string apart = joined(pair_names(next, true));
+    const std::string apart = semicolons(pair_names(next, true));
     if (steps.size() == 1) {
         lines.push_back(fmt::format("Take {}. This tells {} apart.", measure(steps[0]), apart));
         add_forecasts(lines, next, plan_at(next, steps[0].point));
@@ -142,7 +142,7 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
         }
     }
     if (const auto left = pair_names(next, false); !left.empty()) {
-        lines.push_back(fmt::format("These measurements do not tell apart: {}.", joined(left)));
+        lines.push_back(fmt::format("These measurements do not tell apart: {}.", semicolons(left)));
     }
     return lines;
 }
@@ -182,36 +182,8 @@ bool beside(const Condition& a, const Condition& b, const Study& study, bool sam
 
 }  // namespace
 
-bool orders_readings(const NextMeasurement& next, const Diagnosis& diagnosis) {
-    if (diagnosis.verdict == Verdict::unknown) return false;
-    return diagnosis.verdict == Verdict::suspect_measurement || next.plans.empty() ||
-           !next.series.steps.empty();
-}
-
-std::vector<std::string> next_lines(const NextMeasurement& next, const Diagnosis& diagnosis) {
-    if (diagnosis.verdict == Verdict::suspect_measurement) {
-        return {fmt::format(
-            "Repeat {}, with a new filling: an error there explains the residuals. Other "
-            "measurements are planned when these are settled.",
-            joined(diagnosis.suspects, "or"))};
-    }
-    if (diagnosis.verdict == Verdict::unknown) {
-        return {
-            "No reading is planned: no known effect explains the misfit, and more readings at such "
-            "conditions do not change that. Find the cause first."};
-    }
+std::vector<std::string> plan_lines(const NextMeasurement& next) {
     return next.plans.empty() ? sharpening_lines(next) : separating_lines(next);
-}
-
-std::string next_paragraph(const std::vector<std::string>& lines) {
-    std::string text;
-    for (const std::string& line : lines) {
-        if (line.empty() || line.starts_with(' ')) continue;
-        if (!text.empty()) text += ' ';
-        text += line;
-        if (!line.ends_with('.')) text += '.';
-    }
-    return text;
 }
 
 namespace {

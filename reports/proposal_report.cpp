@@ -94,32 +94,7 @@ std::string phrase_on(const FittedShape& fitted) {
                        fitted.change < 0 ? "smaller" : "larger", course_of(fitted.shape.profile));
 }
 
-/// Part of the instrument whose values a proposal, or a change that looks like it, changes; empty
-/// for changes of the beads.
-std::string instrument_of(const Proposal& proposal) {
-    static const std::map<std::string, const char*, std::less<>> devices = {
-        {"torque", "the torque transducer with a known torque"},
-        {"normal_force", "the load cell with known weights"},
-        {"height", "the gap sensor with a gauge block"}};
-    for (const auto* shapes : {&proposal.shapes, &proposal.alike}) {
-        for (const FittedShape& each : *shapes) {
-            const auto device = devices.find(each.shape.quantity.target);
-            if (device != devices.end()) return device->second;
-        }
-    }
-    return "";
-}
-
 }  // namespace
-
-std::string sensor_line(const std::vector<Proposal>& proposals) {
-    const std::string device = proposals.empty() ? "" : instrument_of(proposals.front());
-    return device.empty() ? ""
-                          : fmt::format(
-                                "Check {} before you add the proposal: an error of the instrument "
-                                "belongs in its calibration.",
-                                device);
-}
 
 std::string sentence_on(const FittedShape& shape) {
     return capitalised(phrase_on(shape));
@@ -133,6 +108,19 @@ std::string sentence_on(const Proposal& proposal) {
     return capitalised(text);
 }
 
+namespace {
+
+/// Names of the effects of a proposal in proposed.toml.
+std::string name_of(const Proposal& proposal) {
+    std::string names;
+    for (const FittedShape& each : proposal.shapes) {
+        names += (names.empty() ? "" : " + ") + each.effect.name;
+    }
+    return names;
+}
+
+}  // namespace
+
 std::vector<std::string> proposal_lines(const std::vector<Proposal>& proposals, double chi2,
                                         int dof) {
     std::vector<std::string> lines;
@@ -141,23 +129,20 @@ std::vector<std::string> proposal_lines(const std::vector<Proposal>& proposals, 
     const Fit& fit = best.explanation.fit;
     lines.push_back(fmt::format(
         "{} {}. This brings chi2/dof from {:.3g} to {:.3g}.",
-        best.fits()
-            ? "Proposal 1, a change of unknown cause, would explain the readings:"
-            : "Proposal 1, a change of unknown cause, would explain most of the misfit, not "
-              "all:",
+        fmt::format("Proposal 1 ({}), a change of unknown cause, would explain {}:", name_of(best),
+                    best.fits() ? "the readings" : "most of the misfit, not all"),
         sentence_on(best), chi2 / dof, best.explanation.chi2 / fit.dof));
     if (!best.alike.empty()) {
         std::vector<std::string> phrases;
         for (const FittedShape& each : best.alike) {
-            phrases.push_back(phrase_on(each));
+            phrases.push_back(fmt::format("{} ({})", phrase_on(each), each.shape.name()));
         }
         lines.push_back(fmt::format("These readings can hardly tell this cause from another: {}.",
                                     fmt::join(phrases, "; or ")));
     }
-    if (const std::string check = sensor_line(proposals); !check.empty()) lines.push_back(check);
     for (std::size_t k = 1; k < proposals.size(); ++k) {
-        lines.push_back(fmt::format("Proposal {} would explain the readings as well: {}.", k + 1,
-                                    sentence_on(proposals[k])));
+        lines.push_back(fmt::format("Proposal {} ({}) would explain the readings as well: {}.",
+                                    k + 1, name_of(proposals[k]), sentence_on(proposals[k])));
     }
     return lines;
 }

@@ -12,9 +12,6 @@ namespace pendular {
 /// time since the first recording began is above 12 s, and as in the model below".
 std::string sentence_on(const FittedShape& shape);
 
-/// Returns a sentence that asks to check the sensor whose values the first proposal, or a change
-/// that looks like it, changes. The sentence is empty if no sensor is concerned.
-std::string sensor_line(const std::vector<Proposal>& proposals);
 /// Returns one sentence for each change of a proposal, as one text without a full stop at the end.
 /// A proposal is a set of changes of the readings, of unknown physical cause, that would explain
 /// the misfit.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "data/input_error.h"
+#include "workflow/rivals.h"
 
 namespace pendular {
 namespace {

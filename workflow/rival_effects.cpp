@@ -9,18 +9,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/misfit/weighted_residuals.h"
-#include "calib/fit/calibration.h"
-#include "calib/fit/fit.h"
 #include "data/files/text_file.h"
+#include "workflow/refitted_rival.h"
 
 namespace pendular {
 namespace {
 
 using Effects = std::vector<std::string>;
-
-/// Smallest difference of Akaike's criterion at which a rival counts as ruled out [1].
-constexpr double little_support = 7;
 
 std::vector<Effects> rivals_in_text(const std::string& text, const Effects& listed,
                                     const std::string& effect) {
@@ -36,24 +31,13 @@ std::vector<Effects> rivals_in_text(const std::string& text, const Effects& list
     return rivals;
 }
 
-double criterion(double chi2, Eigen::Index parameters) {
-    return chi2 + 2 * static_cast<double>(parameters);
-}
-
-/// Effort of a fit that need not be more accurate than a small share of the errors.
-constexpr FitEffort quick{.most_steps = 50, .tolerance = 1e-8, .settled = 1e-4, .elsewhere = false};
-
 RivalModel fitted_rival(const StudyDiagnosis& d, const std::string& removed, const Effects& added) {
-    const auto predictor = d.models->exchanged(removed, added);
-    const ModelOfReadings model(predictor, conditions_of(d.readings), d.models->direct());
-    // The first fit has the weights of the starting values, the second the weights of its result.
-    Fit fitted = fit(model, d.evidence.measured, start_of(model), quick);
-    fitted = fit(model, d.evidence.measured, fitted.parameters, quick);
     const std::string name = fmt::format("{} in place of {}", fmt::join(added, " + "), removed);
+    RefittedRival rival = refit_rival(d, name, d.models->exchanged(removed, added));
     return {.in_place_of = removed,
             .effects = added,
-            .fitted = {name, predictor, fitted.parameters, fitted.covariance},
-            .chi2 = WeightedResiduals(d.evidence.measured, fitted.prediction).chi2()};
+            .fitted = std::move(rival.model),
+            .chi2 = rival.chi2};
 }
 
 }  // namespace
@@ -81,7 +65,8 @@ std::vector<RivalModel> rivals_alive(const StudyDiagnosis& d, const ResolvedStud
                                      const Ladder& ladder) {
     const Effects listed = names_of(study.study().model.effects);
     const double limit =
-        criterion(d.diagnosis.chi2, d.diagnosis.fit.parameters.size()) + little_support;
+        RefittedRival::akaike_of(d.diagnosis.chi2, d.diagnosis.fit.parameters.size()) +
+        little_support;
     std::vector<RivalModel> alive;
     std::set<std::pair<std::string, Effects>> seen;
     for (const LadderStep& step : ladder) {
@@ -93,7 +78,7 @@ std::vector<RivalModel> rivals_alive(const StudyDiagnosis& d, const ResolvedStud
             if (!in_model || rival.empty() || !seen.emplace(step.effect, rival).second) continue;
             try {
                 RivalModel model = fitted_rival(d, step.effect, rival);
-                if (criterion(model.chi2, model.fitted.parameters.size()) < limit) {
+                if (RefittedRival::akaike_of(model.chi2, model.fitted.parameters.size()) < limit) {
                     alive.push_back(std::move(model));
                 }
             } catch (const std::invalid_argument&) {

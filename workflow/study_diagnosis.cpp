@@ -24,14 +24,6 @@
 namespace pendular {
 namespace {
 
-std::string name_of(const Explanation& explanation, const StudyModels& models) {
-    std::string name;
-    for (const std::size_t k : explanation.chosen) {
-        name += (name.empty() ? "" : " + ") + models.candidates()[k].name;
-    }
-    return name.empty() ? present_model : name;
-}
-
 /// Text that names the measurements which may cause an implausible value of a quantity.
 std::string cause_of(const std::string& quantity) {
     if (quantity == "solid_fraction") return "the gap or the bead mass (solid fraction)";
@@ -225,33 +217,6 @@ double remaining_discrepancy(const StudyDiagnosis& d, double stated) {
         likely_discrepancy(d.evidence.measured, fit.prediction, conditions_of(d.readings));
     const double misfit = rms_percent(d.readings, fit.prediction.value)[0] / 100;
     return further > 0 && further < rougher * misfit ? std::hypot(stated, further) : 0;
-}
-
-std::vector<Rival> rivals_of(const StudyDiagnosis& study_diagnosis) {
-    const Diagnosis& diagnosis = study_diagnosis.diagnosis;
-    const StudyModels& models = *study_diagnosis.models;
-    std::vector<Rival> rivals;
-    for (const Explanation& each : diagnosis.confidence_set) {
-        if (!each.suspect) {
-            rivals.push_back({name_of(each, models), models.predictor(each.chosen),
-                              each.fit.parameters, each.fit.covariance});
-        }
-    }
-    if (diagnosis.leaders) {
-        const Explanation& model = diagnosis.leaders->model;
-        rivals.push_back({name_of(model, models), models.predictor(model.chosen),
-                          model.fit.parameters, model.fit.covariance});
-    }
-    if (rivals.empty()) {
-        rivals.push_back({present_model, models.predictor({}), diagnosis.fit.parameters,
-                          diagnosis.fit.covariance});
-    }
-    if (rivals.size() == 1) {
-        for (const RivalModel& rival : study_diagnosis.rivals) {
-            rivals.push_back(rival.fitted);
-        }
-    }
-    return rivals;
 }
 
 }  // namespace pendular

@@ -150,11 +150,4 @@ std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& diagnosis,
 ///        result is the root of the sum of the squares of both discrepancies
 double remaining_discrepancy(const StudyDiagnosis& diagnosis, double stated);
 
-/// Returns the rival models, which the next measurement should tell apart: the models that fit the
-/// readings according to a diagnosis. If no model fits, the function returns the model with the
-/// leading effects (effects that explain most of the misfit) or, if there are none, the study's
-/// model. If this gives only one model, the function also returns the models in which other effects
-/// replace one effect that the study lists (`StudyDiagnosis::rivals`).
-std::vector<Rival> rivals_of(const StudyDiagnosis& diagnosis);
-
 }  // namespace pendular

@@ -27,6 +27,9 @@ struct ChangedQuantity {
     /// Returns the kind of effect that changes the quantity: an effect on the instrument, on the
     /// flow, or on grains and liquid.
     WrittenEffect::Kind kind() const;
+    /// Whether a sensor of the instrument shows the quantity, so that a check of the sensor settles
+    /// whether the quantity changes.
+    bool of_sensor() const { return kind() == WrittenEffect::Kind::instrument; }
 };
 
 /// Shape of a change of unknown cause: which quantity changes, and how the change varies with one

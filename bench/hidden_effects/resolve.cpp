@@ -16,6 +16,7 @@
 #include "data/files/text_file.h"
 #include "data/files/write_whole.h"
 #include "data/quantities/number.h"
+#include "workflow/rivals.h"
 #include "workflow/study_diagnosis.h"
 #include "workflow/study_input.h"
 

@@ -10,9 +10,10 @@
 
 #include "analysis/diagnosis/study_evidence.h"
 #include "reports/diagnosis_report.h"
+#include "reports/diagnosis_table.h"
 #include "reports/failure_report.h"
 #include "reports/impact_report.h"
-#include "reports/next_report.h"
+#include "reports/next_steps.h"
 #include "reports/page/page_data.h"
 #include "reports/page/page_files.h"
 #include "reports/page/page_text.h"
@@ -119,18 +120,16 @@ PageSection where_section(const PageContent& content) {
 
 PageTable scan_table(const PageContent& content) {
     PageTable table{.caption = "Known effects, sorted by the change of chi2",
-                    .head = {"effect", "group", "estimate", "change of chi2, predicted",
-                             "change of chi2, in a refit", "p",
+                    .head = {"effect", "group", "value in the model", "chi2/dof left", "p",
                              "power for an effect of the smallest size of interest", "decision"}};
-    const auto& candidates = content.diagnosis.models->candidates();
-    for (const Finding& finding : content.diagnosis.diagnosis.scan) {
-        const Candidate& candidate = candidates[finding.candidate];
-        table.rows.push_back(
-            {candidate.name, candidate.group,
-             estimate_of(content.diagnosis.diagnosis, finding, *content.diagnosis.models),
-             chi2_change(finding.test.predicted_reduction),
-             finding.refitted_reduction ? chi2_change(*finding.refitted_reduction) : "",
-             p_text(finding.p, ""), power_text(finding), finding.decision});
+    const StudyModels& models = *content.diagnosis.models;
+    const Diagnosis& diagnosis = content.diagnosis.diagnosis;
+    for (const Finding& finding : diagnosis.scan) {
+        const Candidate& candidate = models.candidates()[finding.candidate];
+        table.rows.push_back({candidate.name, candidate.group,
+                              estimate_of(diagnosis, finding, models),
+                              left_text(diagnosis, finding, models), p_text(finding.p, ""),
+                              power_text(finding), finding.decision});
     }
     return table;
 }
@@ -169,7 +168,8 @@ PageSection effects_section(const PageContent& content) {
         section.lines.insert(section.lines.end(), lines.begin(), lines.end());
     };
     add(proposal_lines(d.proposals, d.diagnosis.chi2, d.diagnosis.dof));
-    add(advice_on(d.diagnosis, *d.models, !d.proposals.empty()));
+    add(close_effects_lines(d.diagnosis, *d.models));
+    add(suspect_lines(d));
     if (std::string order = order_line(d, content.resolved.catalogue()); !order.empty())
         add({std::move(order)});
     section.tables = {rivals_table(content), scan_table(content)};
@@ -186,7 +186,9 @@ PageSection impact_section(const PageContent& content) {
     const ImpactTable& impacts = *content.impacts;
     PageSection section{.id = "impacts",
                         .title = "How effects shift the fitted friction coefficient"};
-    section.lines = impact_lines(impacts, content.diagnosis.diagnosis);
+    if (std::string friction = friction_line(content.diagnosis); !friction.empty()) {
+        section.lines = {std::move(friction)};
+    }
     const Cells head = {"effect or error", "group", "at the smallest size of interest",
                         "at the estimate", "per standard error of the estimate"};
     const std::string friction = with_error(impacts.fitted(0), impacts.errors(0));
@@ -231,12 +233,11 @@ PageSection ladder_section(const PageContent& content) {
 }
 
 PageSection next_section(const PageContent& content) {
-    PageSection section{.id = "next", .title = "What to measure next"};
-    for (const std::string& line : content.next) {
-        if (!trimmed(line).empty()) section.lines.push_back(trimmed(line));
+    PageSection section{.id = "next", .title = "What to do next"};
+    for (std::size_t k = 1; k < content.steps.size(); ++k) {  // the title is the heading
+        section.lines.push_back(trimmed(content.steps[k]));
     }
-    section.commands = {next_step(content.diagnosis.diagnosis, content.study_argument,
-                                  !content.diagnosis.proposals.empty())};
+    section.commands = {next_command(content.diagnosis, content.study_argument)};
     return section;
 }
 
@@ -383,9 +384,7 @@ std::string report_page(const PageContent& content) {
     kainjow::mustache::mustache page{page_template};
     data values = frame_of_page(content.study, content.version, content.served_version);
     values.set("results", data::type::bool_true);
-    if (const std::string text = next_paragraph(content.next); !text.empty()) {
-        values.set("measure", page_text(text));
-    }
+    values.set("measure", page_text(first_step(content.steps)));
     values.set("verdict", page_text(verdict_line(d.diagnosis, *d.models, content.checks)));
     values.set("warnings", list_of(warnings_of(content)));
     values.set("evidence", list_of(evidence_of(content)));

@@ -36,9 +36,8 @@ struct PageContent {
     /// Ladder: sequence of the study's models, with one effect more or fewer in each step. May be
     /// empty.
     Ladder ladder = {};
-    /// Lines of text on the next measurement to make, or one line that says why no measurement is
-    /// planned. Empty if the next measurement was not computed.
-    std::vector<std::string> next = {};
+    /// Numbered lines below a heading that say what to do next (`step_lines`).
+    std::vector<std::string> steps = {};
     /// Fitted models, one for each combination of the leading effects. The reader of the page can
     /// switch these effects on and off.
     SwitchedModels switched;
@@ -64,7 +63,7 @@ struct PageContent {
 /// Returns the page of a study as one HTML file that needs no further files. The page shows the
 /// verdict, figures with switches for the leading effects and sliders for the parameters, the fit,
 /// the effects, their impacts on the friction coefficient, the ladder (sequence of the study's
-/// models), the next measurement and the provenance.
+/// models), the next steps and the provenance.
 std::string report_page(const PageContent& content);
 
 /// Returns the HTML page that a server shows until the first results on a study exist.

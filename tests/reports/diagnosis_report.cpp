@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/diagnosis_table.h"
 #include "tests/support/linear_space.h"
 
 namespace pendular::reports_diagnosis_test {
@@ -76,10 +77,42 @@ TEST(VerdictLine, SaysHowWellEachOfSeveralEffectsExplainsTheReadings) {
     EXPECT_THAT(line(), testing::HasSubstr("chi2/dof from 4.00 to between 0.90 and 0.95"));
 }
 
-TEST(ChangeOfChi2, HasItsSign) {
-    EXPECT_EQ(chi2_change(686.74), "-686.7");
-    EXPECT_EQ(chi2_change(-12.3), "+12.3");
-    EXPECT_EQ(chi2_change(0.02), "0.0");
+TEST(DiagnosisTable, SaysWhatEachEffectLeaves) {
+    const LinearSpace space(Eigen::MatrixXd::Ones(4, 1),
+                            {{.name = "drag", .values = Eigen::VectorXd::LinSpaced(4, 0, 1)},
+                             {.name = "slip", .values = Eigen::VectorXd::LinSpaced(4, 1, 0)}});
+    Diagnosis diagnosis;
+    diagnosis.chi2 = 500, diagnosis.dof = 11;
+    diagnosis.scan.resize(2);
+    diagnosis.scan[0].refitted_reduction = 480;
+    diagnosis.scan[1].candidate = 1;
+    diagnosis.scan[1].test.predicted_reduction = 100;
+    EXPECT_EQ(left_text(diagnosis, diagnosis.scan[0], space), "2.00");  // one parameter more
+    EXPECT_EQ(left_text(diagnosis, diagnosis.scan[1], space), "~40.00");
+    const auto rows = diagnosis_table(diagnosis, space, false);
+    EXPECT_THAT(rows.front(), testing::Not(testing::HasSubstr("power")));
+    EXPECT_THAT(rows.back(), testing::HasSubstr("now 45.45"));
+    EXPECT_THAT(diagnosis_table(diagnosis, space, true).front(), testing::HasSubstr("power"));
+}
+
+TEST(CloseEffects, AreNamedWithWhatTheyWouldLeave) {
+    const LinearSpace space(Eigen::MatrixXd::Ones(4, 1),
+                            {{.name = "drag", .values = Eigen::VectorXd::LinSpaced(4, 0, 1)},
+                             {.name = "slip", .values = Eigen::VectorXd::LinSpaced(4, 1, 0)}});
+    Diagnosis diagnosis;
+    diagnosis.verdict = Verdict::missing;
+    diagnosis.chi2 = 1010, diagnosis.dof = 10;
+    diagnosis.tried = {refit(0.1, true), refit(0.1, true)};
+    diagnosis.tried[0].accepted = true;
+    diagnosis.tried[1].chosen = {1};
+    for (Explanation& each : diagnosis.tried) {
+        each.fit.dof = 9, each.chi2 = 27;
+    }
+    EXPECT_THAT(close_effects_lines(diagnosis, space),
+                testing::ElementsAre(testing::AllOf(testing::HasSubstr("slip"),
+                                                    testing::HasSubstr("chi2/dof at 3.00"))));
+    diagnosis.tried[1].chi2 = 300;  // more than a tenth of the misfit is left
+    EXPECT_THAT(close_effects_lines(diagnosis, space), testing::IsEmpty());
 }
 
 }  // namespace pendular::reports_diagnosis_test

@@ -41,37 +41,9 @@ ImpactTable table() {
             .groups = {{"instrument", one(0.05), one(0.08), one(0.06)}}};
 }
 
-TEST(ImpactReport, SaysWhatTheNamedEffectDoesAtItsEstimate) {
-    Diagnosis d;
-    d.verdict = Verdict::missing;
-    d.effects = {"wall-friction"};
-    EXPECT_THAT(impact_lines(table(), d),
-                ElementsAre("With wall-friction in the model, the friction coefficient fitted to "
-                            "all readings is 0.220 "
-                            "instead of 0.300."));
-}
-
-TEST(ImpactReport, SaysNothingWhereNoKnownEffectExplainsTheReadings) {
-    Diagnosis d;
-    d.verdict = Verdict::unknown;
-    EXPECT_TRUE(impact_lines(table(), d).empty());
-}
-
 TEST(ImpactReport, SortsEffectsByHowMuchTheyShiftTheFriction) {
     EXPECT_THAT(by_impact(table(), {"bead-loss", "lid-slip", "wall-friction"}),
                 ElementsAre("wall-friction", "lid-slip", "bead-loss"));
-}
-
-TEST(ImpactReport, SaysWhatTheTwoLeadingEffectsWouldDoWhereNoneIsNamed) {
-    Diagnosis d;
-    d.verdict = Verdict::inconclusive;
-    EXPECT_THAT(
-        impact_lines(table(), d),
-        ElementsAre(
-            "With wall-friction in the model (coefficient = 0.4), the friction coefficient "
-            "fitted to all readings would be 0.260 instead of 0.300.",
-            "With lid-slip in the model (coefficient = 0.2), the friction coefficient fitted to "
-            "all readings would be 0.280 instead of 0.300."));
 }
 
 TEST(ImpactReport, TableHasEachImpactAndEachGroup) {

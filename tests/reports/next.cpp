@@ -251,7 +251,7 @@ TEST(NextMeasurement, WeighsTheWait) {
 
 std::string text_of(const NextMeasurement& next) {
     std::string text;
-    for (const std::string& line : next_lines(next, {})) {
+    for (const std::string& line : plan_lines(next)) {
         text += line + "\n";
     }
     return text;
@@ -392,33 +392,6 @@ TEST(Rig, IsReadWithItsUnits) {
     EXPECT_THAT(refusal("normal_stress = \"1 kPa\"\ninertial_number = 0.01\n"
                         "[[rig.direct]]\neffect = \"polydispersity\"\nerror = 0.1\ncost = 0\n"),
                 testing::HasSubstr("'cost': must be positive"));
-}
-
-TEST(NextLines, AskToRepeatSuspectReadingsFirst) {
-    Diagnosis diagnosis;
-    diagnosis.verdict = Verdict::suspect_measurement;
-    diagnosis.suspects = {"the readings of dry_1.csv"};
-    const Offset model(0);
-    const Study study{.grains = {.diameter = 5e-4, .density = 1000}};
-    NextMeasurement next{.study = study,
-                         .rivals = {rival("a", model, 0.3, 0.01)},
-                         .points = at({100}),
-                         .plans = {},
-                         .sharpenings = {},
-                         .most_repeats = 20,
-                         .most_readings = 12};
-    next.sharpenings = sharpening_plans(next.rivals.front(), next.points, noise, 1);
-    EXPECT_THAT(next_lines(next, diagnosis),
-                testing::ElementsAre(
-                    testing::StartsWith("Repeat the readings of dry_1.csv, with a new filling")))
-        << "no readings for precision";
-    EXPECT_TRUE(orders_readings(next, diagnosis));
-    diagnosis.verdict = Verdict::unknown;
-    EXPECT_THAT(next_lines(next, diagnosis),
-                testing::ElementsAre(testing::StartsWith("No reading is planned")));
-    EXPECT_FALSE(orders_readings(next, diagnosis));
-    diagnosis.verdict = Verdict::inconclusive;
-    EXPECT_THAT(next_lines(next, diagnosis).front(), testing::StartsWith("Take 20 readings"));
 }
 
 }  // namespace pendular::analysis_next_test

@@ -10,6 +10,7 @@
 
 #include "tests/support/data_support.h"
 #include "workflow/rival_effects.h"
+#include "workflow/rivals.h"
 
 namespace pendular::workflow_session_test {
 

@@ -1,0 +1,86 @@
+#include "reports/diagnosis_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/failure_report.h"
+#include "reports/with_error.h"
+
+namespace pendular {
+namespace {
+
+/// Refitted model with one candidate alone; null where there is none that converged.
+const Explanation* refit_with(const Diagnosis& d, std::size_t candidate) {
+    const auto found = std::ranges::find_if(d.tried, [&](const Explanation& each) {
+        return each.chosen == EffectSet{candidate} && !each.suspect && each.fit.converged;
+    });
+    return found == d.tried.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string power_text(const Finding& finding) {
+    constexpr double significant = 0.05;
+    return finding.p < significant ? "-" : fmt::format("{:.2f}", finding.power);
+}
+
+std::string estimate_of(const Diagnosis& d, const Finding& finding, const ModelSpace& space) {
+    const Candidate& candidate = space.candidates()[finding.candidate];
+    if (candidate.is_switch()) return "switch";
+    const std::string& unit = candidate.parameters.front().unit;
+    const auto first = static_cast<Eigen::Index>(d.fit.parameters.size());
+    const Explanation* const refit = refit_with(d, finding.candidate);
+    const EffectParameter& p = candidate.parameters.front();
+    const bool determined = refit && refit->fit.parameters.size() > first &&
+                            refit->fit.standard_error(first) > 0 &&
+                            refit->fit.standard_error(first) < p.upper - p.lower;
+    if (determined) return refitted_text(*refit, first, unit);
+    return finding.standard_error > 0
+               ? with_error(finding.value, finding.standard_error, unit)
+               : fmt::format("{} (at its bound)", with_unit(finding.value, unit));
+}
+
+std::string left_text(const Diagnosis& d, const Finding& finding, const ModelSpace& space) {
+    const double reduction = finding.refitted_reduction.value_or(finding.test.predicted_reduction);
+    const auto added = static_cast<int>(space.candidates()[finding.candidate].free_parameters());
+    return fmt::format("{}{:.2f}", finding.refitted_reduction ? "" : "~",
+                       std::max(0.0, d.chi2 - reduction) / std::max(1, d.dof - added));
+}
+
+std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& space, bool all) {
+    const auto row = [&](const auto& name, const auto& value, const auto& left,
+                         const auto& imitated, const auto& power, const auto& p,
+                         const auto& decision) {
+        const std::string tests =
+            all ? fmt::format(" {:>10} {:>6} {:>8}", imitated, power, p) : std::string();
+        return fmt::format("  {:<24} {:>26} {:>13}{}   {}", name, value, left, tests, decision);
+    };
+    std::vector<std::string> lines = {
+        row("effect", "value in the model", "chi2/dof left", "imitated", "power", "p", "decision")};
+    for (const Finding& finding : d.scan) {
+        const Candidate& candidate = space.candidates()[finding.candidate];
+        const bool seen = finding.test.seen();
+        lines.push_back(row(candidate.name, seen ? estimate_of(d, finding, space) : "-",
+                            seen ? left_text(d, finding, space) : "-",
+                            fmt::format("{:.0f} %", 100 * finding.test.share_imitated),
+                            seen ? power_text(finding) : "-", seen ? p_text(finding.p, "") : "-",
+                            finding.decision));
+    }
+    lines.push_back(fmt::format(
+        "  (value in the model: the effect's parameter, fitted together with the model's "
+        "parameters. chi2/dof left: with the effect in the model, now {:.2f}; ~: predicted without "
+        "a fit.)",
+        d.chi2 / std::max(1, d.dof)));
+    if (all) {
+        lines.emplace_back(
+            "  (imitated: share of the effect that a change of the fitted parameters can "
+            "reproduce. power: probability that these readings detect the effect at its smallest "
+            "size of interest. p: probability that chance alone makes the most significant of all "
+            "tests at least this significant.)");
+    }
+    return lines;
+}
+
+}  // namespace pendular

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/diagnosis/diagnosis.h"
+
+namespace pendular {
+
+/// Returns the power of an effect's score test (test without a refit) as text, such as "0.83". The
+/// power is the probability [1] that the readings show an effect of the smallest size of interest.
+/// The text is "-" if the test is significant (p < 0.05), since the power matters only for a test
+/// that found no effect.
+std::string power_text(const Finding& finding);
+
+/// Returns a diagnosis's estimate of the first parameter of an effect as text, with standard error
+/// and unit. The estimate comes from a refit with the effect. If no converged refit determines the
+/// parameter, the estimate comes from the score test (test without a refit). An estimate at a bound
+/// of the parameter has no standard error. For an effect that is on or off, the text is "switch".
+/// @param finding result for the effect, an element of `diagnosis.scan`
+std::string estimate_of(const Diagnosis& diagnosis, const Finding& finding,
+                        const ModelSpace& space);
+
+/// Returns the text of chi2 per degree of freedom [1] with an effect in the model, such as "1.40",
+/// or "~1.62" if the value is predicted without a refit.
+/// @param finding result for the effect, an element of `diagnosis.scan`
+std::string left_text(const Diagnosis& diagnosis, const Finding& finding, const ModelSpace& space);
+
+/// Returns a table of the effects that a diagnosis tested, the effect with the largest reduction of
+/// chi2 first. The first line is the heading. One line follows for each effect, with the fitted
+/// value of the effect's parameter, chi2 per degree of freedom with the effect in the model, and
+/// the decision. The last lines explain the columns.
+/// @param all whether the table also has the columns of the statistical tests: share of the effect
+///        that fitted parameters imitate, power and p value
+std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const ModelSpace& space,
+                                         bool all);
+
+}  // namespace pendular

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/diagnosis/impact.h"
+#include "sim/catalogue/resolved_study.h"
+#include "workflow/study_diagnosis.h"
+
+namespace pendular {
+
+/// One of the steps that a user should take after a diagnosis.
+struct NextStep {
+    std::string text;  ///< what to do, in one or more sentences
+    /// Whether the step is to take the readings that `pendular next` plans.
+    bool readings = false;
+    bool direct = false;  ///< whether the step is to measure an effect's parameter directly
+};
+
+/// Returns what to do after a diagnosis, in order: checks of the instrument and direct measurements
+/// of effects (without shearing grains) come first, then readings, then a change of the model. A
+/// direct measurement is named with the value to expect and with the largest standard error at
+/// which the measurement decides. This standard error is the deviation to be seen, divided by
+/// sqrt(`telling_directly`). If a step is to take readings, the step names the command that plans
+/// the readings.
+/// @param impacts shifts of the fitted friction coefficient by each effect; used to choose among
+///        effects that could go undetected
+/// @param study name of the study as the user gave it
+std::vector<NextStep> next_steps(const StudyDiagnosis& diagnosis,
+                                 const std::optional<ImpactTable>& impacts,
+                                 const ResolvedStudy& resolved, const std::string& study);
+
+/// Returns the steps as numbered lines below a heading, then a line that says how to enter the
+/// result of a direct measurement, if a step asks for one.
+/// @param plan lines on the planned readings (`plan_lines`), which take the place of the step that
+///        asks for readings; may be empty
+std::vector<std::string> step_lines(const std::vector<NextStep>& steps,
+                                    const std::vector<std::string>& plan = {});
+
+/// Returns the text of the first step, without its number.
+/// @param lines lines that `step_lines` returns
+std::string first_step(const std::vector<std::string>& lines);
+
+/// Returns the texts of the steps.
+std::vector<std::string> texts_of(const std::vector<NextStep>& steps);
+
+/// Returns the `pendular` command to give next. The command only proposes to add an effect if the
+/// diagnosis found the effect missing; a proposed change of unknown cause is never added without a
+/// check.
+/// @param study name of the study as the user gave it
+std::string next_command(const StudyDiagnosis& diagnosis, const std::string& study);
+
+}  // namespace pendular

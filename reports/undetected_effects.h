@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/diagnosis/impact.h"
+#include "sim/catalogue/effect_catalogue.h"
+#include "workflow/study_diagnosis.h"
+
+namespace pendular {
+
+/// Returns a table of the effects that the study's readings cannot exclude: an effect of the
+/// smallest size of interest could be present and remain undetected. The first line is the heading.
+/// One line follows for each effect, the effect that shifts the fitted friction coefficient most
+/// first. A line states the shift of the friction coefficient by the effect at its smallest size of
+/// interest, that size, the smallest size that these readings would show, and how to settle whether
+/// the effect is there. For an effect that is on or off, the line states the percentage of
+/// repetitions of the study that would detect the effect. Sizes are deviations of the effect's
+/// parameter from the value without the effect. Returns an empty list unless the verdict of the
+/// diagnosis is inconclusive.
+/// @param impacts shifts of the fitted friction coefficient by each effect
+std::vector<std::string> undetected_table(const StudyDiagnosis& diagnosis,
+                                          const std::optional<ImpactTable>& impacts,
+                                          const EffectCatalogue& catalogue);
+
+/// Returns a sentence that names the effects that the study's readings could not detect at any size
+/// within the bounds of the effect's parameter. Returns an empty text if there is no such effect,
+/// or if the verdict of the diagnosis is not inconclusive.
+std::string undetectable_line(const Diagnosis& diagnosis, const ModelSpace& space);
+
+}  // namespace pendular

@@ -1,0 +1,172 @@
+// What to do after each verdict, from a diagnosis whose verdict is changed for the purpose.
+#include "reports/next_steps.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/diagnosis_report.h"
+#include "reports/undetected_effects.h"
+#include "tests/support/data_support.h"
+#include "workflow/rivals.h"
+#include "workflow/session.h"
+
+namespace pendular::next_steps_test {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Diagnosis of beads of friction 0.09 whose walls rub.
+class NextSteps : public testing::Test {
+  protected:
+    NextSteps()
+        : session_(fs::path(PENDULAR_SOURCE_DIR) / "examples/hidden-effect",
+                   {.fidelity = fidelity_named("quick")}),
+          d_(session_.diagnose()) {}
+
+    std::vector<NextStep> steps(const std::optional<ImpactTable>& impacts = {}) const {
+        return next_steps(d_, impacts, session_.resolved(), "beads");
+    }
+    std::vector<std::string> texts() const { return texts_of(steps()); }
+    void forget(Verdict verdict) {
+        d_.diagnosis.verdict = verdict;
+        d_.diagnosis.effects.clear();
+        d_.diagnosis.confidence_set.clear();
+    }
+    FittedShape change_of(const std::string& target) const {
+        for (const ChangedQuantity& each :
+             quantities_that_may_change(session_.resolved(), d_.readings)) {
+            if (each.target != target || !each.relative) continue;
+            FittedShape fitted{
+                .shape = {each, same_everywhere(d_.readings.size())}, .effect = {}, .change = 0.1};
+            fitted.effect = fitted.shape.written(fitted.shape.name());
+            return fitted;
+        }
+        ADD_FAILURE() << target;
+        return {};
+    }
+
+    const Session session_;
+    StudyDiagnosis d_;
+};
+
+TEST_F(NextSteps, MeasureAMissingEffectDirectlyBeforeItIsAdded) {
+    ASSERT_EQ(d_.diagnosis.verdict, Verdict::missing);
+    const auto list = steps();
+    ASSERT_EQ(list.size(), 3u);
+    EXPECT_THAT(list[0].text, AllOf(HasSubstr("Measure wall-friction directly, by a sled"),
+                                    HasSubstr("Expect 0.14"), HasSubstr("else 0."),
+                                    HasSubstr("standard error of 0.05 or less")));
+    EXPECT_TRUE(list[0].direct);
+    EXPECT_THAT(list[1].text, HasSubstr("pendular add beads wall-friction"));
+    EXPECT_TRUE(list[2].readings);
+    EXPECT_EQ(next_command(d_, "beads"), "pendular add beads wall-friction");
+    const auto lines = step_lines(list, {"Take 5 readings.", "  friction: 0.1 -> 0.05"});
+    ASSERT_EQ(lines.size(), 6u);
+    EXPECT_EQ(first_step(lines), list[0].text);
+    EXPECT_EQ(lines[3], "  3. Take 5 readings.");
+    EXPECT_EQ(lines[4], "       friction: 0.1 -> 0.05");
+    EXPECT_THAT(lines[5], HasSubstr("[[direct]]"));
+    EXPECT_THAT(friction_line(d_),
+                AllOf(HasSubstr("0.0918 +- 0.0037 with wall-friction"), HasSubstr("and 0.18")));
+}
+
+TEST_F(NextSteps, CheckTheSensorAndRepeatSuspectReadings) {
+    forget(Verdict::suspect_measurement);
+    const auto suspect = std::ranges::find_if(d_.evidence.suspects, [](const auto& each) {
+        return each.name.find("wet_0.03_1.csv") != std::string::npos && each.group == "files";
+    });
+    ASSERT_NE(suspect, d_.evidence.suspects.end());
+    d_.diagnosis.suspects = {suspect->name};
+    Explanation error{.fit = d_.diagnosis.fit, .chi2 = 47};
+    error.suspect = static_cast<std::size_t>(suspect - d_.evidence.suspects.begin());
+    const auto size = error.fit.parameters.size() + 2;
+    error.fit.parameters.conservativeResize(size);
+    error.fit.parameters.tail<2>() << 0.09, 0.0001;
+    error.fit.covariance = Eigen::MatrixXd::Identity(size, size) * 1e-4;
+    d_.diagnosis.confidence_set = {error};
+    const auto list = texts();
+    ASSERT_EQ(list.size(), 3u);
+    EXPECT_THAT(list[0], AllOf(HasSubstr("torque transducer"), HasSubstr("between"),
+                               HasSubstr("mN m (the range of the readings)")));
+    EXPECT_THAT(list[1], HasSubstr("Repeat the readings of wet_0.03_1.csv with a new filling"));
+    EXPECT_THAT(list[2], HasSubstr("remove the old file"));
+    EXPECT_THAT(suspect_lines(d_),
+                testing::ElementsAre(AllOf(HasSubstr("shear stress 9.0 +- 1.0 % too high"),
+                                           Not(HasSubstr("Only these readings")))));
+    d_.overruled = true;  // a wrong unit
+    EXPECT_THAT(texts().front(), HasSubstr("correct it"));
+    EXPECT_TRUE(suspect_lines(d_).empty());
+}
+
+TEST_F(NextSteps, CheckTheSensorBeforeAProposalIsAdded) {
+    forget(Verdict::unknown);
+    d_.diagnosis.complete = false;
+    const auto without = texts();
+    ASSERT_EQ(without.size(), 5u);  // three sensors
+    EXPECT_THAT(without[1], HasSubstr("load cell with known weights, at several values between"));
+    EXPECT_EQ(next_command(d_, "beads"), "pendular compare beads --all");
+    Proposal proposal;
+    proposal.shapes = {change_of("stress_ratio")};
+    proposal.alike = {change_of("torque")};
+    proposal.explanation.fit = d_.diagnosis.fit;
+    d_.proposals.push_back(proposal);
+    const auto list = steps();
+    ASSERT_EQ(list.size(), 2u);
+    EXPECT_THAT(list[0].text,
+                AllOf(HasSubstr("torque transducer"), HasSubstr("correct the recordings")));
+    EXPECT_THAT(list[1].text,
+                HasSubstr("If the sensors are right, add the change to the model: pendular add "
+                          "beads --proposed 1"));
+    EXPECT_TRUE(std::ranges::none_of(list, &NextStep::readings)) << "the check decides";
+    EXPECT_THAT(next_command(d_, "beads"), Not(HasSubstr("--proposed")));
+    // A check of sensors does not decide between two causes in the beads.
+    d_.proposals[0].alike.push_back(change_of("solid_fraction"));
+    EXPECT_TRUE(std::ranges::any_of(steps(), &NextStep::readings));
+    EXPECT_EQ(next_command(d_, "beads"), "pendular next beads");
+}
+
+TEST_F(NextSteps, RuleOutWhatWouldShiftTheFriction) {
+    forget(Verdict::inconclusive);
+    d_.diagnosis.effects = {"rolling-resistance", "torque-gain"};
+    EXPECT_THAT(texts().front(),
+                AllOf(HasSubstr("To rule out torque-gain, measure it directly, by a known torque"),
+                      HasSubstr("standard error of 0.007 or less rules out a deviation of 0.02")));
+    ImpactTable impacts{.fitted = Eigen::VectorXd::Ones(1),
+                        .errors = Eigen::VectorXd::Ones(1),
+                        .impacts = {{.name = "torque-gain"}}};
+    impacts.impacts[0].at_interest.linear = Eigen::VectorXd::Constant(1, 0.29);
+    EXPECT_THAT(texts_of(steps(impacts)).front(), HasSubstr("smaller standard errors"));
+    impacts.impacts[0].at_interest.linear(0) = -0.31;
+    EXPECT_THAT(texts_of(steps(impacts)).front(), HasSubstr("torque-gain"));
+    const auto table = undetected_table(d_, impacts, session_.resolved().catalogue());
+    ASSERT_EQ(table.size(), 4u);
+    EXPECT_THAT(table[1], AllOf(HasSubstr("torque-gain"), HasSubstr("-0.3 "), HasSubstr("+-0.02"),
+                                HasSubstr("a known torque")));
+    EXPECT_THAT(table[2], AllOf(HasSubstr("rolling-resistance"), HasSubstr("readings over")));
+    EXPECT_THAT(friction_line(d_), testing::EndsWith("0.1807 +- 0.0032."));
+}
+
+TEST_F(NextSteps, TellCausesInTheBeadsApart) {
+    forget(Verdict::unknown);
+    d_.diagnosis.complete = false;
+    Proposal proposal;
+    proposal.shapes = {change_of("stress_ratio")};
+    proposal.alike = {change_of("torque"), change_of("solid_fraction")};
+    proposal.explanation.fit = d_.diagnosis.fit;
+    d_.proposals.push_back(proposal);
+    // Models that the readings rule out are left out, as are changes of what a sensor shows.
+    d_.proposals[0].explanation.chi2 = 0;
+    const auto proposed = proposal_rivals(d_);
+    ASSERT_EQ(proposed.size(), 1u);
+    EXPECT_EQ(proposed[0].name, "proposal 1: stress-ratio-everywhere");
+    d_.proposals[0].explanation.chi2 = 1e6;
+    const auto other = proposal_rivals(d_);
+    ASSERT_EQ(other.size(), 1u);
+    EXPECT_EQ(other[0].name, "solid-fraction-everywhere");
+    EXPECT_EQ(other[0].parameters.size(), d_.diagnosis.fit.parameters.size() + 1);
+    EXPECT_EQ(other[0].model->parameters().back().name, "solid-fraction-everywhere.change");
+}
+
+}  // namespace pendular::next_steps_test
