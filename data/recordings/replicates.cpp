@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -28,6 +29,10 @@ constexpr double usual_filling = 0.5, usual_freedom = 1;
 /// Filling errors count as significant if files differ so much by chance with a probability below
 /// this.
 constexpr double hint_of_fillings = 0.03;
+
+/// Errors that the user states count as too small if replicates scatter so much more by chance with
+/// a probability below this.
+constexpr double unlikely_scatter = 0.05;
 
 /// Factor [1] on a standard error that was estimated with these degrees of freedom, so that two
 /// widened standard errors cover 95 %, as two known standard errors do: Student's quantile over the
@@ -106,6 +111,13 @@ class Pooling {
                                all_.scatter.load_exponent(observable),
                                all_.scatter.filling[o].freedom_between > 0 ||
                                    apart_.unlike.contains({cluster, observable}));
+    }
+    /// Whether the user states the errors of all readings of a cluster.
+    bool all_stated(std::size_t cluster) const {
+        for (std::size_t k = 0; k < readings_.size(); ++k) {
+            if (table_.cluster_of[k] == cluster && readings_[k].within_run_only) return false;
+        }
+        return true;
     }
     /// Whether the scatter of an observable was estimated or stated for any group of the study.
     bool known(Eigen::Index observable) const {
@@ -190,6 +202,15 @@ void Pooling::estimate_fillings() {
     }
 }
 
+/// Whether replicates scatter by more than errors of the variance `stated` explain, by a chi2 test.
+bool scatter_more(const MeanSquare& replicates, double stated) {
+    if (!(replicates.value > stated)) return false;
+    if (!(stated > 0) || !std::isfinite(replicates.freedom)) return true;
+    const boost::math::chi_squared law(replicates.freedom);
+    return boost::math::cdf(boost::math::complement(
+               law, replicates.freedom * replicates.value / stated)) < unlikely_scatter;
+}
+
 void Pooling::estimate_steps() {
     ReplicateScatter& scatter = all_.scatter;
     scatter.groups.assign(table_.clusters.size(), {});
@@ -213,7 +234,10 @@ void Pooling::estimate_steps() {
         const std::vector<MeanSquare> shrunk = moderated(own);
         for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
             const double within = own[c].freedom > 0 ? within_runs[c] : run_variance / freedom;
-            scatter.groups[c].excess(o, o) = std::max(0.0, shrunk[c].value - within);
+            // The scatter within a run is only a part of a reading's error. An error that the user
+            // states is meant to be all of it, and few replicates cannot refute it by chance.
+            const bool more = !all_stated(c) || scatter_more(shrunk[c], within);
+            scatter.groups[c].excess(o, o) = more ? std::max(0.0, shrunk[c].value - within) : 0;
             scatter.groups[c].mean_square(o) = shrunk[c].value;
             scatter.groups[c].freedom(o) = shrunk[c].freedom;
         }

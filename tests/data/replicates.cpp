@@ -403,6 +403,22 @@ TEST(Replicates, TellHowWellTheirMeanSquareIsKnown) {
     EXPECT_THAT(stated_errors.notes, Not(Contains(HasSubstr("widened"))));
 }
 
+TEST(Replicates, RefuteStatedErrorsOnlyWhereTheyScatterSignificantlyMore) {
+    // One pair among 20 readings with stated errors of 1 %: a mean square of q (1 %)^2 has the chi2
+    // value q with one degree of freedom, whose 5 % quantile is 3.84.
+    const auto freedom_at = [](double chi2) {
+        Measurements all;
+        for (int i = 0; i < 20; ++i)
+            all.readings.push_back(reading(1000 * (1 + i), 0.3, 0.6, 0.01));
+        all.readings.push_back(
+            reading(1000, 0.3 * std::exp(0.01 * std::sqrt(2 * chi2)), 0.6, 0.01));
+        pool_replicates(all);
+        return all.readings[5].scatter_freedom(0);
+    };
+    EXPECT_TRUE(std::isinf(freedom_at(3.8)));
+    EXPECT_EQ(freedom_at(3.9), 1);
+}
+
 TEST(Replicates, AreWantedOfRecordings) {
     // Errors within a recording are not the error of a measurement.
     Measurements all;
