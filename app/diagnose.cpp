@@ -28,6 +28,7 @@
 #include "reports/proposal_figure.h"
 #include "reports/proposal_report.h"
 #include "reports/scan_figures.h"
+#include "reports/suspect_report.h"
 #include "reports/undetected_effects.h"
 #include "reports/with_error.h"
 #include "workflow/confirm_diagnosis.h"
@@ -132,7 +133,7 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
     console.table(checks_table(checks), 3);
     const std::vector<std::string> undetected =
         undetected_table(d, impacts, session.resolved().catalogue());
-    console.table(undetected, 5);
+    console.table(undetected, shown_undetected);
     if (undetected.empty() || console.all()) {
         console.table(diagnosis_table(diagnosis, models, console.all()), 4);
     }
@@ -155,9 +156,8 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
             console.line(line);
         }
     }
-    // If a proposed change explains the readings, no smooth error of the model remains to be
-    // reported.
-    if (d.proposals.empty() || !d.proposals.front().fits()) {
+    // A proposed change describes the misfit better than a smooth error of the model.
+    if (d.proposals.empty()) {
         if (const std::string line =
                 discrepancy_line(remaining_discrepancy(d, session.study().model.discrepancy[0]));
             !line.empty()) {

@@ -294,6 +294,13 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
                                      did_you_mean(name, option_names(visible))));
     } catch (const po::too_many_positional_options_error&) {
         throw InputError(fmt::format("too many arguments; usage: pendular {}", usage_));
+    } catch (const po::invalid_option_value& error) {
+        // Only numbers are converted, so that the value in quotes is not a number.
+        const std::string text = error.what();
+        const auto begin = text.find('\''), end = text.find('\'', begin + 1);
+        throw InputError(fmt::format("{}: {} is not a valid number; see: pendular {} --help",
+                                     error.get_option_name(), text.substr(begin, end + 1 - begin),
+                                     usage_.substr(0, usage_.find(' '))));
     } catch (const po::error& error) {
         throw InputError(fmt::format("{}; see: pendular {} --help", error.what(),
                                      usage_.substr(0, usage_.find(' '))));

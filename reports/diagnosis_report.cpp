@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "reports/failure_report.h"
 #include "reports/joined.h"
@@ -123,6 +122,15 @@ std::vector<std::string> others_of(const Diagnosis& d, const ModelSpace& space) 
     return sets;
 }
 
+/// Sentence on weak evidence that something is missing; empty where the evidence is strong.
+std::string weak_evidence(const Diagnosis& d) {
+    constexpr double strong = 0.001;
+    const double p = std::min(d.lack_of_fit_p, d.further_p);
+    return p < strong
+               ? ""
+               : fmt::format(" The evidence that anything is missing is weak (p {}).", p_text(p));
+}
+
 std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
     if (d.leaders) return leading_line(d, space);
     const Explanation& best = *best_of(d.confidence_set);
@@ -135,7 +143,7 @@ std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
             joined(d.effects, "and"), joined(others_of(d, space), "or"),
             joined(names_of(best, space), "and"), reduction(d, best));
     }
-    return line;
+    return line + weak_evidence(d);
 }
 
 std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) {
@@ -148,11 +156,13 @@ std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) 
     const std::string least = fmt::format("{:.2f}", std::ranges::min(left)),
                       most = fmt::format("{:.2f}", std::ranges::max(left));
     return fmt::format(
-        "Indistinguishable: something is missing, and these readings do not tell whether it is {}. "
-        "Adding {} brings chi2/dof from {:.2f} to {}.",
-        joined(sets, "or"), sets.size() == 2 ? "either" : "any one of them",
-        chi2_per_dof(d.chi2, d.dof),
-        least == most ? "about " + least : fmt::format("between {} and {}", least, most));
+               "Indistinguishable: something is missing, and these readings do not tell whether it "
+               "is {}. "
+               "Adding {} brings chi2/dof from {:.2f} to {}.",
+               joined(sets, "or"), sets.size() == 2 ? "either" : "any one of them",
+               chi2_per_dof(d.chi2, d.dof),
+               least == most ? "about " + least : fmt::format("between {} and {}", least, most)) +
+           weak_evidence(d);
 }
 
 /// Names of the effects each of which would take at least half of a large misfit, though the errors
@@ -197,10 +207,13 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
 /// Sentence on how alike the effects of the verdict change the readings, beyond what the calibrated
 /// parameters imitate.
 std::string alike_line(const Diagnosis& d) {
+    constexpr double similar = 0.9;
     if (d.effects.size() == 2) {
         return fmt::format(
-            "{} and {} change these readings in a similar way (cosine {:.3f}; 1: in the same way).",
-            d.effects[0], d.effects[1], d.cosines(0, 1));
+            "{} and {} change these readings in a {} way (cosine {:.3f}; 1: in the "
+            "same way).",
+            d.effects[0], d.effects[1], d.cosines(0, 1) < similar ? "partly similar" : "similar",
+            d.cosines(0, 1));
     }
     Eigen::MatrixXd others = d.cosines;
     others.diagonal().setOnes();
@@ -208,9 +221,10 @@ std::string alike_line(const Diagnosis& d) {
     const double least = others.minCoeff(&one, &other);
     const auto name = [&](Eigen::Index k) { return d.effects[static_cast<std::size_t>(k)]; };
     return fmt::format(
-        "These effects change the readings in a similar way (least cosine {:.3f}, of {} and {}; 1: "
-        "in the same way).",
-        least, name(other), name(one));
+        "These effects change the readings in {} ways (least cosine {:.3f}, of {} and {}; 1: in "
+        "the "
+        "same way).",
+        least < similar ? "partly similar" : "similar", least, name(other), name(one));
 }
 
 /// Sentence on the single effect that comes closest to the missing one without explaining the
@@ -221,7 +235,12 @@ std::string closest_rival_line(const Diagnosis& d, const ModelSpace& space) {
         if (each.suspect || each.chosen.size() != 1 || !each.fit.converged || each.accepted) {
             continue;
         }
-        if (closest == nullptr || each.chi2 < closest->chi2) closest = &each;
+        const std::string name = names_of(each, space).front();
+        const bool named = std::ranges::any_of(d.confidence_set, [&](const Explanation& set) {
+            const auto names = names_of(set, space);
+            return std::ranges::find(names, name) != names.end();
+        });
+        if (!named && (closest == nullptr || each.chi2 < closest->chi2)) closest = &each;
     }
     constexpr double close = 0.9;
     if (closest == nullptr || share_explained(d.chi2, d.dof, *closest) < close) return "";
@@ -233,78 +252,11 @@ std::string closest_rival_line(const Diagnosis& d, const ModelSpace& space) {
 
 /// Text of an explanation in a sentence: "with wall-friction".
 std::string with_effects(const Explanation& explanation, const ModelSpace& space) {
-    return explanation.suspect ? "with the error of measurement taken out"
+    return explanation.suspect ? "with the error of measurement corrected"
                                : "with " + joined(names_of(explanation, space), "and");
 }
 
-/// Condition that all suspect readings have and no other reading has, as text; empty where there is
-/// none.
-std::string shared_only(const std::vector<Reading>& readings, const SuspectMeasurement& suspect) {
-    struct Property {
-        const char* name;
-        double (*of)(const Condition&);
-        const char* unit;
-    };
-    static const Property properties[] = {
-        {"liquid content", [](const Condition& c) { return c.liquid_content; }, "1"},
-        {"normal stress", [](const Condition& c) { return c.normal_stress; }, "Pa"},
-        {"mass of beads (volume)", [](const Condition& c) { return c.bead_volume.value_or(0); },
-         "m^3"}};
-    std::vector<std::string> texts;
-    for (const Property& property : properties) {
-        std::set<double> in, out;
-        for (std::size_t k = 0; k < readings.size(); ++k) {
-            const auto rows = suspect.columns.middleRows<2>(2 * static_cast<Eigen::Index>(k));
-            (rows.isZero(0) ? out : in).insert(property.of(readings[k].condition));
-        }
-        if (in.size() == 1 && !out.empty() && !out.contains(*in.begin())) {
-            texts.push_back(
-                fmt::format("{} {}", property.name, with_unit(*in.begin(), property.unit)));
-        }
-    }
-    return joined(texts, "and");
-}
-
-/// Text of the size of an error of measurement: "shear stress 9.4 +- 0.4 % too high".
-std::string error_size(const Explanation& explanation, Eigen::Index first,
-                       const SuspectMeasurement& suspect) {
-    std::vector<std::string> texts;
-    for (std::size_t k = 0; k < suspect.quantities.size(); ++k) {
-        const Eigen::Index at = first + static_cast<Eigen::Index>(k);
-        const double size = explanation.fit.parameters(at);
-        const double error = explanation.fit.standard_error(at);
-        if (std::abs(size) < 2 * error) continue;
-        texts.push_back(fmt::format("{} {} % too {}", suspect.quantities[k],
-                                    with_error(100 * std::abs(size), 100 * error),
-                                    size < 0 ? "low" : "high"));
-    }
-    return joined(texts, "and");
-}
-
 }  // namespace
-
-std::vector<std::string> suspect_lines(const StudyDiagnosis& study) {
-    const Diagnosis& d = study.diagnosis;
-    std::vector<std::string> lines;
-    if (d.verdict != Verdict::suspect_measurement || study.overruled) return lines;
-    for (const Explanation& each : d.confidence_set) {
-        if (!each.suspect) continue;
-        const SuspectMeasurement& suspect = study.evidence.suspects[*each.suspect];
-        const std::string size = error_size(each, d.fit.parameters.size(), suspect);
-        std::string line =
-            fmt::format("With the error of {} taken out{}, chi2/dof falls from {:.2f} to {:.2f}.",
-                        suspect.name, size.empty() ? "" : " (" + size + ")",
-                        chi2_per_dof(d.chi2, d.dof), chi2_per_dof(each.chi2, each.fit.dof));
-        if (const std::string shared = shared_only(study.readings, suspect); !shared.empty()) {
-            line += fmt::format(
-                " Only these readings have {}: an effect that Pendular does not know and that "
-                "acts only there would look the same.",
-                shared);
-        }
-        lines.push_back(std::move(line));
-    }
-    return lines;
-}
 
 std::string friction_line(const StudyDiagnosis& study) {
     const Diagnosis& d = study.diagnosis;
@@ -322,8 +274,8 @@ std::string friction_line(const StudyDiagnosis& study) {
     };
     if (d.leaders) add(d.leaders->model);
     std::ranges::for_each(d.confidence_set, add);
-    for (std::size_t k = 0; k < study.proposals.size() && values.empty(); ++k) {
-        values.push_back(text(study.proposals[k].explanation.fit, "with proposal 1"));
+    if (values.empty() && !study.proposals.empty()) {
+        values.push_back(text(study.proposals.front().explanation.fit, "with proposal 1"));
     }
     const bool alone = values.empty();
     values.push_back(text(d.fit, alone ? "" : "in the study's present model"));
@@ -331,6 +283,7 @@ std::string friction_line(const StudyDiagnosis& study) {
                                    parameter_in_words(space.with({})->parameters().front().name),
                                    joined(values, "and"));
     if (alone) line.pop_back();
+    if (alone && d.complete) line += " ('pendular calibrate' gives the value to report)";
     return line + (d.complete || d.leaders ? "." : ". Do not report it before the cause is found.");
 }
 
@@ -343,9 +296,9 @@ std::vector<std::string> close_effects_lines(const Diagnosis& d, const ModelSpac
     if (d.verdict == Verdict::missing && d.complete) add(closest_rival_line(d, space));
     if (d.verdict == Verdict::unknown) {
         if (const Explanation* best = best_of(d.tried); best && !best->suspect) {
-            add(fmt::format("Of the known effects, {} {} most and {} {}, which is not enough.",
+            add(fmt::format("Of the known effects, {} {} closest and {} {}, which is not enough.",
                             with_estimates(*best, space),
-                            best->chosen.size() > 1 ? "explain" : "explains",
+                            best->chosen.size() > 1 ? "come" : "comes",
                             best->chosen.size() > 1 ? "bring" : "brings", reduction(d, *best)));
         }
     }

@@ -53,15 +53,9 @@ std::string discrepancy_line(double size);
 std::string suspects_line(const Diagnosis& diagnosis, const Evidence& evidence);
 
 /// Returns a sentence with the friction coefficient that a fit to all readings gives, with its
-/// standard error: in the study's model and in each model that explains the readings. Empty if a
-/// column was read in a wrong unit.
+/// standard error: in the study's model and in up to three models that explain the readings. Empty
+/// if a column was read in a wrong unit, or if implausible readings were kept.
 std::string friction_line(const StudyDiagnosis& diagnosis);
-
-/// Returns sentences on the errors of measurement that would explain the residuals, one for each
-/// suspect measurement: size of the error with its standard error, chi2 per degree of freedom
-/// without and with the error, and the condition that only the suspect readings have. Empty unless
-/// the verdict is a suspect measurement that the tests found.
-std::vector<std::string> suspect_lines(const StudyDiagnosis& diagnosis);
 
 /// Returns sentences on effects that explain the readings nearly as well as the effects that the
 /// verdict names, or that explain most of a misfit that no known effect explains. If the readings

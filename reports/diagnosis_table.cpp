@@ -36,7 +36,9 @@ std::string estimate_of(const Diagnosis& d, const Finding& finding, const ModelS
     const bool determined = refit && refit->fit.parameters.size() > first &&
                             refit->fit.standard_error(first) > 0 &&
                             refit->fit.standard_error(first) < p.upper - p.lower;
-    if (determined) return refitted_text(*refit, first, unit);
+    if (determined) {
+        return with_error(refit->fit.parameters(first), refit->fit.standard_error(first), unit);
+    }
     return finding.standard_error > 0
                ? with_error(finding.value, finding.standard_error, unit)
                : fmt::format("{} (at its bound)", with_unit(finding.value, unit));
@@ -59,7 +61,18 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
     };
     std::vector<std::string> lines = {
         row("effect", "value in the model", "chi2/dof left", "imitated", "power", "p", "decision")};
+    std::vector<const Finding*> findings;
     for (const Finding& finding : d.scan) {
+        findings.push_back(&finding);
+    }
+    if (d.verdict != Verdict::inconclusive) {
+        std::ranges::stable_partition(findings, [&](const Finding* finding) {
+            const std::string& name = space.candidates()[finding->candidate].name;
+            return std::ranges::find(d.effects, name) != d.effects.end();
+        });
+    }
+    for (const Finding* const each : findings) {
+        const Finding& finding = *each;
         const Candidate& candidate = space.candidates()[finding.candidate];
         const bool seen = finding.test.seen();
         lines.push_back(row(candidate.name, seen ? estimate_of(d, finding, space) : "-",

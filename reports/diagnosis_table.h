@@ -26,10 +26,11 @@ std::string estimate_of(const Diagnosis& diagnosis, const Finding& finding,
 /// @param finding result for the effect, an element of `diagnosis.scan`
 std::string left_text(const Diagnosis& diagnosis, const Finding& finding, const ModelSpace& space);
 
-/// Returns a table of the effects that a diagnosis tested, the effect with the largest reduction of
-/// chi2 first. The first line is the heading. One line follows for each effect, with the fitted
-/// value of the effect's parameter, chi2 per degree of freedom with the effect in the model, and
-/// the decision. The last lines explain the columns.
+/// Returns a table of the effects that a diagnosis tested: first the effects that the verdict names
+/// as missing, then the others, the effect with the largest reduction of chi2 first. The first line
+/// is the heading. One line follows for each effect, with the fitted value of the effect's
+/// parameter, chi2 per degree of freedom with the effect in the model, and the decision. The last
+/// lines explain the columns.
 /// @param all whether the table also has the columns of the statistical tests: share of the effect
 ///        that fitted parameters imitate, power and p value
 std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const ModelSpace& space,

@@ -54,10 +54,15 @@ std::string readings(int count) {
     return count == 1 ? "1 reading" : fmt::format("{} readings", count);
 }
 
-/// Text of `count` measurements at a point: "3 readings at 300 Pa, I = 0.03 (shear rate 1.2 1/s),
-/// dry", "1 direct measurement of torque-offset.torque".
+/// Text of `count` measurements at a point: "3 readings, each with a new filling, at 300 Pa, I =
+/// 0.03 (shear rate 1.2 1/s), dry", "1 direct measurement of torque-offset.torque".
 std::string to_measure(const Point& point, int count, const Study& study) {
-    if (!point.direct) return fmt::format("{} at {}", readings(count), where(point, study));
+    if (!point.direct) {
+        return fmt::format("{} at {}",
+                           count == 1 ? "1 reading with a new filling"
+                                      : fmt::format("{} readings, each with a new filling,", count),
+                           where(point, study));
+    }
     return fmt::format(
         "{} of {}",
         count == 1 ? "1 direct measurement" : fmt::format("{} direct measurements", count),
@@ -131,11 +136,14 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
     }
     const std::string apart = semicolons(pair_names(next, true));
     if (steps.size() == 1) {
-        lines.push_back(fmt::format("Take {}. This tells {} apart.", measure(steps[0]), apart));
+        lines.push_back(fmt::format("Take {}. In 8 of 10 cases, this tells {} apart.",
+                                    measure(steps[0]), apart));
         add_forecasts(lines, next, plan_at(next, steps[0].point));
     } else {
-        lines.push_back(fmt::format("Take these {} measurements. Together they tell {} apart.",
-                                    next.series.readings(), apart));
+        lines.push_back(
+            fmt::format("Take these {} measurements. In 8 of 10 cases, they tell "
+                        "{} apart together.",
+                        next.series.readings(), apart));
         for (const Series::Step& step : steps) {
             lines.push_back(measure(step));
             add_forecasts(lines, next, plan_at(next, step.point));
@@ -151,8 +159,8 @@ std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
     const Sharpening& best = next.sharpenings.front();
     const Rival& model = next.rivals.front();
     std::vector<std::string> lines = {
-        fmt::format("Take {}. Of all conditions considered, readings at this condition reduce the "
-                    "standard errors of the fitted parameters most.",
+        fmt::format("Optional: take {}. Of all conditions considered, readings at "
+                    "this condition reduce the standard errors of the fitted parameters most.",
                     to_measure(next.points[best.point], next.most_repeats, next.study))};
     const auto& parameters = model.model->parameters();
     for (std::size_t k = 0; k < parameters.size(); ++k) {

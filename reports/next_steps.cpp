@@ -6,62 +6,24 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "analysis/design/rival.h"
-#include "data/annular_cell.h"
+#include "analysis/diagnosis/study_evidence.h"
 #include "reports/impact_report.h"
 #include "reports/joined.h"
+#include "reports/sensor_checks.h"
+#include "reports/suspect_report.h"
+#include "reports/undetected_effects.h"
 #include "reports/with_error.h"
-#include "workflow/diagnosis_json.h"
+#include "workflow/rivals.h"
 
 namespace pendular {
 namespace {
 
 /// Largest number of direct measurements among the steps.
 constexpr std::size_t most_direct = 3;
-
-/// Smallest and largest of the values that an instrument shows at the readings.
-struct Range {
-    double least = INFINITY, most = -INFINITY;
-
-    void add(double value) {
-        least = std::min(least, value);
-        most = std::max(most, value);
-    }
-    /// Text of the range, "between 2.1 mN m and 80 mN m".
-    std::string text(const std::string& unit) const {
-        return fmt::format("between {} and {}", with_unit(least, unit), with_unit(most, unit));
-    }
-};
-
-/// Check of one sensor: a known quantity, over the range of the readings.
-std::string sensor_check(const std::string& target, const std::vector<Reading>& readings,
-                         const Study& study) {
-    Range range;
-    for (const Reading& each : readings) {
-        if (target == "height") {
-            if (each.condition.height) range.add(*each.condition.height);
-        } else if (study.cell) {
-            range.add(target == "torque" ? torque(each.value(0), *study.cell)
-                                         : normal_force(each.condition.normal_stress, *study.cell));
-        }
-    }
-    const bool known = range.least <= range.most;
-    const auto over = [&](const char* unit) {
-        return known ? ", at several values " + range.text(unit) + " (the range of the readings)"
-                     : std::string();
-    };
-    const std::string then = ". If it shows wrong values, correct the recordings.";
-    if (target == "torque") {
-        return "Check the torque transducer with known torques, such as weights on a lever" +
-               over("N m") + then;
-    }
-    if (target == "normal_force") {
-        return "Check the load cell with known weights" + over("N") + then;
-    }
-    return "Check the gap sensor with gauge blocks" + over("m") + then;
-}
 
 /// Steps that a diagnosis calls for.
 class Steps {
@@ -99,8 +61,12 @@ class Steps {
         steps_.push_back({.text = std::move(text), .direct = true});
     }
     void sharpen() {
-        steps_.push_back({fmt::format("For smaller standard errors, take the readings that "
-                                      "'pendular next {}' plans.",
+        if (!d_.rivals.empty() && rivals_of(d_).size() > 1) {
+            tell_apart("the present model and its rivals");
+            return;
+        }
+        steps_.push_back({fmt::format("Optional: for smaller standard errors, take the readings "
+                                      "that 'pendular next {}' plans.",
                                       study_),
                           true});
     }
@@ -128,7 +94,16 @@ class Steps {
     std::string expected(const Effect& effect, const std::vector<Explanation>& models) const;
     std::string to_rule_out(const Effect& effect) const;
     bool matters(const std::string& effect) const;
+    std::string repetition_of(const SuspectError& error) const;
+    void check_suspect_sensors(const std::vector<SuspectError>& errors);
     void check_sensors();
+    /// Whether the study's files come from a sensor: tables of readings tell nothing of a gap.
+    bool measured_by(std::string_view sensor) const {
+        return sensor != "height" ||
+               std::ranges::any_of(resolved_.study().sources, [](const Source& source) {
+                   return source.kind == Source::Kind::recording;
+               });
+    }
 
     const StudyDiagnosis& d_;
     const Diagnosis& diagnosis_;
@@ -138,9 +113,13 @@ class Steps {
     std::vector<NextStep> steps_;
 };
 
-/// Text of a standard error with which a deviation of this size is seen.
+/// Text of a standard error with which a deviation of this size is seen, rounded down to two
+/// digits.
 std::string deciding_error(double deviation, const std::string& unit) {
-    return with_unit(std::abs(deviation) / std::sqrt(telling_directly), unit, 1);
+    const double largest = std::abs(deviation) / std::sqrt(telling_directly);
+    if (!(largest > 0)) return with_unit(0, unit);
+    const double digit = std::pow(10, std::floor(std::log10(largest)) - 1);
+    return with_unit(std::floor(largest / digit) * digit, unit);
 }
 
 /// Sentence on the value to expect if the effect is there, as the first of `models` that contains
@@ -158,8 +137,8 @@ std::string Steps::expected(const Effect& effect, const std::vector<Explanation>
                 const double value = each.fit.parameters(at), error = each.fit.standard_error(at);
                 const double without = effect.unlisted_value(resolved_.study().liquid);
                 return fmt::format(
-                    " Expect {} ({}) if the effect is there, else {}. A standard error of {} or "
-                    "less decides.",
+                    " If it is the cause, expect {} ({}; without the effect {}); a clearly "
+                    "different value speaks against it. A standard error of {} or less decides.",
                     with_error(value, error, p.unit), p.meaning, with_unit(without, p.unit),
                     deciding_error(value - without, p.unit));
             }
@@ -174,7 +153,7 @@ void Steps::measure_directly(const std::vector<std::string>& effects,
     std::size_t named = 0;
     for (const std::string& name : effects) {
         const Effect& effect = resolved_.catalogue().find(name);
-        if (effect.directly.empty() || named++ == most_direct) continue;
+        if (effect.directly.empty() || named++ >= most_direct) continue;
         say_direct(fmt::format("Measure {} directly, by {}.{}", name, effect.directly,
                                expected(effect, models)));
     }
@@ -188,7 +167,10 @@ void Steps::missing() {
         measure_directly(diagnosis_.effects, diagnosis_.confidence_set);
     }
     repeat_suspects();
-    say(fmt::format("Add {} to the model: pendular add {} {}.", first, study_, first));
+    const bool direct = std::ranges::any_of(steps_, &NextStep::direct);
+    say(fmt::format("{} {} to the model: pendular add {} {}.",
+                    direct ? "If the measurement agrees, or cannot be made, add" : "Add", first,
+                    study_, first));
     if (!diagnosis_.leaders && diagnosis_.confidence_set.size() > 1) {
         tell_apart("the further effects");
     } else if (diagnosis_.leaders || diagnosis_.effects.size() > 1) {
@@ -211,9 +193,11 @@ void Steps::indistinguishable() {
 std::string Steps::to_rule_out(const Effect& effect) const {
     const EffectParameter& p = effect.parameters.front();
     if (p.is_switch()) return "";
-    return fmt::format(" A standard error of {} or less rules out a deviation of {}.",
-                       deciding_error(p.smallest_of_interest, p.unit),
-                       with_unit(p.smallest_of_interest, p.unit));
+    return fmt::format(
+        " A standard error of {} or less shows whether the {} differs from {} by {}.",
+        deciding_error(p.smallest_of_interest, p.unit), p.meaning,
+        with_unit(effect.unlisted_value(resolved_.study().liquid), p.unit, 3),
+        with_unit(p.smallest_of_interest, p.unit));
 }
 
 /// Whether an effect of the smallest size of interest would shift the fitted friction coefficient
@@ -227,11 +211,16 @@ bool Steps::matters(const std::string& effect) const {
 }
 
 void Steps::inconclusive() {
-    if (diagnosis_.errors_assumed || diagnosis_.effects.empty()) {
+    constexpr double large = 2;  // chi2/dof that errors known from few repetitions leave untested
+    if (diagnosis_.errors_assumed) {
         say("Repeat some conditions with new fillings, or give the standard errors of the readings "
             "in _sd columns: without known errors, no effect can be excluded.");
+    } else if (diagnosis_.effects.empty() || diagnosis_.chi2 > large * diagnosis_.dof) {
+        say("Repeat more conditions with new fillings, so that the errors of the readings are "
+            "better known.");
     }
-    const auto effects = impacts_ ? by_impact(*impacts_, diagnosis_.effects) : diagnosis_.effects;
+    auto effects = impacts_ ? by_impact(*impacts_, diagnosis_.effects) : diagnosis_.effects;
+    effects.resize(std::min(effects.size(), shown_undetected));  // those that the table shows
     std::size_t named = 0;
     for (const std::string& name : effects) {
         const Effect& effect = resolved_.catalogue().find(name);
@@ -239,38 +228,34 @@ void Steps::inconclusive() {
         say_direct(fmt::format("To rule out {}, measure it directly, by {}.{}", name,
                                effect.directly, to_rule_out(effect)));
     }
-    sharpen();
+    steps_.push_back({fmt::format("Optional: the readings that 'pendular next {}' plans make the "
+                                  "standard errors of the fitted parameters smaller; they settle "
+                                  "none of the effects above.",
+                                  study_),
+                      true});
 }
 
 void Steps::check_sensors() {
-    static const char* const sensors[] = {"torque", "normal_force", "height"};
-    for (const char* const sensor : sensors) {
-        bool concerned = d_.proposals.empty();
+    if (!resolved_.study().cell) return;
+    for (const char* const sensor : {"torque", "normal_force", "height"}) {
+        const FittedShape* change = nullptr;
         for (const Proposal& each : d_.proposals) {
             for (const auto* shapes : {&each.shapes, &each.alike}) {
-                concerned |= std::ranges::any_of(*shapes, [&](const FittedShape& fitted) {
+                const auto found = std::ranges::find_if(*shapes, [&](const FittedShape& fitted) {
                     return fitted.shape.quantity.target == sensor;
                 });
+                if (change == nullptr && found != shapes->end()) change = &*found;
             }
         }
-        if (concerned && resolved_.study().cell) {
-            say(sensor_check(sensor, d_.readings, resolved_.study()));
+        if ((change != nullptr || d_.proposals.empty()) && measured_by(sensor)) {
+            say(sensor_check(sensor, d_.readings, resolved_.study(), change));
         }
     }
 }
 
-/// Number of proposed causes that no check of a sensor settles.
-std::size_t causes_in_beads(const StudyDiagnosis& d) {
-    const auto of_sensor = [](const FittedShape& each) { return each.shape.quantity.of_sensor(); };
-    std::size_t number = 0;
-    for (const Proposal& each : d.proposals) {
-        number += std::ranges::none_of(each.shapes, of_sensor);
-    }
-    if (!d.proposals.empty()) {
-        const auto& alike = d.proposals.front().alike;
-        number += static_cast<std::size_t>(std::ranges::count_if(alike, std::not_fn(of_sensor)));
-    }
-    return number;
+/// Whether readings are to tell proposed causes apart that no check of a sensor settles.
+bool several_causes(const StudyDiagnosis& d) {
+    return !d.proposals.empty() && rivals_of(d).size() > 1;
 }
 
 void Steps::unknown() {
@@ -281,40 +266,77 @@ void Steps::unknown() {
         say("If you suspect a cause, write it as a formula in a table [[effect]] of study.toml.");
         return;
     }
-    if (causes_in_beads(d_) > 1) tell_apart("the causes in the beads");
-    say(fmt::format("{}, add the change to the model: pendular add {} --proposed 1.",
-                    checked ? "If the sensors are right" : "If the change has a cause in the beads",
-                    study_));
+    if (several_causes(d_)) tell_apart("the causes in the beads");
+    say(fmt::format(
+        "{}, add proposal 1, whose cause stays unknown, so that the error falls: "
+        "pendular add {} --proposed 1.",
+        checked ? "If this finds no fault" : "If you find no fault of the measurement", study_));
+}
+
+void Steps::check_suspect_sensors(const std::vector<SuspectError>& errors) {
+    if (!resolved_.study().cell) return;
+    const auto first = [&](Eigen::Index observable) {
+        return std::ranges::find_if(
+            errors, [&](const SuspectError& error) { return error.concerns(observable); });
+    };
+    if (const auto error = first(0); error != errors.end()) {
+        say(sensor_check("torque", d_.readings, resolved_.study(), nullptr, error->size(0)));
+    }
+    if (const auto error = first(1); error != errors.end() && measured_by("height")) {
+        // A height that is shown too small makes the solid fraction too high.
+        say(sensor_check("height", d_.readings, resolved_.study(), nullptr, -error->size(1)));
+    }
+}
+
+/// Sentences that ask to repeat the readings of a suspect measurement, with what to expect.
+std::string Steps::repetition_of(const SuspectError& error) const {
+    const std::string& group = error.suspect.group;
+    if (group == "direct measurements") {
+        return fmt::format("Repeat {}, and write the new value into [[direct]] of study.toml.",
+                           error.suspect.name);
+    }
+    std::set<std::string> conditions;
+    std::size_t readings = 0;
+    for (std::size_t k = 0; k < d_.readings.size(); ++k) {
+        const auto rows = error.suspect.columns.middleRows<2>(2 * static_cast<Eigen::Index>(k));
+        if (rows.isZero(0)) continue;
+        conditions.insert(condition_text(d_.readings[k].condition));
+        ++readings;
+    }
+    std::string text = fmt::format("Repeat {} with a new filling", error.suspect.name);
+    if (conditions.size() > 1) {
+        text += fmt::format(" ({} readings at {} conditions)", readings, conditions.size());
+    }
+    if (const std::string size = error.text(); !size.empty()) {
+        text += fmt::format(
+            ". If the old readings are wrong ({}), the new ones differ by that much", size);
+    }
+    return text + (group == "conditions"
+                       ? ". If they do, leave the old ones out of their file."
+                       : ". If they do, list the new files in study.toml in place of the old.");
 }
 
 void Steps::suspect() {
-    const std::string all = joined(diagnosis_.suspects, "or");
     if (d_.overruled) {
-        say(fmt::format("Check {}, and correct it in the recordings or in study.toml.", all));
-    } else {
-        bool stress = false, fraction = false;
-        for (const Explanation& each : diagnosis_.confidence_set) {
-            if (!each.suspect || d_.evidence.suspects[*each.suspect].quantities.empty()) continue;
-            const auto first = diagnosis_.fit.parameters.size();
-            const auto deviates = [&](Eigen::Index k) {
-                return first + k < each.fit.parameters.size() &&
-                       std::abs(each.fit.parameters(first + k)) >
-                           2 * each.fit.standard_error(first + k);
-            };
-            stress |= deviates(0);
-            fraction |= deviates(1);
-        }
-        if (stress && resolved_.study().cell) {
-            say(sensor_check("torque", d_.readings, resolved_.study()));
-        }
-        if (fraction && resolved_.study().cell) {
-            say(sensor_check("height", d_.readings, resolved_.study()));
-        }
-        say(fmt::format("Repeat {} with a new filling.", all));
-        say("If the new readings differ from the old, remove the old file (its table [[readings]]) "
-            "from study.toml. If they agree, keep both: the cause is then in what these readings "
-            "have in common.");
+        say(fmt::format("Check {}, and correct it in the recordings or in study.toml.",
+                        joined(diagnosis_.suspects, "or")));
+        return;
     }
+    const std::vector<SuspectError> errors = suspect_errors(d_);
+    // A sensor that changed once is still wrong today; any other error is gone by now.
+    const bool lasting = std::ranges::any_of(
+        errors, [](const SuspectError& error) { return error.suspect.group == "changes in time"; });
+    if (lasting) check_suspect_sensors(errors);
+    std::string own;
+    for (const SuspectError& error : errors) {
+        say(repetition_of(error));
+        if (own.empty()) own = own_condition(d_.readings, error.suspect);
+    }
+    say(fmt::format(
+        "If new and old readings agree, keep both: the cause is then in what these "
+        "readings have in common{}.",
+        own.empty() ? "" : " (" + own + "), and readings at values in between show it"));
+    if (!lasting) check_suspect_sensors(errors);
 }
 
 }  // namespace
@@ -360,8 +382,8 @@ std::string next_command(const StudyDiagnosis& d, const std::string& study) {
         case Verdict::missing:
             return fmt::format("pendular add {} {}", study, diagnosis.effects.front());
         case Verdict::unknown:
-            return causes_in_beads(d) > 1 ? fmt::format("pendular next {}", study)
-                                          : fmt::format("pendular compare {} --all", study);
+            if (several_causes(d)) return fmt::format("pendular next {}", study);
+            [[fallthrough]];
         case Verdict::suspect_measurement:
             return fmt::format("pendular diagnose {}   # after these steps", study);
         case Verdict::indistinguishable:

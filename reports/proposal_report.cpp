@@ -59,11 +59,9 @@ std::string course_of(const Profile& p) {
             return fmt::format("{}, falling with its logarithm to 0 at {}", where_full,
                                at(p.constant));
         case Dependence::above:
-            return fmt::format("where {} is above {}, and agrees with the model elsewhere", x,
-                               at(p.constant));
+            return fmt::format("where {} is above {}, and agrees elsewhere", x, at(p.constant));
         case Dependence::below:
-            return fmt::format("where {} is below {}, and agrees with the model elsewhere", x,
-                               at(p.constant));
+            return fmt::format("where {} is below {}, and agrees elsewhere", x, at(p.constant));
         case Dependence::beyond:
             return fmt::format("{}, falling linearly to 0 at {} and below", where_full,
                                at(p.constant));
@@ -84,17 +82,18 @@ std::string capitalised(std::string text) {
     return text;
 }
 
-std::string phrase_on(const FittedShape& fitted) {
+}  // namespace
+
+std::string phrase_on(const FittedShape& fitted, const std::string& reference) {
     const ChangedQuantity& quantity = fitted.shape.quantity;
     const double size = std::abs(fitted.change);
     const std::string amount = quantity.relative
                                    ? with_error(100 * size, 100 * fitted.standard_error) + " %"
                                    : with_error(size, fitted.standard_error, quantity.unit);
-    return fmt::format("{} is {} {} than in the model {}", subject_for(quantity.target), amount,
-                       fitted.change < 0 ? "smaller" : "larger", course_of(fitted.shape.profile));
+    return fmt::format("{} is {} {} than {} {}", subject_for(quantity.target), amount,
+                       fitted.change < 0 ? "smaller" : "larger", reference,
+                       course_of(fitted.shape.profile));
 }
-
-}  // namespace
 
 std::string sentence_on(const FittedShape& shape) {
     return capitalised(phrase_on(shape));

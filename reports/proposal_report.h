@@ -7,6 +7,12 @@
 
 namespace pendular {
 
+/// Returns the end of a sentence, without a full stop, that states one fitted change of the
+/// readings, of unknown physical cause: "the shown torque is 9.80 +- 0.40 % larger than in the
+/// model where the time since the first recording began is above 12 s, and agrees elsewhere".
+/// @param reference words for the values without the change
+std::string phrase_on(const FittedShape& shape, const std::string& reference = "in the model");
+
 /// Returns a sentence, without a full stop, that states one fitted change of the readings, of
 /// unknown physical cause: "The shown torque is 9.80 +- 0.40 % larger than in the model where the
 /// time since the first recording began is above 12 s, and as in the model below".

@@ -61,8 +61,8 @@ std::vector<std::string> undetected_table(const StudyDiagnosis& study,
         const EffectParameter& p = study.models->candidates()[finding.candidate].parameters.front();
         auto [shown, size] = sizes_apart(finding.detectable, p.smallest_of_interest, p.unit);
         if (p.is_switch()) {
-            size = "on";
-            shown = fmt::format("in {:.0f} % of cases", 100 * finding.power);
+            size = "switch";
+            shown = fmt::format("{:.0f} % of cases", 100 * finding.power);
         } else if (p.lower < p.neutral) {
             size = "+-" + size, shown = "+-" + shown;
         }
@@ -72,7 +72,8 @@ std::vector<std::string> undetected_table(const StudyDiagnosis& study,
     lines.emplace_back(
         "  (sizes: deviation of the effect's parameter from the value without the effect. shift of "
         "friction: with an effect of the size of interest in the model. detectable from: smallest "
-        "size that these readings show in 8 of 10 cases.)");
+        "size that these readings show in 8 of 10 cases; for a switch, share of cases that show "
+        "it.)");
     return lines;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "workflow/study_diagnosis.h"
 
 namespace pendular {
+
+/// Number of effects that could go undetected that are shown without --all.
+inline constexpr std::size_t shown_undetected = 5;
 
 /// Returns a table of the effects that the study's readings cannot exclude: an effect of the
 /// smallest size of interest could be present and remain undetected. The first line is the heading.

@@ -110,12 +110,11 @@ std::string rivals_line(const std::vector<RivalModel>& rivals, double chi2,
 }
 
 std::string direct_methods(const std::vector<std::string>& effects,
-                           const EffectCatalogue& catalogue, std::size_t most) {
+                           const EffectCatalogue& catalogue) {
     std::vector<std::string> methods;
     for (const std::string& name : effects) {
         const std::string& how = catalogue.find(name).directly;
-        if (!how.empty() && methods.size() < most)
-            methods.push_back(fmt::format("{} by {}", name, how));
+        if (!how.empty()) methods.push_back(fmt::format("{} by {}", name, how));
     }
     return fmt::format("{}", fmt::join(methods, "; "));
 }

@@ -47,9 +47,8 @@ std::string rivals_line(const std::vector<RivalModel>& rivals, double chi2,
 /// such as "contact-angle by ...; torque-gain by ...". Effects that cannot be measured directly are
 /// left out. Empty if no effect can be measured directly.
 /// @param effects names of effects
-/// @param most largest number of effects that the text contains
 std::string direct_methods(const std::vector<std::string>& effects,
-                           const EffectCatalogue& catalogue, std::size_t most = SIZE_MAX);
+                           const EffectCatalogue& catalogue);
 
 /// Returns a JSON array of rival models, in which other effects replace one effect that the study
 /// lists. Each object contains the listed effect that the model lacks, the effects that the model

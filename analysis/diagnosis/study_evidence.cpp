@@ -261,6 +261,10 @@ ErrorKnowledge knowledge_of(const std::vector<Reading>& readings, const Replicat
 /// Indices of readings, by the file that contains the readings.
 using ReadingsOfFiles = std::map<std::string, std::vector<std::size_t>>;
 
+std::string file_name(const std::string& path) {
+    return std::filesystem::path(path).filename().string();
+}
+
 /// Readings of a file and of all later files, in ascending order, with a name, for each file but
 /// the first. An instrument that changes between two recordings, such as a torque transducer that
 /// is knocked, shows wrong values in all later recordings. Left out are all wet readings, since
@@ -293,10 +297,11 @@ std::vector<std::pair<std::string, std::vector<std::size_t>>> parts_since(
         later.insert(later.end(), members.begin(), members.end());
         std::ranges::sort(later);
         if (later == wet) continue;
-        const std::string name = std::filesystem::path(file).filename().string();
+        const std::string name = file_name(file);
         const std::size_t after = recordings.size() - 1 - k;
         parts.emplace_back(
-            after == 1 ? fmt::format("the readings of {} and the later file", name)
+            after == 1 ? fmt::format("the readings of {} and the later file {}", name,
+                                     file_name(recordings[k + 1].file->first))
                        : fmt::format("the readings of {} and the {} later files", name, after),
             later);
     }

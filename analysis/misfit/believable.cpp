@@ -82,6 +82,15 @@ std::string error_basis(const Measurements& measurements) {
         return "Standard errors are those stated in [scatter] of study.toml.";
     const auto repeated = std::ranges::count_if(measurements.readings,
                                                 [](const Reading& r) { return r.replicates > 1; });
+    const bool known = std::ranges::all_of(measurements.readings, [](const Reading& r) {
+        return r.scatter_freedom.array().isInf().all();
+    });
+    if (repeated > 0 && known) {
+        return fmt::format(
+            "Standard errors are those given with the readings; {} repeated readings agree with "
+            "them.",
+            repeated);
+    }
     return repeated > 0 ? fmt::format(
                               "The standard errors of the readings are estimated from the scatter "
                               "of {} repeated readings.",

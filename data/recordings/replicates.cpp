@@ -31,8 +31,8 @@ constexpr double usual_filling = 0.5, usual_freedom = 1;
 constexpr double hint_of_fillings = 0.03;
 
 /// Errors that the user states count as too small if replicates scatter so much more by chance with
-/// a probability below this.
-constexpr double unlikely_scatter = 0.05;
+/// a probability below this: 5 % for both observables together.
+constexpr double unlikely_scatter = 0.025;
 
 /// Factor [1] on a standard error that was estimated with these degrees of freedom, so that two
 /// widened standard errors cover 95 %, as two known standard errors do: Student's quantile over the
@@ -112,13 +112,15 @@ class Pooling {
                                all_.scatter.filling[o].freedom_between > 0 ||
                                    apart_.unlike.contains({cluster, observable}));
     }
-    /// Whether the user states the errors of all readings of a cluster.
-    bool all_stated(std::size_t cluster) const {
+    /// Whether the user states the error of an observable at all readings of a cluster.
+    bool all_stated(std::size_t cluster, Eigen::Index observable) const {
         for (std::size_t k = 0; k < readings_.size(); ++k) {
-            if (table_.cluster_of[k] == cluster && readings_[k].within_run_only) return false;
+            if (table_.cluster_of[k] == cluster && !(stated_[k](observable) > 0)) return false;
         }
         return true;
     }
+    bool refuted(Eigen::Index observable, const std::vector<MeanSquare>& own,
+                 const std::vector<double>& stated) const;
     /// Whether the scatter of an observable was estimated or stated for any group of the study.
     bool known(Eigen::Index observable) const {
         return std::ranges::any_of(
@@ -202,13 +204,20 @@ void Pooling::estimate_fillings() {
     }
 }
 
-/// Whether replicates scatter by more than errors of the variance `stated` explain, by a chi2 test.
-bool scatter_more(const MeanSquare& replicates, double stated) {
-    if (!(replicates.value > stated)) return false;
-    if (!(stated > 0) || !std::isfinite(replicates.freedom)) return true;
-    const boost::math::chi_squared law(replicates.freedom);
-    return boost::math::cdf(boost::math::complement(
-               law, replicates.freedom * replicates.value / stated)) < unlikely_scatter;
+/// Whether replicates scatter significantly more than the errors that the user states for them.
+/// @param own mean square between the replicates of each cluster
+/// @param stated mean of the variances that the user states for each cluster
+bool Pooling::refuted(Eigen::Index o, const std::vector<MeanSquare>& own,
+                      const std::vector<double>& stated) const {
+    double chi2 = 0, freedom = 0;
+    for (std::size_t c = 0; c < own.size(); ++c) {
+        if (own[c].freedom == 0 || !all_stated(c, o)) continue;
+        chi2 += own[c].freedom * own[c].value / stated[c];
+        freedom += own[c].freedom;
+    }
+    if (freedom == 0) return false;
+    const boost::math::chi_squared law(freedom);
+    return boost::math::cdf(boost::math::complement(law, chi2)) < unlikely_scatter;
 }
 
 void Pooling::estimate_steps() {
@@ -232,12 +241,13 @@ void Pooling::estimate_steps() {
         }
         if (freedom == 0) continue;
         const std::vector<MeanSquare> shrunk = moderated(own);
+        // The scatter within a run is only a part of a reading's error. An error that the user
+        // states is meant to be all of it, and few replicates cannot refute it by chance.
+        const bool too_small = refuted(o, own, within_runs);
         for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
             const double within = own[c].freedom > 0 ? within_runs[c] : run_variance / freedom;
-            // The scatter within a run is only a part of a reading's error. An error that the user
-            // states is meant to be all of it, and few replicates cannot refute it by chance.
-            const bool more = !all_stated(c) || scatter_more(shrunk[c], within);
-            scatter.groups[c].excess(o, o) = more ? std::max(0.0, shrunk[c].value - within) : 0;
+            const bool known = !too_small && all_stated(c, o);
+            scatter.groups[c].excess(o, o) = known ? 0 : std::max(0.0, shrunk[c].value - within);
             scatter.groups[c].mean_square(o) = shrunk[c].value;
             scatter.groups[c].freedom(o) = shrunk[c].freedom;
         }
@@ -258,6 +268,12 @@ void Pooling::estimate_correlation() {
         freedom += ratio.freedom_within;
     }
     if (!(squares0 > 0 && squares1 > 0)) return;
+    // Errors that the user states, which explain the scatter, are known with their correlation.
+    const bool estimated = std::ranges::any_of(readings_, &Reading::within_run_only) ||
+                           std::ranges::any_of(scatter.groups, [](const auto& group) {
+                               return group.excess(0, 0) > 0 && group.excess(1, 1) > 0;
+                           });
+    if (!estimated) return;
     scatter.correlation_freedom = freedom;
     const double correlation = std::clamp(
         product / std::sqrt(squares0 * squares1) * (freedom - 1) / (freedom + 1), -0.99, 0.99);

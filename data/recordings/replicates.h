@@ -24,6 +24,10 @@ namespace pendular {
 /// much from their replicates are reported in `measurements.doubts`, left out of the pooling, and
 /// get an error as large as their distance (`set_far_replicates_apart`).
 ///
+/// Errors that the user states with all readings of a cluster (columns `_sd`) are taken as known,
+/// and no scatter is added to them, unless the replicates of all such clusters scatter
+/// significantly more (chi2 test at 5 % for both observables together).
+///
 /// A variance with nu degrees of freedom is multiplied by (t/2)^2, where t is Student's quantile
 /// for nu at the level of two standard deviations. Two standard errors then cover 95 % although the
 /// scatter is an estimate. Standard errors increase 1.26 times for nu = 6, and 7 times for a single

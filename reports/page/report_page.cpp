@@ -18,6 +18,7 @@
 #include "reports/page/page_files.h"
 #include "reports/page/page_text.h"
 #include "reports/proposal_report.h"
+#include "reports/suspect_report.h"
 #include "reports/with_error.h"
 #include "workflow/order_of_contents.h"
 #include "workflow/rival_effects.h"

@@ -405,7 +405,8 @@ TEST(Replicates, TellHowWellTheirMeanSquareIsKnown) {
 
 TEST(Replicates, RefuteStatedErrorsOnlyWhereTheyScatterSignificantlyMore) {
     // One pair among 20 readings with stated errors of 1 %: a mean square of q (1 %)^2 has the chi2
-    // value q with one degree of freedom, whose 5 % quantile is 3.84.
+    // value q with one degree of freedom, whose 2.5 % quantile is 5.02 (two observables are
+    // tested).
     const auto freedom_at = [](double chi2) {
         Measurements all;
         for (int i = 0; i < 20; ++i)
@@ -415,8 +416,41 @@ TEST(Replicates, RefuteStatedErrorsOnlyWhereTheyScatterSignificantlyMore) {
         pool_replicates(all);
         return all.readings[5].scatter_freedom(0);
     };
-    EXPECT_TRUE(std::isinf(freedom_at(3.8)));
-    EXPECT_EQ(freedom_at(3.9), 1);
+    EXPECT_TRUE(std::isinf(freedom_at(5.0)));
+    EXPECT_EQ(freedom_at(5.1), 1);
+}
+
+TEST(Replicates, StandInForErrorsThatOnlySomeReadingsState) {
+    // The second reading of a pair states no error: that of the first is not its own.
+    Measurements all;
+    all.readings = {reading(1000, 0.3, 0.6, 0.01), reading(1000, 0.3 * 1.02, 0.6 * 1.02, 0),
+                    reading(3000, 0.3, 0.6, 0.01)};
+    all.readings[2].origin.file = "other.csv";
+    pool_replicates(all);
+    EXPECT_EQ(all.readings[1].scatter_freedom(0), 1);
+    EXPECT_GT(relative_variance(all.readings[1], 0), 1e-5);
+    EXPECT_TRUE(std::isinf(all.readings[2].scatter_freedom(0))) << "stated, and not refuted";
+}
+
+TEST(Replicates, OfOneClusterDoNotRefuteTheErrorsOfAnother) {
+    // Ten pairs state 1 % and scatter so, five state 0.5 % and scatter so: both agree.
+    Measurements all;
+    const auto add_pairs = [&](int count, double error, double least, const std::string& file) {
+        for (int i = 0; i < 2 * count; ++i) {
+            const double sign = i % 2 == 0 ? 1 : -1;
+            const double ratio = 0.3 * std::exp(sign * error / std::numbers::sqrt2);
+            all.readings.push_back(reading(least * std::pow(1.2, i / 2), ratio, 0.6, error));
+            all.readings.back().origin.file = file;
+        }
+    };
+    add_pairs(10, 0.01, 100, "a.csv");
+    add_pairs(5, 0.005, 1e4, "b.csv");
+    pool_replicates(all);
+    ASSERT_EQ(all.scatter.groups.size(), 2u);
+    for (const Reading& each : all.readings) {
+        EXPECT_TRUE(std::isinf(each.scatter_freedom(0)));
+    }
+    EXPECT_TRUE(std::isinf(all.scatter.correlation_freedom));
 }
 
 TEST(Replicates, AreWantedOfRecordings) {

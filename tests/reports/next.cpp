@@ -272,11 +272,12 @@ TEST(NextMeasurement, SaysWhatToMeasureDirectly) {
     const Rig rig{.repeats = 20, .readings = 12};
     next.plans = separating_plans(next.rivals, next.points, noise, rig.repeats);
     next.series = next_series(next.plans, next.rivals, next.points, noise, rig);
-    EXPECT_THAT(
-        text_of(next),
-        testing::AllOf(testing::HasSubstr("Take 2 direct measurements of friction (a sled). This "
-                                          "tells a and b apart."),
-                       testing::HasSubstr("0.300 +- 0.010"), testing::HasSubstr("0.25 +- 0")));
+    EXPECT_THAT(text_of(next),
+                testing::AllOf(
+                    testing::HasSubstr(
+                        "Take 2 direct measurements of friction (a sled). In 8 of 10 cases, this "
+                        "tells a and b apart."),
+                    testing::HasSubstr("0.300 +- 0.010"), testing::HasSubstr("0.25 +- 0")));
     const auto json = to_json(next);
     EXPECT_EQ(json.at("point").at("direct"), "friction");
     EXPECT_EQ(json.at("forecasts").at(1).at("direct").at("value"), 0.25);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "reports/diagnosis_report.h"
+#include "reports/suspect_report.h"
 #include "reports/undetected_effects.h"
 #include "tests/support/data_support.h"
 #include "workflow/rivals.h"
@@ -56,10 +57,11 @@ TEST_F(NextSteps, MeasureAMissingEffectDirectlyBeforeItIsAdded) {
     const auto list = steps();
     ASSERT_EQ(list.size(), 3u);
     EXPECT_THAT(list[0].text, AllOf(HasSubstr("Measure wall-friction directly, by a sled"),
-                                    HasSubstr("Expect 0.14"), HasSubstr("else 0."),
-                                    HasSubstr("standard error of 0.05 or less")));
+                                    HasSubstr("expect 0.14"), HasSubstr("without the effect 0)"),
+                                    HasSubstr("standard error of 0.052 or less")));
     EXPECT_TRUE(list[0].direct);
-    EXPECT_THAT(list[1].text, HasSubstr("pendular add beads wall-friction"));
+    EXPECT_THAT(list[1].text, AllOf(HasSubstr("If the measurement agrees"),
+                                    HasSubstr("pendular add beads wall-friction")));
     EXPECT_TRUE(list[2].readings);
     EXPECT_EQ(next_command(d_, "beads"), "pendular add beads wall-friction");
     const auto lines = step_lines(list, {"Take 5 readings.", "  friction: 0.1 -> 0.05"});
@@ -87,13 +89,20 @@ TEST_F(NextSteps, CheckTheSensorAndRepeatSuspectReadings) {
     error.fit.covariance = Eigen::MatrixXd::Identity(size, size) * 1e-4;
     d_.diagnosis.confidence_set = {error};
     const auto list = texts();
-    ASSERT_EQ(list.size(), 3u);
-    EXPECT_THAT(list[0], AllOf(HasSubstr("torque transducer"), HasSubstr("between"),
-                               HasSubstr("mN m (the range of the readings)")));
-    EXPECT_THAT(list[1], HasSubstr("Repeat the readings of wet_0.03_1.csv with a new filling"));
-    EXPECT_THAT(list[2], HasSubstr("remove the old file"));
+    ASSERT_EQ(list.size(), 3u);  // an error of two files may be gone, so that they come first
+    EXPECT_THAT(list[0],
+                AllOf(HasSubstr("Repeat the readings of wet_0.03_1.csv with a new filling (6 "
+                                "readings at 6 conditions)"),
+                      HasSubstr("(shear stress 9.9 +- 1.2 % too high)"),
+                      HasSubstr("list the new files in study.toml in place of the old")));
+    EXPECT_THAT(list[1], HasSubstr("If new and old readings agree, keep both"));
+    EXPECT_THAT(list[2], AllOf(HasSubstr("torque transducer"), HasSubstr("between"),
+                               HasSubstr("mN m (as in the readings)"),
+                               HasSubstr("it shows 9.9 % too much")));
+    d_.evidence.suspects[*error.suspect].group = "changes in time";
+    EXPECT_THAT(texts()[0], HasSubstr("torque transducer")) << "a sensor that is still wrong";
     EXPECT_THAT(suspect_lines(d_),
-                testing::ElementsAre(AllOf(HasSubstr("shear stress 9.0 +- 1.0 % too high"),
+                testing::ElementsAre(AllOf(HasSubstr("shear stress 9.9 +- 1.2 % too high"),
                                            Not(HasSubstr("Only these readings")))));
     d_.overruled = true;  // a wrong unit
     EXPECT_THAT(texts().front(), HasSubstr("correct it"));
@@ -105,24 +114,24 @@ TEST_F(NextSteps, CheckTheSensorBeforeAProposalIsAdded) {
     d_.diagnosis.complete = false;
     const auto without = texts();
     ASSERT_EQ(without.size(), 5u);  // three sensors
-    EXPECT_THAT(without[1], HasSubstr("load cell with known weights, at several values between"));
-    EXPECT_EQ(next_command(d_, "beads"), "pendular compare beads --all");
+    EXPECT_THAT(without[1], HasSubstr("load cell with known weights, between"));
+    EXPECT_THAT(next_command(d_, "beads"), HasSubstr("pendular diagnose beads"));
     Proposal proposal;
     proposal.shapes = {change_of("stress_ratio")};
     proposal.alike = {change_of("torque")};
     proposal.explanation.fit = d_.diagnosis.fit;
+    proposal.explanation.chi2 = 1e6;
     d_.proposals.push_back(proposal);
     const auto list = steps();
     ASSERT_EQ(list.size(), 2u);
     EXPECT_THAT(list[0].text,
                 AllOf(HasSubstr("torque transducer"), HasSubstr("correct the recordings")));
-    EXPECT_THAT(list[1].text,
-                HasSubstr("If the sensors are right, add the change to the model: pendular add "
-                          "beads --proposed 1"));
+    EXPECT_THAT(list[1].text, AllOf(HasSubstr("If this finds no fault, add proposal 1"),
+                                    HasSubstr("pendular add beads --proposed 1")));
     EXPECT_TRUE(std::ranges::none_of(list, &NextStep::readings)) << "the check decides";
     EXPECT_THAT(next_command(d_, "beads"), Not(HasSubstr("--proposed")));
     // A check of sensors does not decide between two causes in the beads.
-    d_.proposals[0].alike.push_back(change_of("solid_fraction"));
+    d_.proposals.push_back(proposal);
     EXPECT_TRUE(std::ranges::any_of(steps(), &NextStep::readings));
     EXPECT_EQ(next_command(d_, "beads"), "pendular next beads");
 }
@@ -130,14 +139,17 @@ TEST_F(NextSteps, CheckTheSensorBeforeAProposalIsAdded) {
 TEST_F(NextSteps, RuleOutWhatWouldShiftTheFriction) {
     forget(Verdict::inconclusive);
     d_.diagnosis.effects = {"rolling-resistance", "torque-gain"};
-    EXPECT_THAT(texts().front(),
-                AllOf(HasSubstr("To rule out torque-gain, measure it directly, by a known torque"),
-                      HasSubstr("standard error of 0.007 or less rules out a deviation of 0.02")));
+    d_.diagnosis.chi2 = d_.diagnosis.dof;
+    EXPECT_THAT(
+        texts().front(),
+        AllOf(HasSubstr("To rule out torque-gain, measure it directly, by a known torque"),
+              HasSubstr("standard error of 0.0071 or less shows whether the shown torque over true "
+                        "torque differs from 1 by 0.02")));
     ImpactTable impacts{.fitted = Eigen::VectorXd::Ones(1),
                         .errors = Eigen::VectorXd::Ones(1),
                         .impacts = {{.name = "torque-gain"}}};
     impacts.impacts[0].at_interest.linear = Eigen::VectorXd::Constant(1, 0.29);
-    EXPECT_THAT(texts_of(steps(impacts)).front(), HasSubstr("smaller standard errors"));
+    EXPECT_THAT(texts_of(steps(impacts)).front(), HasSubstr("Optional: the readings"));
     impacts.impacts[0].at_interest.linear(0) = -0.31;
     EXPECT_THAT(texts_of(steps(impacts)).front(), HasSubstr("torque-gain"));
     const auto table = undetected_table(d_, impacts, session_.resolved().catalogue());
@@ -145,7 +157,34 @@ TEST_F(NextSteps, RuleOutWhatWouldShiftTheFriction) {
     EXPECT_THAT(table[1], AllOf(HasSubstr("torque-gain"), HasSubstr("-0.3 "), HasSubstr("+-0.02"),
                                 HasSubstr("a known torque")));
     EXPECT_THAT(table[2], AllOf(HasSubstr("rolling-resistance"), HasSubstr("readings over")));
-    EXPECT_THAT(friction_line(d_), testing::EndsWith("0.1807 +- 0.0032."));
+    EXPECT_THAT(friction_line(d_), HasSubstr("0.1807 +- 0.0032 ('pendular calibrate' gives"));
+}
+
+TEST_F(NextSteps, NameAtMostThreeDirectMeasurements) {
+    forget(Verdict::indistinguishable);
+    d_.diagnosis.effects = {"torque-gain",   "torque-offset",       "lid-slip",
+                            "contact-angle", "normal-force-offset", "height-offset"};
+    EXPECT_EQ(std::ranges::count_if(steps(), &NextStep::direct), 3);
+    EXPECT_TRUE(steps().back().readings);
+    EXPECT_EQ(next_command(d_, "beads"), "pendular next beads");
+}
+
+TEST_F(NextSteps, AskForRepeatedReadingsWhereErrorsAreNotKnown) {
+    forget(Verdict::inconclusive);
+    EXPECT_THAT(texts().front(), HasSubstr("Repeat more conditions with new fillings"));
+    d_.diagnosis.errors_assumed = true;
+    EXPECT_THAT(texts().front(), HasSubstr("_sd columns"));
+}
+
+TEST_F(NextSteps, SayWhichConditionOnlySuspectReadingsHave) {
+    SuspectMeasurement suspect{.name = "the readings", .columns = d_.evidence.suspects[0].columns};
+    for (std::size_t k = 0; k < d_.readings.size(); ++k) {
+        suspect.columns.middleRows<2>(2 * static_cast<Eigen::Index>(k))
+            .setConstant(d_.readings[k].condition.dry() ? 0 : 1);
+    }
+    EXPECT_EQ(own_condition(d_.readings, suspect), "liquid content 0.03");
+    suspect.columns.topRows<2>().setOnes();  // a dry one too
+    EXPECT_EQ(own_condition(d_.readings, suspect), "");
 }
 
 TEST_F(NextSteps, TellCausesInTheBeadsApart) {
@@ -167,6 +206,12 @@ TEST_F(NextSteps, TellCausesInTheBeadsApart) {
     EXPECT_EQ(other[0].name, "solid-fraction-everywhere");
     EXPECT_EQ(other[0].parameters.size(), d_.diagnosis.fit.parameters.size() + 1);
     EXPECT_EQ(other[0].model->parameters().back().name, "solid-fraction-everywhere.change");
+    Eigen::VectorXd parameters = other[0].parameters;
+    const std::vector<Condition> at = {d_.readings.front().condition};
+    parameters.tail<1>()(0) = 0;
+    const double before = other[0].model->predict(parameters, at).value(1);
+    parameters.tail<1>()(0) = 0.1;
+    EXPECT_NEAR(other[0].model->predict(parameters, at).value(1), 1.1 * before, 1e-6);
 }
 
 }  // namespace pendular::next_steps_test

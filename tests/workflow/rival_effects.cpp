@@ -13,7 +13,6 @@ TEST(DirectMethods, AreThoseOfTheEffectsThatHaveOne) {
                                               "polydispersity"};
     EXPECT_EQ(direct_methods(effects, catalogue),
               "capillary-bridges by a tensiometer; polydispersity by sieving");
-    EXPECT_EQ(direct_methods(effects, catalogue, 1), "capillary-bridges by a tensiometer");
     EXPECT_EQ(direct_methods({"willett-bridges"}, catalogue), "");
 }
 
