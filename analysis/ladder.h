@@ -72,10 +72,11 @@ LadderStep ladder_step_of(const Calibration& calibration, const Comparison& comp
 
 /// Appends the model `after` to a ladder (the sequence of a study's models). `after` is the model
 /// after an effect was added or dropped, and `before` is the model before this change. If the last
-/// step of the ladder does not describe `before`, the function first appends `before` with `change`
-/// "start". The last step describes `before` if both have the same effects and degrees of freedom,
-/// and if their chi2 differ by at most 5 % of chi2 + dof, which new simulation runs may cause. The
-/// function sets the number of each appended step (`LadderStep::step`).
+/// step of the ladder is not the model `before`, the function first appends `before` with `change`
+/// "start". The last step counts as `before` if both have the same effects and degrees of freedom,
+/// and if their chi2 differ by at most 5 % of chi2 + dof. The tolerance allows for new simulation
+/// runs, which change chi2 slightly. The function sets the number of each appended step
+/// (`LadderStep::step`).
 void add_step(Ladder& ladder, LadderStep before, LadderStep after);
 
 /// Whether chance can explain the reduction of chi2 from the model `from` to the model `to` of a

@@ -120,8 +120,9 @@ std::string on_fitted_readings(const ChangedStudy& changed, bool earlier_dry) {
             with_error(c.fit.parameters(0), c.fit.standard_error(0), c.parameters[0].unit));
     }
     return earlier_dry ? fmt::format(
-                             "The fits with and without {0} use all readings, dry and wet: a "
-                             "model with {0} is always fitted to all readings.",
+                             "Both fits, with and without {0}, use all readings, dry and wet: "
+                             "'pendular calibrate' also fits all readings if the model contains "
+                             "{0}.",
                              changed.change.effect)
                        : "";
 }

@@ -100,7 +100,8 @@ std::string caution(const StudyDiagnosis& d, const Measurements& measurements) {
 /// Sentence on the simulations that confirmed the verdict.
 std::string confirmation_line(const Confirmation& confirmed) {
     if (confirmed.runs == 0) {
-        return "The verdict is not confirmed by simulations: none could end within the time given.";
+        return "The verdict is not confirmed by simulations: no simulation could finish within the "
+               "time limit.";
     }
     const std::string done =
         fmt::format("{} simulation{} in {}", confirmed.runs, confirmed.runs == 1 ? "" : "s",

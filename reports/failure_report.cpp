@@ -66,7 +66,7 @@ std::vector<std::string> checks_table(const Checks& checks) {
                                     "(together: p {}).",
                                     checks.all.size(), p_text(checks.p))
         : checks.p < significant
-            ? fmt::format("How the model fails ({} checks of the residuals, together: p {}):",
+            ? fmt::format("How the model fails ({} checks of the residuals, combined p {}):",
                           checks.all.size(), p_text(checks.p))
             : fmt::format("Taken together, the {} checks of the residuals show no significant "
                           "misfit (p {}); taken singly, the following checks have p < {}:",

@@ -180,7 +180,7 @@ std::string unsupported_text(const RequestedState& requested, const FlowState& s
     const std::string impossible = why_impossible(run);
     return fmt::format(
         "the simulations in atlas and store do not cover {}: {}.\n"
-        "  Of the states that the simulations cover, the nearest to the requested state has {}:\n"
+        "  The nearest state within the range of the simulations has {}:\n"
         "    pendular predict {}\n"
         "  {}",
         requested.text(), with_liquid_content(requested, why), nearest_request.text(),

@@ -32,11 +32,10 @@ Rig rig_of(const std::vector<Reading>& readings);
 /// error divided by the measured value.
 Eigen::Vector2d relative_errors(const std::vector<Reading>& readings);
 
-/// Plan of a next measurement that is to show which of several rival models is right. The plan
-/// consists of readings at one point (possible measurement), with the result that each model
-/// predicts.
+/// Plan of the next measurement, which is to tell rival models apart. The plan consists of readings
+/// at one point (possible measurement), with the result that each model predicts.
 struct Plan {
-    std::size_t point = 0;  ///< index of the point in the list of points that were compared
+    std::size_t point = 0;  ///< index of the planned measurement in the list of possible ones
     /// Predictions of the rival models for a measurement at the point, with the covariances of
     /// their errors, in the order of the list of rival models.
     std::vector<Forecast> forecasts;

@@ -62,8 +62,8 @@ class ScoredShapes {
     /// readings in nearly the same way as the shapes of a selected score. `Score::alike` of the
     /// selected score may then name the shape that was left out.
     std::vector<Score> unlike(const std::vector<Score>& scores, std::size_t count) const;
-    /// Returns the estimated change and its standard error, in the unit of the change, of the shape
-    /// (change of unknown cause) with index `index`.
+    /// Returns the estimated amplitude of the shape (change of unknown cause) with index `index`,
+    /// and the standard error of the amplitude, in the unit of the quantity that the shape changes.
     std::pair<double, double> estimate(std::size_t index) const;
     /// Returns the p value [1] of one or two changes: probability that the best of all single
     /// changes reduces chi2 at least as much if the model lacks nothing, in a linear estimate. For

@@ -28,7 +28,7 @@ struct HiddenEffectsOptions {
     /// measurements. A study continues if the diagnosis cannot tell effects apart.
     int resolved_studies = 2;
     int complete_studies = 100;  ///< number of studies of the complete model, which hides no effect
-    int most_measurements = 12;  ///< largest number of further measurements on a study
+    int most_measurements = 12;  ///< maximum number of additional measurements per study
     int threads = 1;
     bool plan = false;     ///< whether to choose the truths again and replace the file `truths`
     bool diagnose = true;  ///< whether to diagnose the studies; false: simulate only

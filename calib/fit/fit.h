@@ -62,7 +62,7 @@ struct Fit {
     std::vector<bool> at_bound;
     /// Prediction of the measured values at the fitted parameters.
     Prediction prediction;
-    /// Explanation of how the fit ended, by the solver Ceres or by Pendular.
+    /// Message of the solver Ceres or of Pendular that says why the fit stopped.
     std::string message;
 
     /// Returns the standard error of the parameter with index `k`, in the unit of the parameter.

@@ -37,9 +37,9 @@ std::optional<std::string> grain_weight_note(const Study& study,
     }
     if (count == 0) return std::nullopt;
     return fmt::format(
-        "The weight of the beads is neglected. It raises the normal stress at the base by up to "
-        "{:.0f} Pa. In {} of {} readings, those at an applied normal stress of {}, this is "
-        "more than 10 %. 'pendular diagnose' tests the effect grain-weight.",
+        "The model neglects the weight of the beads, which raises the normal stress at the base by "
+        "up to {:.0f} Pa. The increase exceeds 10 % of the applied normal stress in {} of {} "
+        "readings ({}). 'pendular diagnose' tests the effect grain-weight.",
         weight, count, readings.size(), range_of(least, greatest));
 }
 

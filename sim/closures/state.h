@@ -28,8 +28,8 @@ struct State {
     /// Mean product of force and gap of distant pairs (joined by a bridge but not touching),
     /// divided by pull-off force times grain diameter [1].
     double distant_force_gap = 0;
-    /// Mean distance between the centres of distant pairs (joined by a bridge but not touching),
-    /// divided by the grain diameter [1].
+    /// Mean distance between the centres of the two grains of a distant pair (joined by a bridge but
+    /// not touching), divided by the grain diameter [1].
     double distant_length = 1;
     /// Mean of n1 n2 over contacts [1], where n1 and n2 are the components of the contact direction
     /// along the flow and along the velocity gradient.
