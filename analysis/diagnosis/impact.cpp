@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "analysis/diagnosis/explanations.h"
 #include "analysis/diagnosis/side_by_side.h"
@@ -55,14 +57,16 @@ class Impacts {
             fit_.parameters.size(), [&](Eigen::Index k) { return fit_.standard_error(k); });
     }
 
-    void add_all();
+    void add_all(std::size_t threads);
     void refit_leading(std::size_t most, std::size_t threads);
     void sum_groups();
     ImpactTable& table() { return table_; }
 
   private:
-    void add_candidate(const Finding& finding);
-    void add_suspect(std::size_t k);
+    /// Impact of the effect of a finding; empty where it cannot be computed.
+    std::vector<Impact> impact_of(const Finding& finding) const;
+    /// Impact of each kind of error of a suspect measurement.
+    std::vector<Impact> impacts_of_suspect(std::size_t k) const;
     bool is_named(const Impact& impact) const;
     bool is_switch(const Impact& impact) const {
         return !impact.measurement && space_.candidates()[impact.index].is_switch();
@@ -99,13 +103,13 @@ const Explanation* Impacts::refit_of(std::size_t candidate) const {
     return found == diagnosis_.tried.end() ? nullptr : &*found;
 }
 
-void Impacts::add_candidate(const Finding& finding) {
+std::vector<Impact> Impacts::impact_of(const Finding& finding) const {
     const std::size_t k = finding.candidate;
     const Candidate& candidate = space_.candidates()[k];
     const EffectParameter& p = candidate.parameters.front();
     const Addition addition(space_, {}, k, fit_.parameters, fit_.prediction.value);
     const Signature signature = addition.signature(false);
-    if (signature.change.cols() != 1 || !signature.change.allFinite()) return;
+    if (signature.change.cols() != 1 || !signature.change.allFinite()) return {};
     const Eigen::VectorXd unit = shift_by(signature.change);
     const bool one_sided = signature.one_sided, is_switch = candidate.is_switch();
     const auto shift = [&](double size) {
@@ -142,10 +146,11 @@ void Impacts::add_candidate(const Finding& finding) {
     }
     impact.above = shift(estimate + impact.error);
     impact.below = shift(estimate - impact.error);
-    table_.impacts.push_back(std::move(impact));
+    return {impact};
 }
 
-void Impacts::add_suspect(std::size_t k) {
+std::vector<Impact> Impacts::impacts_of_suspect(std::size_t k) const {
+    std::vector<Impact> impacts;
     const SuspectMeasurement& suspect = evidence_.suspects[k];
     // All errors of the suspect are estimated together.
     const Eigen::MatrixXd projected = residuals_.project(residuals_.whiten(suspect.columns));
@@ -171,8 +176,9 @@ void Impacts::add_suspect(std::size_t k) {
         impact.at_estimate = shift(estimates(column));
         impact.above = shift(estimates(column) + errors(column));
         impact.below = shift(estimates(column) - errors(column));
-        table_.impacts.push_back(std::move(impact));
+        impacts.push_back(std::move(impact));
     }
+    return impacts;
 }
 
 Eigen::VectorXd Impacts::refitted(const Impact& impact, double size,
@@ -201,15 +207,20 @@ void Impacts::refit_leading(std::size_t most, std::size_t threads) {
         list.begin(), list.end(), [&](const Impact& impact) { return is_named(impact); });
     const auto named = static_cast<std::size_t>(others - list.begin());
     const std::size_t leading = std::min(list.size(), std::min(named, most) + most);
-    side_by_side(leading, threads, nullptr, [&](std::size_t k) {
+    std::vector<std::pair<const Impact*, Shift*>> wanted;
+    for (std::size_t k = 0; k < leading; ++k) {
         Impact& impact = list[k];
         std::vector<Shift*> shifts = {&impact.at_estimate, &impact.at_interest};
         if (is_named(impact)) shifts.insert(shifts.end(), {&impact.above, &impact.below});
         for (Shift* shift : shifts) {
             if (shift->refitted.size() > 0) continue;             // the diagnosis has this refit
             if (is_switch(impact) && shift->size != 1) continue;  // a switch is on or off
-            shift->refitted = refitted(impact, shift->size, fit_.parameters + shift->linear);
+            wanted.emplace_back(&impact, shift);
         }
+    }
+    side_by_side(wanted.size(), threads, nullptr, [&](std::size_t k) {
+        const auto [impact, shift] = wanted[k];
+        shift->refitted = refitted(*impact, shift->size, fit_.parameters + shift->linear);
     });
 }
 
@@ -234,12 +245,14 @@ void Impacts::sum_groups() {
     }
 }
 
-void Impacts::add_all() {
-    for (const Finding& finding : diagnosis_.scan) {
-        add_candidate(finding);
-    }
-    for (std::size_t k = 0; k < evidence_.suspects.size(); ++k) {
-        add_suspect(k);
+void Impacts::add_all(std::size_t threads) {
+    const std::size_t effects = diagnosis_.scan.size();
+    std::vector<std::vector<Impact>> found(effects + evidence_.suspects.size());
+    side_by_side(found.size(), threads, nullptr, [&](std::size_t k) {
+        found[k] = k < effects ? impact_of(diagnosis_.scan[k]) : impacts_of_suspect(k - effects);
+    });
+    for (std::vector<Impact>& each : found) {
+        std::ranges::move(each, std::back_inserter(table_.impacts));
     }
     std::ranges::stable_sort(table_.impacts, std::greater<>(), [](const Impact& impact) {
         return std::abs(impact.at_interest.linear(0));
@@ -255,7 +268,7 @@ double Impact::pull() const {
 ImpactTable impacts(const ModelSpace& space, const Evidence& evidence, const Diagnosis& diagnosis,
                     std::size_t most_refitted, std::size_t threads) {
     Impacts all(space, evidence, diagnosis);
-    all.add_all();
+    all.add_all(threads);
     all.refit_leading(most_refitted, threads);
     all.sum_groups();
     return std::move(all.table());

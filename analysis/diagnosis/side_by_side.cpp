@@ -9,7 +9,7 @@ namespace pendular {
 namespace {
 
 /// Number of pieces of work for each of which one more thread is started.
-constexpr std::size_t worth_another_thread = 3;
+constexpr std::size_t worth_another_thread = 2;
 
 }  // namespace
 
