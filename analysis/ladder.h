@@ -59,8 +59,8 @@ struct LadderStep {
 
 /// Ladder: sequence of a study's fitted models in the order of time. A step whose `change` is "add"
 /// or "drop" has one effect more or fewer than the step before. The first step has `change`
-/// "start". A later step with "start" begins a new sequence. Such a step is needed if the effects,
-/// degrees of freedom or chi2 of the study's model changed in another way after the step before.
+/// "start". A later step with "start" begins a new sequence, after the study's model changed in
+/// another way.
 using Ladder = std::vector<LadderStep>;
 
 /// Returns the step of a ladder (the sequence of a study's models) that describes the model of a
@@ -70,13 +70,12 @@ using Ladder = std::vector<LadderStep>;
 LadderStep ladder_step_of(const Calibration& calibration, const Comparison& comparison,
                           const std::optional<LeftOut>& left_out);
 
-/// Appends the model `after` to a ladder (the sequence of a study's models). `after` is the model
-/// after an effect was added or dropped, and `before` is the model before this change. If the last
-/// step of the ladder is not the model `before`, the function first appends `before` with `change`
-/// "start". The last step counts as `before` if both have the same effects and degrees of freedom,
-/// and if their chi2 differ by at most 5 % of chi2 + dof. The tolerance allows for new simulation
-/// runs, which change chi2 slightly. The function sets the number of each appended step
-/// (`LadderStep::step`).
+/// Appends the model `after` to a ladder (the sequence of a study's models), after an effect was
+/// added to or dropped from the model `before`. If the last step of the ladder is not the model
+/// `before`, the function first appends `before` with `change` "start". The last step counts as
+/// `before` if both have the same effects and degrees of freedom, and if their chi2 differ by at
+/// most 5 % of chi2 + dof. The tolerance allows for new simulation runs, which change chi2
+/// slightly. The function sets the number of each appended step (`LadderStep::step`).
 void add_step(Ladder& ladder, LadderStep before, LadderStep after);
 
 /// Whether chance can explain the reduction of chi2 from the model `from` to the model `to` of a

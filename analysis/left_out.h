@@ -25,13 +25,12 @@ struct LeftOut {
     std::size_t undetermined = 0;
 };
 
-/// Returns the cross-validation errors of a finished calibration. The readings of each fitted
-/// condition, with all replicates (readings at the same condition), are predicted by the model
-/// refitted to the other conditions. Refits start from the fitted parameters and need no new
-/// simulation runs. Readings that the calibration did not fit are predicted at the fitted
-/// parameters, so that all fits of a study are judged on the same readings. Empty if fewer than two
-/// conditions are fitted, or if constant cohesions were fitted to the wet readings beforehand (base
-/// = "mohr-coulomb" in study.toml).
+/// Returns the cross-validation errors of a finished calibration. The model refitted to the other
+/// conditions predicts the readings of each fitted condition, with all replicates (readings at the
+/// same condition). Refits need no new simulation runs. Readings that the calibration did not fit
+/// are predicted at the fitted parameters. The result is empty if fewer than two conditions are
+/// fitted, or if constant cohesions were fitted to the wet readings beforehand (base =
+/// "mohr-coulomb" in study.toml).
 std::optional<LeftOut> left_out_errors(const std::shared_ptr<const Predictor>& model,
                                        const Calibration& calibration);
 

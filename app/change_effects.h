@@ -12,17 +12,11 @@ namespace pendular::app {
 /// the results folder: fit.json, fit_runs.csv, ladder.json and figures.
 std::vector<std::filesystem::path> outputs_of_change();
 
-/// Adds an effect to the study of a session or drops an effect from the study, and fits the study's
-/// model before and after the change.
-/// @param action whether to add or to drop the effect
-/// @param effect name of the effect
-/// @param fit options of the fits
-/// @param same_fidelity whether to use the fidelity (set of simulation settings) of the fit in the
-///        results folder
-/// @throws InputError if the effect cannot be added or dropped, if a fit is impossible, or if
-///         study.toml has changed since the session read study.toml
-/// @throws std::runtime_error if a file cannot be written
-/// @throws dem::Interrupted if the user requests a stop
+/// Adds an effect to the study of a session or drops an effect, and fits the study before and after
+/// the change. The function calls `Session::add` or `Session::drop`, and passes on the exceptions
+/// of these functions.
+/// @param same_fidelity whether to use the simulation settings of the fit in the results folder, if
+///        there is a fit
 ChangedStudy change_effects(const Session& session, Action action, const std::string& effect,
                             const FitOptions& fit, bool same_fidelity);
 

@@ -16,13 +16,12 @@ namespace pendular::app {
 void print_closures(const closures::ClosureValues& values, double stress_ratio, Console& console);
 
 /// Computes and prints the values that the closures (analytical formulas) of Badetti et al. (2018)
-/// give for a wet simulation. The values follow from the averages of the observables of the
-/// simulation and from the stress ratio of dry grains, which is predicted from earlier simulations.
-/// If the earlier simulations do not allow this prediction, prints a sentence that says so.
-/// @param store user's file of simulations, which is used besides the simulations supplied with
-///        Pendular; null: only the simulations supplied with Pendular are used
+/// give for a wet simulation. The closures need the stress ratio of dry grains, which is predicted
+/// from earlier simulations. If the prediction is impossible, prints a sentence that says so.
+/// @param store user's file of simulations; null: only the simulations supplied with Pendular are
+///        used
 /// @return the printed values; empty if the simulation is dry or if the stress ratio of dry grains
-///         is unknown
+///         cannot be predicted
 std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& run,
                                                          const CommonOptions& common,
                                                          const RunStore* store, Console& console);

@@ -19,8 +19,8 @@ using WhyNot = std::function<std::string(const Effect&)>;
 /// plain number in the SI unit of the parameter.
 class EffectOptions {
   public:
-    /// Adds the options to a command, and checks the names of effects and parameters on the command
-    /// line of the command.
+    /// Adds the options to a command, and checks the names of effects and parameters in
+    /// `arguments`.
     /// @param arguments words of the command line
     /// @param meaning heading above these options in the help text
     /// @param why_not function that returns the reason why an effect has no option in this command;
@@ -31,9 +31,9 @@ class EffectOptions {
                   const std::string& meaning, const WhyNot& why_not = {});
 
     /// Returns the effects that the options switch on, with their parameters in SI units, in the
-    /// order of `built_in_effects`. An effect whose parameters all have their neutral values (no
-    /// effect) is left out, unless a parameter of the effect is a property of the liquid
-    /// (`given_by_liquid`).
+    /// order of `built_in_effects`. Leaves out an effect whose parameters all have their neutral
+    /// values (no effect), unless a parameter is a property of the liquid
+    /// (`Effect::given_by_liquid`).
     /// @throws InputError if a value is not a number, has a unit of the wrong dimension or is
     ///         outside the parameter's bounds
     std::vector<ActiveEffect> effects() const;
@@ -47,11 +47,11 @@ class EffectOptions {
 /// Returns the names of all built-in physical effects.
 std::vector<std::string> names_of_effects();
 
-/// Returns an option for the examples in a help text, "--EFFECT.PARAMETER VALUE". The option sets
-/// the first parameter of one effect to the value at which the effect has its smallest size of
-/// interest. Returns an empty text if `wanted` returns false for every effect.
-/// @param wanted function that returns whether an effect may be the example; the first effect for
-///        which the function returns true is used
+/// Returns an option for the examples in a help text, "--EFFECT.PARAMETER VALUE". The effect is the
+/// first effect for which `wanted` returns true. The option sets the first parameter of this effect
+/// to the value at which the effect has its smallest size of interest. Empty if `wanted` returns
+/// false for every effect.
+/// @param wanted function that returns whether an effect may be the example
 std::string example_of(const std::function<bool(const Effect&)>& wanted);
 
 }  // namespace pendular::app

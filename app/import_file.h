@@ -43,11 +43,11 @@ void draw_all(const std::vector<Figure>& figures, const std::filesystem::path& f
 bool is_bare_file(const std::filesystem::path& path);
 
 /// Runs `pendular import FILE` and returns the exit code. Prints layout, columns, intervals (steps
-/// of constant set points) and checks of a file of measurements. Makes a new study from the file if
-/// the user requested a new study.
+/// of constant set points) and checks of a file of measurements. If the user requested a new study,
+/// makes the study from the file.
 /// @throws InputError if the file cannot be read, if the folder for the new study already contains
-///         a file that has the name of a file of the new study, or if option --tidy names a file
-///         that cannot be written or has other content than a table of --tidy
+///         a file of the new study, or if the file of --tidy cannot be written or is neither empty
+///         nor a table of --tidy
 int import_file(const std::filesystem::path& path, const ImportFileOptions& options,
                 Console& console);
 

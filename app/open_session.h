@@ -33,30 +33,28 @@ class OpenSession {
     /// Reads the study `options.study`, and opens the user's store (SQLite file of simulations).
     /// @param files paths in the folder for results that the command writes to
     /// @param seed seed of all random numbers, 0 or more
-    /// @param access whether the command changes the study or the fit of the study; a command with
-    ///        `changes` waits until no other command is changing the study
-    /// @throws InputError for a mistake in the study's files, for results that would replace an
-    ///         input, for a negative seed, and for a store that cannot be read
-    /// @throws std::runtime_error if a store that the user named cannot be written, or if another
-    ///         command keeps changing the study for longer than a minute or $PENDULAR_LOCK_SECONDS
-    ///         [s]
+    /// @param access whether the command changes the study or its fit; a command with `changes`
+    ///        waits until no other command is changing the study
+    /// @throws InputError for a mistake in the study's files, a negative seed or an unreadable
+    ///         store, or if results would replace an input
+    /// @throws std::runtime_error if a store that the user named cannot be written, or if the wait
+    ///         takes longer than a minute or $PENDULAR_LOCK_SECONDS [s]
     /// @throws dem::Interrupted if the user stops the command while the command waits
     OpenSession(Console& console, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
                 Access access = Access::reads);
-    /// Opens a session without a console, such as for `pendular serve`. Notes and progress go to
-    /// `listener`.
+    /// Opens a session without a console, such as for `pendular serve`: reads the study
+    /// `options.study`, and opens the user's store (SQLite file of simulations).
     /// @param stop token; long computations end if a stop is requested through the token
     /// @param listener callback for notes and progress; may be empty
     /// @param files paths in the folder for results that the command writes to
     /// @param seed seed of all random numbers, 0 or more
-    /// @param access whether the command changes the study or the fit of the study; a command with
-    ///        `changes` waits until no other command is changing the study
-    /// @throws InputError for a mistake in the study's files, for results that would replace an
-    ///         input, for a negative seed, and for a store that cannot be read
-    /// @throws std::runtime_error if a store that the user named cannot be written, or if another
-    ///         command keeps changing the study for longer than a minute or $PENDULAR_LOCK_SECONDS
-    ///         [s]
+    /// @param access whether the command changes the study or its fit; a command with `changes`
+    ///        waits until no other command is changing the study
+    /// @throws InputError for a mistake in the study's files, a negative seed or an unreadable
+    ///         store, or if results would replace an input
+    /// @throws std::runtime_error if a store that the user named cannot be written, or if the wait
+    ///         takes longer than a minute or $PENDULAR_LOCK_SECONDS [s]
     /// @throws dem::Interrupted if a stop is requested while the command waits
     OpenSession(const std::stop_token& stop, const Listener& listener, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,

@@ -59,9 +59,9 @@ std::string shell_word(const std::filesystem::path& path);
 class Options {
   public:
     /// Begins the declaration of a command's options.
-    /// @param usage line of the help text after "Usage: pendular"
-    /// @param about description of the command, after the usage line of the help text
-    /// @param examples example commands, the end of the help text, with line ends
+    /// @param usage usage line of the help text, without "Usage: pendular"
+    /// @param about description of the command, below the usage line
+    /// @param examples example commands with line ends, at the end of the help text
     /// @param takes_study whether the command needs a first argument that names a study, a file or
     ///        a folder
     Options(std::string usage, std::string about, std::string examples, bool takes_study);
@@ -118,12 +118,12 @@ class Options {
     /// given, else to false.
     void add_switch(const char* name, bool* value, const std::string& description);
 
-    /// Parses the arguments after the command's name, and stores the values of the command's
-    /// options. Returns the values of the options that every command has. If the user gave --help,
-    /// prints the help text and returns nothing.
-    /// @throws InputError for an unknown option (the message names the nearest known option), for a
-    ///         missing or malformed value or study, for too many arguments, and for a file of
-    ///         --json or a folder for results that cannot be written
+    /// Parses the arguments after the command's name. Stores the values of the command's own
+    /// options, and returns the values of the options that every command has. If the user gave
+    /// --help, prints the help text and returns nothing.
+    /// @throws InputError if an option is unknown (the message names the nearest known option), if
+    ///         a value or the study is missing or malformed, if there are too many arguments, or if
+    ///         the file of --json or the folder for results cannot be written
     std::optional<CommonOptions> parse(const std::vector<std::string>& arguments);
     /// Whether the parsed arguments contain the option `name` (without "--").
     bool given(const std::string& name) const {

@@ -25,16 +25,15 @@ class RunEffects {
 
     /// Returns the parameters of a simulation with the effects of the parsed options applied.
     /// @throws InputError if an option's value is malformed or out of bounds, if the user gave a
-    ///         normal stress for wet grains (whose reduced pressure gives the normal stress) or a
-    ///         surface tension for dry grains, or if an effect cannot change this simulation, such
-    ///         as an effect of the liquid for dry grains
+    ///         normal stress for wet grains or a surface tension for dry grains, or if an effect
+    ///         cannot change this simulation
     dem::RunParameters changed(const dem::RunParameters& run, const Options& options);
 
-    /// Prints a line with the effects that `RunEffects::changed` applied, and with the friction
-    /// coefficient and reduced pressure of the simulation if an effect changed these quantities.
-    /// Then prints the scale (grains, normal stress, surface tension) if an effect has parameters
-    /// in SI units. If no effect has such parameters but the user gave the scale, prints a note
-    /// that the scale changes nothing.
+    /// Prints the effects that `RunEffects::changed` applied. If the effects changed the friction
+    /// coefficient or the reduced pressure, also prints the new value. If an effect has parameters
+    /// in SI units, also prints the scale (grains, normal stress, surface tension). If no effect
+    /// has such parameters but the user gave the scale, prints a note that the scale changes
+    /// nothing.
     /// @param changed parameters of the simulation with the effects
     void print(Console& console, const dem::RunParameters& changed) const;
     /// Adds to the JSON of a simulation the key `effects` and, if an effect has parameters in SI

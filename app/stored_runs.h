@@ -12,8 +12,7 @@ namespace pendular::app {
 /// Opens the user's store, the SQLite file that keeps simulations. If the user named no store and
 /// the folder of the default store cannot be written, prints a note on standard error and returns
 /// null.
-/// @throws InputError for a file that is not a store, is corrupt or is from a newer version of the
-///         program
+/// @throws InputError if the file is not a store, is corrupt or is from a newer version of Pendular
 /// @throws std::runtime_error if a store that the user named cannot be written
 std::unique_ptr<RunStore> open_store(const CommonOptions& options);
 

@@ -13,8 +13,8 @@ namespace pendular::app {
 /// since no command can change the study.
 class StudyLock {
   public:
-    /// Locks a study. If another process has the lock, names the other process on standard error
-    /// and waits for at most a minute or $PENDULAR_LOCK_SECONDS [s].
+    /// Locks a study. If another process has the lock, prints a line that names this process and
+    /// waits for at most a minute or $PENDULAR_LOCK_SECONDS [s].
     /// @param folder folder of the study
     /// @param stop request to stop waiting
     /// @throws dem::Interrupted if a stop is requested while waiting

@@ -32,8 +32,9 @@ struct StudyPage {
 };
 
 /// Makes the page of a study: diagnoses the study, plans the next measurement, and fits the model
-/// with each combination of the leading effects. Nothing is simulated, and no file is written.
-/// @param switches largest number of effects that a reader of the page can switch on and off
+/// with each combination of the leading effects (`switched_models`). Nothing is simulated, and no
+/// file is written.
+/// @param switches maximum number of effects that a reader of the page can switch on and off
 /// @param version version number of the page, by which a browser finds out that `pendular serve`
 ///        has a newer page; empty: a page that needs no server
 /// @throws InputError if the study cannot be diagnosed, such as with too few readings, or if

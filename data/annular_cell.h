@@ -30,11 +30,10 @@ struct AnnularCell {
 /// Source: Badetti et al. (2018), Eq. (3).
 double normal_stress(double normal_force, const AnnularCell& cell);
 
-/// Returns the shear stress [Pa], from the torque T [N m] on the lid. The shear stress is assumed
-/// to be uniform over the annulus with the inner radius Ri and the outer radius Re [m].
+/// Returns the shear stress [Pa] from the torque T [N m] on the lid. The shear stress is assumed to
+/// be uniform over the annulus with the inner radius Ri and the outer radius Re [m].
 ///     s12 = 3 T / (2 pi (Re^3 - Ri^3))      from T = int_{Ri}^{Re} 2 pi r^2 s12 dr
-/// If `cell.torque_formula` is FormulaVariant::as_printed, the function returns twice the shear
-/// stress s12 of the equation, as the formula printed in Badetti et al. (2018) does.
+/// If `cell.torque_formula` is FormulaVariant::as_printed, the result is 2 s12.
 /// Source: direct integration.
 double shear_stress(double torque, const AnnularCell& cell);
 
@@ -66,14 +65,12 @@ double height(double solid_fraction, const AnnularCell& cell);
 /// sample height [m]. The function inverts `shear_rate`.
 double angular_velocity(double shear_rate, double height, const AnnularCell& cell);
 
-/// Returns the 2 x 2 covariance matrix of the errors of a reading (mean over a step of steady
-/// shear). The first row and column are those of the shear stress [Pa], the second those of the
-/// solid fraction [1]. The matrix follows, to first order, from the covariance matrix C of the
-/// errors of the torque [N m] and the sample height [m].
+/// Returns the covariance matrix of the errors of a reading (mean over a step of steady shear) in
+/// shear stress [Pa] (index 0) and solid fraction [1] (index 1). The errors of torque [N m] and
+/// sample height [m] are propagated to first order, from their covariance matrix C.
 ///     J C J^T      J = diag(d(shear stress)/d(torque), d(solid fraction)/d(height))
 /// @param height sample height at which the derivatives are taken [m]
-/// @param torque_height_covariance covariance matrix C. The first row and column are those of the
-///         torque, the second those of the sample height.
+/// @param torque_height_covariance covariance matrix C: torque (index 0), sample height (index 1)
 Eigen::Matrix2d covariance_of_reading(double height,
                                       const Eigen::Matrix2d& torque_height_covariance,
                                       const AnnularCell& cell);

@@ -21,20 +21,17 @@ struct EffectParameter {
     /// user, in the parameter's unit. An effect with a smaller difference may be ignored.
     double smallest_of_interest = 1;
     std::string meaning;  ///< meaning of the effect's parameter in a few words, for the user
-    /// Function that returns the amplitude A of the effect at a value of the parameter. The change
-    /// that the effect causes in the stress ratio, the solid fraction and other results is assumed
-    /// to be proportional to A(value) - A(neutral), where `neutral` is the value at which the
-    /// effect vanishes. The function is needed if the derivative of the change with respect to the
-    /// parameter is zero at the neutral value, like the derivative of 1 - cos(angle) at angle 0. If
-    /// the function is null, A(value) = value.
+    /// Function that returns the amplitude A of the effect at a value of the parameter; null:
+    /// A(value) = value. The effect is assumed to change results, such as the stress ratio, in
+    /// proportion to A(value) - A(neutral). A function is needed if the results do not change to
+    /// first order at the neutral value, as for A = 1 - cos(angle) at angle 0.
     double (*amplitude)(double value) = nullptr;
     /// Function that returns the effective amplitude of the effect at a value of the parameter and
-    /// a friction coefficient between grains [1]. The emulator (Gaussian processes trained on
-    /// simulations) assumes that the change that the effect causes in a simulation is proportional
-    /// to the effective amplitude. The function is needed for effects that are limited by sliding
-    /// between grains, such as rolling resistance. The effective amplitude is 0 at the neutral
-    /// value of the parameter and largest at the upper bound of the parameter. If the function is
-    /// null, the function `amplitude` is used.
+    /// a friction coefficient between grains [1]; null: the function `amplitude` is used. The
+    /// emulator (Gaussian processes trained on simulations) assumes that the effect changes a
+    /// simulation in proportion to the effective amplitude. The effective amplitude is 0 at the
+    /// neutral value and largest at the upper bound of the parameter. An example is rolling
+    /// resistance, which sliding between grains limits.
     double (*effective_amplitude)(double value, double friction) = nullptr;
 
     /// Whether models of studies never fit the parameter, since measured data can hardly separate

@@ -33,8 +33,8 @@ struct Liquid {
 
 /// Returns the inertial number I [1] at a shear rate [1/s] and a normal stress s22 [Pa].
 ///     I = shear rate sqrt(m/(a s22))      m, a: mass [kg] and diameter [m] of a grain
-/// A second common definition is shear rate times a sqrt(density/s22). Inertial numbers by the
-/// second definition are sqrt(6/pi) = 1.382 times larger.
+/// A second common definition, shear rate times a sqrt(density/s22), gives inertial numbers that
+/// are sqrt(6/pi) = 1.382 times larger.
 /// Source: Badetti et al. (2018), Eq. (12), in its three-dimensional form.
 double inertial_number(double shear_rate, double normal_stress, const GrainProperties& grains);
 

@@ -13,10 +13,9 @@ struct PrintedUnit {
 };
 
 /// Returns the unit in which all values of an effect's parameter are printed. An angle is printed
-/// in degrees. Every other parameter is printed in its SI unit, with the prefix m (milli) if both
-/// bounds of the parameter are below 1 in magnitude, or u (micro) if both bounds are below 0.001.
-/// An example is "mN m" for torques up to 0.1 N m. Numbers without dimension, and units that take
-/// no prefix, such as "kg" and "m^2", are printed without a prefix.
+/// in degrees. Every other parameter is printed in its SI unit. The SI unit gets the prefix m
+/// (milli) if both bounds of the parameter are below 1 in magnitude, and u (micro) if both bounds
+/// are below 0.001. Numbers without dimension, and units such as "kg" and "m^2", get no prefix.
 PrintedUnit printed_unit(const EffectParameter& parameter);
 
 /// Returns a value [SI unit] of an effect's parameter as text in the printed unit (`printed_unit`),

@@ -9,17 +9,14 @@ namespace pendular {
 
 /// Returns a sentence that says whether the readings need an effect that was added to a study's
 /// model or dropped from the model. The sentence states chi2 per degree of freedom and the relative
-/// RMS error of the predicted shear stress [%], each before and after the change.
-/// @param before model before the change, with its misfit
-/// @param after model after the change, with its misfit
+/// RMS error of the predicted shear stress [%], before and after the change.
 std::string verdict_of(const StudyChange& change, const LadderStep& before,
                        const LadderStep& after);
 
 /// Returns a table of the errors of a study's model before and after one effect was added or
 /// dropped, one row per string. The rows are chi2 per degree of freedom and the relative RMS errors
 /// [%] of shear stress and solid fraction. If both models have been cross-validated, further rows
-/// contain the relative RMS errors [%] of the cross-validation, in which each condition is
-/// predicted by a fit to the other conditions.
+/// contain the relative RMS errors [%] at conditions left out of the fit.
 std::vector<std::string> error_changes(const LadderStep& before, const LadderStep& after);
 
 /// Returns a table of the fitted parameters before and after one effect was added to a study's
@@ -27,17 +24,19 @@ std::vector<std::string> error_changes(const LadderStep& before, const LadderSte
 /// the parameter.
 std::vector<std::string> parameter_changes(const LadderStep& before, const LadderStep& after);
 
-/// Returns sentences on the effect that was added to a study's model or dropped from the model. If
-/// chance explains the reduction of chi2 by the effect, or if conditions left out of the fit are
-/// predicted worse with the effect, the first sentence says so. One sentence follows for each
+/// Returns sentences on an effect that was added to a study's model or dropped from the model. The
+/// first sentence warns if chance explains the reduction of chi2 by the effect, or if the effect
+/// makes the prediction of conditions left out of the fit worse. One sentence follows for each
 /// fitted parameter that changed by more than three standard errors.
 std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& before,
                                    const LadderStep& after);
 
 /// Returns the command to run after an effect was added to a study's model or dropped from the
-/// model. The command is `pendular drop` if an added effect does not lower chi2 by more than chance
-/// explains, or if conditions left out of the fit are predicted worse with the effect. Otherwise,
-/// the command is `pendular compare` if the fit can be believed, and `pendular diagnose` if not.
+/// model:
+/// - `pendular drop`, if an added effect reduces chi2 by no more than chance explains, or makes the
+///   prediction of conditions left out of the fit worse
+/// - `pendular compare`, if the fit can be believed
+/// - `pendular diagnose`, if the fit cannot be believed
 /// @param believable whether the fit after the change can be believed
 /// @param study the study's name as the user gave it
 std::string next_after(const StudyChange& change, const LadderStep& before, const LadderStep& after,

@@ -14,9 +14,9 @@ namespace pendular {
 std::string power_text(const Finding& finding);
 
 /// Returns a diagnosis's estimate of the first parameter of an effect as text, with standard error
-/// and unit. The estimate comes from a refit with the effect. If no converged refit determines the
-/// parameter, the estimate comes from the score test (test without a refit). An estimate at a bound
-/// of the parameter has no standard error. For an effect that is on or off, the text is "switch".
+/// and unit. The estimate comes from a refit with the effect or, if no converged refit determines
+/// the parameter, from the score test (test without a refit). An estimate at a bound of the
+/// parameter has no standard error. For an effect that is on or off, the text is "switch".
 /// @param finding result for the effect, an element of `diagnosis.scan`
 std::string estimate_of(const Diagnosis& diagnosis, const Finding& finding,
                         const ModelSpace& space);
@@ -26,11 +26,10 @@ std::string estimate_of(const Diagnosis& diagnosis, const Finding& finding,
 /// @param finding result for the effect, an element of `diagnosis.scan`
 std::string left_text(const Diagnosis& diagnosis, const Finding& finding, const ModelSpace& space);
 
-/// Returns a table of the effects that a diagnosis tested: first the effects that the verdict names
-/// as missing, then the others, the effect with the largest reduction of chi2 first. The first line
-/// is the heading. One line follows for each effect, with the fitted value of the effect's
-/// parameter, chi2 per degree of freedom with the effect in the model, and the decision. The last
-/// lines explain the columns.
+/// Returns a table of the effects that a diagnosis tested, one line per effect below a heading.
+/// Effects that the verdict names as missing come first, then effects with the largest reduction of
+/// chi2. A line states the fitted value of the effect's parameter, chi2 per degree of freedom with
+/// the effect in the model, and the decision. The last lines explain the columns.
 /// @param all whether the table also has the columns of the statistical tests: share of the effect
 ///        that fitted parameters imitate, power and p value
 std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const ModelSpace& space,

@@ -23,18 +23,20 @@ Study signature_study(const std::vector<Effect>& effects);
 std::vector<Condition> signature_conditions(const Study& study);
 
 /// Returns a figure of how an effect of the smallest size of interest changes the predicted
-/// readings. The reference is the model without the effect or, for a property of the liquid, with
-/// the value of the study's liquid. For an effect that makes the model compute the strength of wet
-/// grains more accurately, the reference is the model with the next simpler formula or, if there is
-/// none, the base model `mohr-coulomb`. The upper row of panels shows the change of the shear
-/// stress [%]. The lower row shows 1000 times the change of the solid fraction [1]. The four
-/// columns show the changes against reduced pressure [1], liquid content [1], inertial number [1]
-/// and height of the sample [mm]. For effects on grains, a band shows one standard error of the
-/// change.
+/// readings. The upper row of panels shows the change of the shear stress [%]. The lower row shows
+/// 1000 times the change of the solid fraction [1]. The four columns show the changes against
+/// reduced pressure [1], liquid content [1], inertial number [1] and height of the sample [mm]. For
+/// effects on grains, a band shows one standard error of the change.
+///
+/// The reference of the change is the model without the effect, with two exceptions:
+/// - For a property of the liquid, the reference is the model with the value of the study's liquid.
+/// - For an effect that makes the model compute the strength of wet grains more accurately, the
+///   reference is the model with the next simpler formula or, if there is none, the base model
+///   `mohr-coulomb`.
 /// @param simulation emulator, which interpolates between the simulations known for the study
 /// @throws std::invalid_argument if the emulator has no simulation with the effect
 /// @throws std::domain_error if, with the effect, no possible state of the grains gives the normal
-///         stress and height that the instrument shows at a condition of the figure
+///        stress and height that the instrument shows at a condition of the figure
 Figure signature_figure(const Effect& effect, const Study& study,
                         const std::shared_ptr<const EmulatedSimulation>& simulation);
 

@@ -23,11 +23,11 @@ std::vector<const Check*> significant_checks(const Checks& checks);
 std::vector<std::string> checks_table(const Checks& checks);
 
 /// Returns a sentence on measurements that a model fits badly. The sentence names up to three
-/// measurements with the smallest p and states the number of all further measurements. Returns an
-/// empty text for an empty list. Returns an empty text also for more than eight measurements, since
-/// the model then fails as a whole.
-/// @param measurements names of measurements, each with a p value: the probability [1] that chance
-///        alone makes the measurement deviate from the model by at least as much as observed
+/// measurements with the smallest p values, and states how many more there are. Returns an empty
+/// text for no measurement, and for more than eight measurements, since the model then fails as a
+/// whole.
+/// @param measurements names of measurements, each with a p value [1]: probability that chance
+///        alone causes at least the observed deviation from the model
 std::string deviating_line(std::vector<std::pair<std::string, double>> measurements);
 
 /// Returns lines of text that say where a model fails. The first lines state the significant tests

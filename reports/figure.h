@@ -12,10 +12,10 @@ namespace pendular {
 /// Series of data in a panel (pair of axes) of a figure, drawn as points, line, band, bars or
 /// cells. A curve without data only adds an entry to the key (legend).
 struct Curve {
-    /// Way in which the data of the curve are drawn. `bars` are vertical and begin at the x axis
-    /// or, if the curve has values `from`, at these values of y. `bars_across` are horizontal and
-    /// begin at x = 0. `cells` are squares whose side is 1 in the units of the axes. `shade` gives
-    /// the strength of the colour of `cells`.
+    /// Way in which the data of the curve are drawn. `bars` are vertical and begin at the values
+    /// `from` or, without these values, at the x axis. `bars_across` are horizontal and begin at
+    /// x = 0. `cells` are squares whose side is 1 in the units of the axes, and `shade` gives the
+    /// strength of their colour.
     enum class Style { points, line, dotted_line, dashed_line, band, bars, bars_across, cells };
     std::string label;
     Style style = Style::points;

@@ -19,12 +19,15 @@ std::vector<std::string> by_impact(const ImpactTable& table,
 /// stress, the readings of dry_1.csv".
 std::string impact_name(const Impact& impact);
 
-/// Returns a table that states by how much each effect and each error of measurement shifts the
-/// fitted friction coefficient [1]. The first line is the heading. One row follows for each effect
-/// or error that shifts the friction coefficient by at least 0.05 standard errors. One row states
-/// the number of effects and errors with smaller shifts. One row follows for each group of effects
-/// or errors, such as the instrument, with the root of the sum of squares of their shifts. The last
-/// line explains the columns. The table is empty if `table` lists no effect or error.
+/// Returns a table of the shifts of the fitted friction coefficient [1] by effects and by errors of
+/// measurement. The table is empty if `table` lists no effect or error. The lines below the heading
+/// are:
+/// - one row for each effect or error that shifts the friction coefficient by at least 0.05
+///   standard errors
+/// - one row with the number of effects and errors with smaller shifts
+/// - one row for each group of effects or errors, such as the instrument, with the root of the sum
+///   of squares of their shifts
+/// - an explanation of the columns
 std::vector<std::string> impact_table(const ImpactTable& table);
 
 }  // namespace pendular

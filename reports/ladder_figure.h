@@ -5,14 +5,11 @@
 
 namespace pendular {
 
-/// Returns a figure of a ladder, the sequence of a study's models in which each model has one
-/// effect more or fewer than the previous model. A ladder of more than ten models is cut to the
-/// last ten models. The upper panel shows chi2 per degree of freedom of each model [1], beside the
-/// value 1 that is expected if the model and the standard errors are right. The lower panel shows
-/// the relative RMS errors of shear stress and solid fraction [%], first for the readings, second
-/// in cross-validation, in which each condition is predicted by a fit to the other conditions. A
-/// vertical line marks a model that does not follow from the previous model by adding or dropping
-/// one effect.
+/// Returns a figure of the last ten models of a ladder. A ladder is a sequence of a study's models,
+/// each with one effect more or fewer than the previous model. The upper panel shows chi2 per
+/// degree of freedom of each model [1]; a correct model has about 1. The lower panel shows the
+/// relative RMS errors of shear stress and solid fraction [%], for the readings and for conditions
+/// left out of the fit. A vertical line marks a model with which the sequence starts anew.
 Figure ladder_figure(const Ladder& ladder);
 
 }  // namespace pendular

@@ -7,12 +7,12 @@
 
 namespace pendular {
 
-/// Returns figures of the deviations of the readings (measured states) from a model. `qq` shows the
-/// ordered residuals against the quantiles of a normal distribution. `chi2_ledger` shows
-/// contributions to chi2, each divided by the number of contributing measured values [1], beside
-/// the value 1 that is expected for a correct model. The contributions come from shear stress and
-/// solid fraction, from up to six files and from up to ten conditions, the largest first. `qq` is
-/// left out for fewer than three readings.
+/// Returns figures of the deviations of the readings (measured states) from a model:
+/// - `qq`: ordered residuals against the quantiles of a normal distribution. The figure is left out
+///   for fewer than three readings.
+/// - `chi2_ledger`: contributions to chi2 per measured value [1], beside the value 1 that is
+///   expected for a correct model. The contributions come from shear stress and solid fraction,
+///   from up to six files and from up to ten conditions, the largest first.
 std::vector<Figure> misfit_figures(const Comparison& comparison);
 
 }  // namespace pendular

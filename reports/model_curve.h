@@ -27,9 +27,8 @@ extern const Coordinate along_inverse_normal_stress;  ///< 1/(normal stress) of 
 
 /// Sequence of conditions along which a model curve is computed. The path leads through the
 /// conditions of some readings in the order of one quantity, the coordinate. Nodes of the path are
-/// means of conditions whose coordinates agree within 5 %. All further quantities of a condition
-/// are interpolated linearly between nodes, and are constant before the first node and after the
-/// last node.
+/// means of conditions whose coordinates agree within 5 %. All other quantities are interpolated
+/// linearly between nodes, and are constant beyond the first and the last node.
 class ConditionPath {
   public:
     /// Makes a path through the conditions of readings.
@@ -68,11 +67,11 @@ struct CurveGroup {
     ConditionPath path(const std::vector<Reading>& readings, const Coordinate& along) const;
 };
 
-/// Divides readings into groups such that one model curve represents the predictions of each group,
-/// if possible. Tries one group, then division by one quantity of `apart`, then by several
+/// Divides readings into groups such that one model curve represents each group, if possible. The
+/// function tries one group, then division by one quantity of `apart`, then division by several
 /// quantities in the order of `apart`. `CurveGroup::curve` states whether a curve represents the
-/// group. Readings of steady shear and points of failure are divided separately, into at most 8
-/// groups each. If the readings contain both, the names of groups of points of failure say so.
+/// group. No group has both readings of steady shear and points of failure. There are at most 8
+/// groups of either state.
 /// @param members indices in the calibration of the readings to divide
 /// @param along quantity along the x axis of the figure
 std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,

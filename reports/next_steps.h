@@ -18,12 +18,12 @@ struct NextStep {
     bool direct = false;  ///< whether the step is to measure an effect's parameter directly
 };
 
-/// Returns what to do after a diagnosis, in order: checks of the instrument and direct measurements
-/// of effects (without shearing grains) come first, then readings, then a change of the model. A
-/// direct measurement is named with the value to expect and with the largest standard error at
-/// which the measurement decides. This standard error is the deviation to be seen, divided by
-/// sqrt(`telling_directly`). If a step is to take readings, the step names the command that plans
-/// the readings.
+/// Returns the steps to take after a diagnosis, in the order in which the user should take the
+/// steps. The steps are checks of the instrument, direct measurements of effects (without shearing
+/// grains), readings, and changes of the model. A step for a direct measurement states the value to
+/// expect and the largest standard error with which the measurement decides: the deviation to be
+/// seen, divided by sqrt(`telling_directly`). A step for readings names the command that plans the
+/// readings.
 /// @param impacts shifts of the fitted friction coefficient by each effect; used to choose among
 ///        effects that could go undetected
 /// @param study name of the study as the user gave it

@@ -8,10 +8,11 @@
 
 namespace pendular {
 
-/// Returns figures of the parameters of a fit. `profile` shows the profile likelihood of each of up
-/// to eight parameters beside the parabola that follows from the standard error. `corner` shows the
-/// confidence region of each pair of up to five parameters. A parameter that the readings do not
-/// determine is left out. `corner` is left out if the readings determine fewer than two parameters.
+/// Returns figures of the parameters of a fit that the readings determine:
+/// - `profile`: profile likelihood of each of up to eight parameters, beside the parabola that
+///   follows from the standard error
+/// - `corner`: confidence region of each pair of up to five parameters. The figure is left out for
+///   fewer than two parameters.
 std::vector<Figure> parameter_figures(const StudyModel& model, const Calibration& calibration);
 
 }  // namespace pendular

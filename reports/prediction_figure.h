@@ -18,8 +18,8 @@ void check_drawable(const std::string& name, const PredictionCurve& curve);
 /// Returns a figure of predictions along a curve of flow states, one panel for each quantity. The
 /// emulator, which interpolates between simulations, predicts observables with their standard
 /// errors. A closure (analytical formula) is computed from the predicted observables. Panels of
-/// observables also show simulations near the curve. The stiffness number of these simulations, and
-/// all quantities that do not vary along the curve, agree within 5 % with the values on the curve.
+/// observables also show the simulations near the curve. These simulations agree within 5 % with
+/// the curve in stiffness number and in all quantities that do not vary along the curve.
 /// @param drawn names of the quantities, which `check_drawable` accepts
 Figure prediction_figure(const PredictionCurve& curve, const Emulator& emulator,
                          const std::vector<std::string>& drawn);

@@ -23,8 +23,8 @@ std::string sentence_on(const FittedShape& shape);
 /// the misfit.
 std::string sentence_on(const Proposal& proposal);
 
-/// Returns lines of text on changes of unknown physical cause that would explain the readings. Each
-/// proposal is a set of changes. For the best proposal, the lines also state chi2 per degree of
+/// Returns lines of text on proposals. A proposal is a set of changes of unknown physical cause
+/// that would explain the readings. For the best proposal, the lines also state chi2 per degree of
 /// freedom without and with the changes. Returns an empty list if `proposals` is empty.
 /// @param chi2 chi2 of the model without the changes [1]
 /// @param dof degrees of freedom of `chi2`

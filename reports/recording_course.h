@@ -28,10 +28,10 @@ struct AveragedWindow {
 /// such as "averaged, no plateau".
 const char* text_of(AveragedWindow::Kind kind);
 
-/// Returns the ranges of rows of a recording that are averaged: the steady parts whose means are
-/// the readings of a study, readings that were set aside, and steps that reach no plateau. If both
-/// `readings` and `excluded` are empty, returns the ends of preshears and the smoothed peaks of
-/// intervals that were sheared to failure.
+/// Returns the ranges of rows of a recording that are averaged. For a recording in a study, the
+/// ranges are the steady parts whose means are readings, readings that were set aside, and steps
+/// that reach no plateau. If both `readings` and `excluded` are empty, the ranges are the ends of
+/// preshears and the smoothed peaks of intervals that were sheared to failure.
 /// @param readings readings (measured states) of a study; readings from files other than `view` are
 ///        ignored
 /// @param excluded rows that a study left out
@@ -53,10 +53,10 @@ class RecordingCourse {
     /// Returns the number of rows of the recording.
     std::size_t size() const { return values_.size(); }
 
-    /// Returns the points of a plot of the quantity: pairs of row number, counted from 1, and
-    /// value, in the order of the rows, without rows in which the value is missing. If there are
-    /// more than `most` values, the values are divided into most/2 equal parts, and the least and
-    /// the greatest value of each part are returned, so that no peak is lost.
+    /// Returns the points of a plot of the quantity in the order of the rows: pairs of row number,
+    /// counted from 1, and value. Rows without a value are left out. If there are more than `most`
+    /// values, the function divides the values into most/2 equal parts and returns the least and
+    /// the greatest value of each part, so that no peak is lost.
     std::vector<std::pair<std::size_t, double>> points(std::size_t most) const;
 
     /// Returns the mean of the known values in a range of rows, in the unit of the quantity.

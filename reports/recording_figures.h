@@ -16,11 +16,8 @@ std::vector<Figure> file_figures(const FileView& view);
 
 /// Returns a figure of a recording with two panels, one above the other: shear stress and normal
 /// stress [Pa] (torque [N m] and normal force [N] if the file has no stresses) against the row
-/// number. Each averaged range of rows is drawn at its mean. The colour of a range says whether the
-/// range is at a plateau, reached no plateau, or belongs to an excluded reading. The ranges are the
-/// steady parts over which the readings of a study are means. Without a study, the ranges are the
-/// ends of preshears and the rows around the smoothed peak of each interval that was sheared to
-/// failure.
+/// number. Each averaged range of rows (`windows_of`) is drawn at its mean. The colour of a range
+/// says whether the range is at a plateau, reached no plateau, or belongs to an excluded reading.
 /// @param readings readings (measured states) of a study; readings from files other than `view` are
 ///        ignored
 /// @param excluded rows that the study excludes

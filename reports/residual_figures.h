@@ -12,8 +12,8 @@ namespace pendular {
 /// - `residuals`: residuals of shear stress and solid fraction of each reading, in one panel for
 ///   each quantity that varies between the readings
 /// - `residual_map`: mean residual of each condition in the plane of normal stress and inertial
-///   number. Each liquid content has a panel for shear stress and a panel for solid fraction. The
-///   figure is left out if all readings have one inertial number.
+///   number, with one panel for each liquid content and observable. The figure is left out if all
+///   readings have one inertial number.
 std::vector<Figure> residual_figures(const Comparison& comparison);
 
 }  // namespace pendular

@@ -48,16 +48,16 @@ std::string freedom_text(int degrees_of_freedom);
 /// is much larger for this reason, the text says so.
 std::string misfit_text(const Misfit& misfit);
 
-/// Returns a table of the contributions to chi2 [1]: first of shear stress and solid fraction,
-/// second of each condition, third of each file, if there are several files. The sum of the
-/// contributions of shear stress and solid fraction is the chi2 of all readings. The sums over all
-/// conditions and over all files are the chi2 of all readings too.
+/// Returns a table of the contributions to chi2 [1] in three parts: shear stress and solid
+/// fraction, each condition and, if there are several files, each file. The contributions in each
+/// part add up to the chi2 of all readings.
 std::vector<std::string> misfit_table(const Comparison& comparison);
 
 /// Returns a table of cohesion lines. A cohesion line is a straight line of the stress ratio
-/// against the inverse reduced pressure, stress ratio = intercept + c*/P* with the reduced cohesion
-/// c*. For each liquid content and inertial number, the line through the readings and the line
-/// through the model are one below the other. Returns an empty list if `lines` is empty.
+/// against 1/P*, with the reduced pressure P* and the reduced cohesion c*:
+///     stress ratio = intercept + c*/P*
+/// For each liquid content and inertial number, the line through the readings and the line through
+/// the model are one below the other. Returns an empty list if `lines` is empty.
 std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines);
 
 }  // namespace pendular

@@ -15,14 +15,16 @@ namespace pendular {
 inline constexpr std::size_t shown_undetected = 5;
 
 /// Returns a table of the effects that the study's readings cannot exclude: an effect of the
-/// smallest size of interest could be present and remain undetected. The first line is the heading.
-/// One line follows for each effect, the effect that shifts the fitted friction coefficient most
-/// first. A line states the shift of the friction coefficient by the effect at its smallest size of
-/// interest, that size, the smallest size that these readings would show, and how to settle whether
-/// the effect is there. For an effect that is on or off, the line states the percentage of
-/// repetitions of the study that would detect the effect. Sizes are deviations of the effect's
-/// parameter from the value without the effect. Returns an empty list unless the verdict of the
-/// diagnosis is inconclusive.
+/// smallest size of interest could be present and remain undetected. Returns an empty list unless
+/// the verdict of the diagnosis is inconclusive. One line follows the heading for each effect, the
+/// effect that shifts the fitted friction coefficient most first. A line states:
+/// - the shift of the friction coefficient by the effect at its smallest size of interest
+/// - the smallest size of interest
+/// - the smallest size that these readings would show or, for an effect that is on or off, the
+///   percentage of repetitions of the study that would detect the effect
+/// - how to settle whether the effect is there
+///
+/// Sizes are deviations of the effect's parameter from the value without the effect.
 /// @param impacts shifts of the fitted friction coefficient by each effect
 std::vector<std::string> undetected_table(const StudyDiagnosis& diagnosis,
                                           const std::optional<ImpactTable>& impacts,

@@ -10,20 +10,18 @@ namespace pendular {
 
 /// Returns the figures of the wet readings at the lowest inertial number, within 20 %. Returns an
 /// empty list if the study has no wet readings. P* is the reduced pressure.
-/// - `stress_ratio_wet` and `solid_fraction_wet`, against 1/P*: for each liquid content, the
-///   readings, the model's prediction of each reading, and curves of the model. If the predictions
-///   differ between masses of beads or files, the figure has one curve for each mass or file.
-///   `stress_ratio_wet` also shows the straight cohesion lines (Mohr-Coulomb), extended to P* below
-///   the range of the fit.
+/// - `stress_ratio_wet`, against 1/P*: for each liquid content, the readings, the model's
+///   prediction of each reading, curves of the model, and straight cohesion lines (Mohr-Coulomb).
+/// - `solid_fraction_wet`, against 1/P*: for each liquid content, the readings, the model's
+///   prediction of each reading, and curves of the model.
 /// - `reduced_cohesion`, against the liquid content: reduced cohesion from lines through the
 ///   readings, from lines through the model, and from the simulated structure (solid fraction and
-///   coordination number), with and without capillary shear stress. The values from the structure
-///   include the change of cohesion that the effects on the instrument cause in the model, so that
-///   all values are comparable with measured values. The figure is left out if it would have
-///   neither lines nor values from the structure.
+///   coordination number), with and without capillary shear stress. The figure is left out if it
+///   would have neither lines nor values from the structure.
+///
 /// P* and the reduced cohesion are normalised with the pull-off force F0 of the study's liquid,
-/// even if the fit changes the surface tension, so that measured points stay in place. If the fit
-/// changes F0, the titles state the fitted F0 [µN].
+/// even if the fit changes the surface tension. If the fit changes F0, the titles state the fitted
+/// F0 [µN].
 /// Source: Badetti et al. (2018), Fig. 7, Fig. 9 and Fig. 8.
 /// @param cohesion options with which the cohesion lines of the calibration were fitted
 std::vector<Figure> wet_figures(const StudyModel& model, const Calibration& calibration,

@@ -21,7 +21,7 @@ std::string with_error(double value, double error, const std::string& unit);
 
 /// Returns the text of a change of a value with sign and unit, such as "-0.0145". The change is
 /// rounded to the second significant digit of the standard error of the value. The SI prefix is the
-/// prefix that `with_error` gives to the value and the standard error.
+/// prefix that `with_error` gives to the value.
 /// @param unit SI unit of the change, the value and the standard error
 std::string change_text(double change, double value, double error, const std::string& unit);
 

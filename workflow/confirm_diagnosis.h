@@ -8,17 +8,13 @@
 namespace pendular {
 
 /// Finds which physical effect is missing from a study's model, and tests this verdict by rounds of
-/// new simulations. Each round chooses the states of steady shear whose simulation most reduces the
-/// standard errors of the best models' parameters, trains the emulator (which interpolates
-/// simulations) on the new runs, and repeats the diagnosis. The rounds end when the verdict is firm
+/// new simulations. Each round simulates states of steady shear that reduce the standard errors of
+/// the best models' parameters, and repeats the diagnosis. The rounds end when the verdict is firm
 /// (`Confirmation::settled`) or when `seconds` have passed. The user's file of simulations
-/// (`SessionOptions::store`) keeps all runs, so that a repeated command continues where the earlier
-/// command ended.
-/// @param seconds time that runs and diagnoses may take together [s]; the first diagnosis is made
-///        in any case
-/// @throws InputError if the study has too few readings, if all readings have one condition, if
-///         there are too few earlier runs, or if a reading is outside the range that can be
-///         simulated
+/// (`SessionOptions::store`) keeps the runs. A repeated call continues with the stored runs.
+/// @param seconds maximum time for simulations and diagnoses together [s]; the first diagnosis is
+///        made in any case
+/// @throws InputError if the study cannot be diagnosed (see `diagnose_study`)
 /// @throws dem::Interrupted if the user requests a stop; the message says how to continue
 StudyDiagnosis confirm_diagnosis(const ResolvedStudy& study, const Measurements& measurements,
                                  const SessionOptions& session, double seconds);

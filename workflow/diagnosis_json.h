@@ -17,9 +17,9 @@ namespace pendular {
 ///        (effects that may be added)
 std::vector<std::string> names_of(const Explanation& explanation, const ModelSpace& space);
 
-/// Returns the JSON of a diagnosis (search for effects that a study's model lacks), which is the
-/// main part of out/diagnosis.json: the verdict, the effects that the verdict names, the test of
-/// each candidate effect, and the refitted models.
+/// Returns the JSON of a diagnosis (search for effects that a study's model lacks): the verdict,
+/// the effects that the verdict names, the test of each candidate effect, and the refitted models.
+/// This JSON is the main part of out/diagnosis.json.
 /// @param space models that were diagnosed, with the candidate effects (effects that may be added)
 /// @param evidence readings that were diagnosed, with the suspect measurements (parts of the
 ///        measurement that may be wrong)

@@ -14,23 +14,22 @@ namespace pendular {
 /// (`Belief`).
 nlohmann::ordered_json to_json(const Calibration& calibration, const Comparison& comparison);
 
-/// Writes the result of a fit to FOLDER/fit.json and returns the JSON written: the calibration, the
-/// comparison of the readings with its predictions, and the judgement whether the fit can be
-/// believed. Training runs (simulations on which the emulator is trained) that are not in the atlas
-/// (the simulations supplied with Pendular) are written to FOLDER/fit_runs.csv.
+/// Writes the result of a fit to FOLDER/fit.json, and returns the JSON. Also writes
+/// FOLDER/fit_runs.csv with the training runs (simulations on which the emulator is trained) that
+/// the atlas (the simulations supplied with Pendular) does not contain.
 /// @throws std::runtime_error if a file cannot be written
 nlohmann::ordered_json write_calibration(const std::filesystem::path& folder,
                                          const Calibration& calibration,
                                          const Comparison& comparison, const Belief& belief);
 
-/// Reads a calibration from a fit.json. The predictions of the readings are not read. Grains,
-/// liquid, model and direct measurements are taken from `study`, which must be the study that was
-/// fitted. Training runs (simulations on which the emulator is trained) are read from the atlas
-/// (the simulations supplied with Pendular) and from fit_runs.csv in the folder of `file`.
+/// Reads a calibration from a fit.json, without the predictions of the readings. Grains, liquid,
+/// model and direct measurements come from `study`, which must be the study that was fitted. The
+/// training runs (simulations on which the emulator is trained) come from the atlas (the
+/// simulations supplied with Pendular) and from fit_runs.csv in the folder of `file`.
 /// @param readings readings of the study, dry readings first
 /// @throws InputError if the file is missing, malformed or of another format, if the study's
 ///         readings, direct measurements, grains, liquid or model have changed since the fit, or if
-///         a training run is neither in the atlas nor in fit_runs.csv
+///         a training run is not found
 Calibration read_calibration(const std::filesystem::path& file, const ResolvedStudy& study,
                              const std::vector<Reading>& readings);
 

@@ -28,8 +28,8 @@ void write_own_runs(const std::filesystem::path& folder, const std::vector<dem::
 /// Returns the training runs (simulations on which an emulator is trained) that a fit file names,
 /// in the order of `names`. The runs are read from the atlas (the simulations supplied with
 /// Pendular) and from fit_runs.csv beside the fit file.
-/// @param names JSON array of the fingerprints (hashes) of the runs; a file of an earlier version
-///        contains the runs themselves in place of their fingerprints
+/// @param names JSON array of the fingerprints (hashes) of the runs or, in a fit file of an earlier
+///        version, of the runs themselves
 /// @throws InputError if a named run is neither in the atlas nor in fit_runs.csv
 std::vector<dem::RunResult> named_runs(const nlohmann::ordered_json& names,
                                        const std::filesystem::path& fit_file);

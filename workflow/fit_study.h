@@ -52,11 +52,10 @@ struct FitOptions {
 /// can train an emulator for the study.
 bool begins_cold(const Study& study, const SessionOptions& session, const FitOptions& options);
 
-/// Fits the parameters of a study's model to its readings by least squares. The predictions come
-/// from an emulator, which interpolates simulations. The emulator is trained on the runs of the
-/// atlas (the simulations supplied with Pendular) and of the store (the user's file of
-/// simulations). If there are too few runs or `options.cold` is set, the emulator is trained on
-/// runs that the fit simulates.
+/// Fits the parameters of a study's model to its readings by least squares. An emulator, which
+/// interpolates simulations, predicts the readings. The emulator is trained on earlier runs, which
+/// come from the atlas (the simulations supplied with Pendular) and from `session.store` (the
+/// user's file of simulations). If `begins_cold` returns true, the fit simulates the runs instead.
 /// @throws InputError if there is nothing to fit, if a reading cannot be simulated, if the study
 ///         has effects on grains but no earlier simulations exist, or if the atlas cannot be read
 /// @throws dem::Interrupted if the user requests a stop; the message says how to continue

@@ -11,12 +11,11 @@
 namespace pendular {
 
 /// Returns the earlier simulation runs that can train an emulator (which interpolates simulations)
-/// for a study: first the runs of the atlas (the simulations supplied with Pendular), then the runs
-/// of the store (the user's file of simulations), latest first. A run can train the emulator if it
-/// was made with the present version of the simulated physics (`dem::physics_version`), and if its
-/// effects, number of grains, Poisson ratio and bridge force law suit the study (`runs_serving`).
-/// If more than `most_known` runs can train the emulator, the oldest runs of the store are left out
-/// and the listener receives a note. Empty if fewer than 20 runs can train the emulator.
+/// for a study. The runs of the atlas (the simulations supplied with Pendular) come first, then the
+/// runs of `store`, latest first. Each run has the present physics version (`dem::physics_version`)
+/// and suits the study (`runs_serving`). If there are more than `most_known` runs, the oldest runs
+/// of `store` are left out and the listener receives a note. Empty if there are fewer than 20 such
+/// runs.
 /// @param store user's file of simulations; null: only the atlas is used
 /// @throws InputError if the atlas cannot be read
 std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,

@@ -55,12 +55,12 @@ double mass_of(const Condition& c, const Study& study);
 /// standard errors include the errors of the fitted parameters and of the simulation.
 Eigen::VectorXd error_of(const Forecast& forecast);
 
-/// Chooses the next measurement of a study among the measurements that the instrument can make. If
-/// several models fit according to the diagnosis, the function chooses the measurement that best
-/// tells the models apart. If only one model fits, the function chooses the measurement that
-/// determines its parameters most precisely. The instrument is described in the table [rig] of
-/// study.toml. Without this table, the range of the readings is used. The diagnosis and the study
-/// must outlive the result.
+/// Chooses the next measurement of a study. If the diagnosis leaves several rival models
+/// (`rivals_of`), chooses the measurement that best tells the models apart. If only one model is
+/// left, chooses the measurement that determines its parameters most precisely. The table [rig] of
+/// study.toml states which measurements the instrument can make. Without this table, the
+/// measurements lie in the range of the readings. The diagnosis and the study must outlive the
+/// result.
 /// @throws InputError if none of the instrument's conditions is near an earlier simulation run, or
 ///         if [rig] lists a direct measurement of an effect that does not apply to the study
 NextMeasurement next_measurement(const ResolvedStudy& study, const StudyDiagnosis& diagnosis);

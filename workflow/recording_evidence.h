@@ -14,12 +14,11 @@ namespace pendular {
 struct RecordingEvidence {
     /// Fault that the import found in the recordings.
     RecordingFinding finding;
-    /// Share [1] of the misfit that the fault may explain: a reduction of chi2 divided by the
-    /// excess chi2 - dof of the study's model (dof: degrees of freedom), at most 1. The reduction
-    /// results from multiplying the shear stresses of all affected readings by one fitted factor.
-    /// For a fault of the height, the factor multiplies the solid fractions. A change that the
-    /// calibrated parameters can imitate does not count. Negative if no affected reading was
-    /// tested, or if the diagnosis found no misfit.
+    /// Share [1] of the misfit that the fault may explain, at most 1: reduction of chi2 by one
+    /// fitted factor on all affected readings, divided by chi2 - dof of the study's model (dof:
+    /// degrees of freedom). The factor multiplies shear stresses or, for a fault of the height,
+    /// solid fractions. A change that the calibrated parameters can imitate does not count.
+    /// Negative if no affected reading was tested, or if the diagnosis found no misfit.
     double explains = -1;
     /// Whether multiplying the affected readings by one fitted factor would reduce chi2
     /// significantly (p < 0.01), and by more than the score test (test without a refit) predicts
@@ -33,8 +32,8 @@ struct RecordingEvidence {
 
 /// Returns the faults inside a study's recordings that may explain the misfit of the study's model,
 /// the fault with the largest share of the misfit first. Saturated sensors and level changes from
-/// one recording to the next are always included. Faults of other kinds are included if multiplying
-/// the affected readings by one fitted factor would reduce chi2 significantly (p < 0.01).
+/// one recording to the next are always included. Any other fault is included if one fitted factor
+/// on the affected readings would reduce chi2 significantly (p < 0.01).
 /// @param findings all faults that the import found in the recordings
 std::vector<RecordingEvidence> recording_evidence(const StudyDiagnosis& diagnosis,
                                                   const std::vector<RecordingFinding>& findings);

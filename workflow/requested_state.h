@@ -29,8 +29,8 @@ struct RequestedState {
     void check_supported() const;
 
     /// Returns the requested state in the coordinates of the emulator: friction coefficient,
-    /// inertial number, 1/P* (P*: reduced pressure) and bridge volume. A liquid content is
-    /// converted to a bridge volume by means of the coordination number that the emulator predicts.
+    /// inertial number, 1/P* (P*: reduced pressure) and bridge volume. A requested liquid content
+    /// is converted to a bridge volume with the predicted coordination number.
     /// @param known range of states in which the earlier simulation runs allow predictions
     /// @throws InputError if the state is wet but no earlier run is wet, or if the state is dry but
     ///         no earlier run is dry
@@ -61,9 +61,9 @@ std::string why_impossible(const dem::RunParameters& run);
 std::string simulate_command(const dem::RunParameters& run, const Fidelity& fidelity);
 
 /// Returns the error message for a requested state outside the range of the earlier simulation
-/// runs. The message contains the reason `why`, the nearest state within the range, and the command
-/// that predicts the nearest state. The message also contains the command that simulates the
-/// requested state, or the reason why the requested state cannot be simulated.
+/// runs. The message states the reason `why`, the nearest state within the range, and the command
+/// that predicts the nearest state. The message ends with the command that simulates the requested
+/// state, or with the reason why the simulation is impossible.
 /// @param state requested state in the coordinates of the emulator
 std::string unsupported_text(const RequestedState& requested, const FlowState& state,
                              const std::string& why, const Emulator& emulator,
@@ -71,10 +71,9 @@ std::string unsupported_text(const RequestedState& requested, const FlowState& s
                              double stiffness_number);
 
 /// Corrects the bridge volume of a state outside the range of the earlier simulation runs. The
-/// bridge volume follows from the requested liquid content and the coordination number. The
-/// emulator cannot predict the coordination number at `state` reliably, so that the coordination
-/// number at the nearest state within the range is used. Returns `state` unchanged if no liquid
-/// content is requested.
+/// emulator cannot predict the coordination number at such a state. The bridge volume is therefore
+/// computed from the requested liquid content and the coordination number at the nearest state
+/// within the range. Returns `state` unchanged if no liquid content is requested.
 FlowState with_known_coordination(const RequestedState& requested, FlowState state,
                                   const Emulator& emulator, const KnownRange& known);
 

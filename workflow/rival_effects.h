@@ -17,19 +17,17 @@ namespace pendular {
 std::vector<std::string> names_of(const std::vector<ListedEffect>& effects);
 
 /// Reads the alternatives to an effect from the result of an earlier diagnosis. An alternative is a
-/// set of effects that does not contain `effect`, but that explained the readings equally well as
-/// the sets that contain it. The result is empty if `file` (a diagnosis.json) cannot be read, if no
-/// set with `effect` explained the readings, or if the study's list of effects has changed since
-/// the diagnosis.
+/// set of effects without `effect` that explained the readings as well as the sets with `effect`.
+/// Empty if `file` (a diagnosis.json) cannot be read, if no set with `effect` explained the
+/// readings, or if the study's list of effects has changed since the diagnosis.
 std::vector<std::vector<std::string>> rivals_in(const std::filesystem::path& file,
                                                 const Study& study, const std::string& effect);
 
-/// Fits the models in which an alternative (set of effects) replaces one effect that the study
-/// lists, and returns the models that the readings do not rule out. All other effects that the
-/// study lists stay in the model. When the listed effect was added, each alternative explained the
-/// readings equally well (`LadderStep::rivals`). The readings rule out a model if Akaike's
-/// criterion, chi2 + 2 (number of parameters), exceeds the criterion of the study's model by 7 or
-/// more.
+/// Fits the models in which an alternative replaces one effect that the study lists, and returns
+/// the models that the readings do not rule out. An alternative is a set of effects that explained
+/// the readings equally well when the listed effect was added (`LadderStep::rivals`). The readings
+/// rule out a model if Akaike's criterion, chi2 + 2 (number of parameters), exceeds the criterion
+/// of the study's model by 7 or more.
 /// @param diagnosis diagnosis of the study, whose readings and emulator are used
 /// @param ladder sequence of the study's models, with the alternatives to each added effect
 /// Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002), section 2.6.

@@ -6,21 +6,22 @@
 
 namespace pendular {
 
-/// Returns the models with the changes of unknown cause that a diagnosis proposes, as rival models
-/// that the next measurement should tell apart. The list contains one model for each proposal, then
-/// one model for each change that would alter the readings in nearly the same way as the first
-/// proposal (`Proposal::alike`), refitted to the readings. Left out are models with a change of
-/// what a sensor shows, which a check of the sensor settles, and models that the readings rule out:
-/// their Akaike criterion exceeds the smallest criterion by `little_support` or more. Empty if
-/// nothing is left.
+/// Returns rival models with changes of unknown cause. The next measurement should tell these
+/// models apart. The list contains one model for each proposal of the diagnosis, then one refitted
+/// model for each change that would alter the readings in nearly the same way as the first proposal
+/// (`Proposal::alike`). Models with a change of what a sensor shows are left out, since a check of
+/// the sensor settles such a change. A model is also left out if its Akaike criterion exceeds the
+/// smallest Akaike criterion by `little_support` or more. Empty if no model is left.
 std::vector<Rival> proposal_rivals(const StudyDiagnosis& diagnosis);
 
 /// Returns the rival models, which the next measurement should tell apart: the models that fit the
-/// readings according to a diagnosis. If no model fits, the function returns the model with the
-/// leading effects (effects that explain most of the misfit), else the models with proposed changes
-/// of unknown cause (`proposal_rivals`), else the study's model. If this gives only one model, the
-/// function also returns the models in which other effects replace one effect that the study lists
-/// (`StudyDiagnosis::rivals`).
+/// readings according to a diagnosis. If no model fits, the result is the first of the following
+/// that exists:
+/// - the model with the leading effects (effects that explain most of the misfit);
+/// - the models with proposed changes of unknown cause (`proposal_rivals`);
+/// - the study's model.
+/// If this gives only one model, `StudyDiagnosis::rivals` are added: models with other effects in
+/// place of one effect that the study lists.
 std::vector<Rival> rivals_of(const StudyDiagnosis& diagnosis);
 
 }  // namespace pendular

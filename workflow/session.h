@@ -39,18 +39,17 @@ struct ComparedStudy {
 };
 
 /// Session on a study. The session reads the files of the study once, then calibrates, compares,
-/// predicts, diagnoses, plans measurements and changes effects. Long computations report their
-/// progress to the listener in the options of the session, and nothing is printed. Only
-/// `calibrate`, `add` and `drop` write to the results folder. `add` and `drop` then write the
-/// changed study.toml. New simulation runs are added to the store (`SessionOptions::store`).
+/// predicts, diagnoses, plans measurements and changes effects. The session prints nothing.
+/// Progress goes to `SessionOptions::listener`, and new simulation runs go to
+/// `SessionOptions::store`. Only `calibrate`, `add` and `drop` write to the results folder. Only
+/// `add` and `drop` change study.toml.
 class Session {
   public:
     /// Reads a study and all its recordings, and checks them before any computation. Results are
     /// written to `outputs.folder` or, if `outputs.folder` is empty, to STUDY/out.
     /// @param study folder of the study, or its study.toml
-    /// @throws InputError if a file of the study or an effect that the study lists is wrong, if a
-    ///         result would replace a file of the study, or if the study would read a result as a
-    ///         measurement
+    /// @throws InputError if a file of the study or a listed effect is wrong, if a result would
+    ///         replace a file of the study, or if the study would read a result as a measurement
     explicit Session(const std::filesystem::path& study, SessionOptions options = {},
                      OutputPlaces outputs = {});
     /// Opens a session on a study that `read_input` has read. Results are written to `folder`. The
@@ -78,24 +77,21 @@ class Session {
     ///         it was fitted
     ComparedStudy compare(const std::optional<CohesionOptions>& cohesion = {}) const;
     /// Predicts the readings of the study's instrument at several conditions from the fit in the
-    /// results folder. The result contains, for each condition in order, first the shear stress
-    /// [Pa] and second the solid fraction [1]. The covariance includes errors of the fit and of the
-    /// simulation.
+    /// results folder. The values are the shear stress [Pa] and the solid fraction [1] of each
+    /// condition in turn. The covariance includes errors of the fit and of the simulation.
     /// @throws InputError if the folder has no readable fit.json, if the study has changed since it
     ///         was fitted, or if a condition cannot be simulated
     Prediction predict(const std::vector<Condition>& conditions) const;
-    /// Tests which physical effect is missing from the study's model. If other effects could have
-    /// replaced an added effect equally well, the models with the other effects are fitted too.
-    /// `StudyDiagnosis::rivals` of the result contains the models with other effects that the
-    /// readings do not rule out.
-    /// @param confirming_seconds largest time [s] for new simulations that test the verdict, and
-    ///        for the diagnoses that are repeated with the new simulations; empty: nothing is
-    ///        simulated
-    /// @param repetitions number of repetitions of the experiment that are simulated (readings with
-    ///        new random errors) and diagnosed, to count how often the diagnosis gives the same
-    ///        verdict as for the readings; 0: no repetitions
-    /// @throws InputError if there are too few readings or too few earlier simulation runs, if a
-    ///         reading is outside the range that can be simulated, or if ladder.json cannot be read
+    /// Tests which physical effect is missing from the study's model. Also tests whether other
+    /// effects could replace an effect that was added earlier: `StudyDiagnosis::rivals` contains
+    /// the models with other effects that the readings do not rule out.
+    /// @param confirming_seconds maximum time [s] for new simulations that test the verdict and for
+    ///        repeated diagnoses; empty: nothing is simulated
+    /// @param repetitions number of simulated repetitions of the experiment (readings with new
+    ///        random errors); `StudyDiagnosis::repeated` counts the repetitions with the same
+    ///        verdict; 0: no repetitions
+    /// @throws InputError if the study cannot be diagnosed (see `diagnose_study`), or if
+    ///         ladder.json cannot be read
     /// @throws dem::Interrupted if the user requests a stop
     StudyDiagnosis diagnose(std::optional<double> confirming_seconds = {},
                             std::size_t repetitions = 0) const;
@@ -107,11 +103,11 @@ class Session {
     NextMeasurement next(const StudyDiagnosis& diagnosis) const;
     NextMeasurement next(StudyDiagnosis&& diagnosis) const = delete;
     /// Adds an effect to study.toml and fits the study before and after the change. If the fit
-    /// after the change does not converge, no results are written and study.toml is not changed.
-    /// This session keeps the study without the effect. Open a new session for the changed study.
+    /// after the change does not converge, study.toml and the results remain unchanged. This
+    /// session keeps the study without the effect. Open a new session for the changed study.
     /// @param effect name of a known effect, or of an effect in proposed.toml of the results folder
-    /// @param same_fidelity whether to use the fidelity (set of simulation settings) of the fit in
-    ///        the results folder, if there is a fit
+    /// @param same_fidelity whether to use the simulation settings of the fit in the results
+    ///        folder, if there is a fit
     /// @throws InputError if the effect cannot be added, if ladder.json cannot be read, if a fit is
     ///         impossible, or if study.toml has changed since the session read it
     /// @throws std::runtime_error if a file cannot be written
@@ -119,11 +115,11 @@ class Session {
     ChangedStudy add(const std::string& effect, const FitOptions& fit = {},
                      bool same_fidelity = true) const;
     /// Removes an effect from study.toml and fits the study before and after the change. If the fit
-    /// after the change does not converge, no results are written and study.toml is not changed.
-    /// This session keeps the study with the effect. Open a new session for the changed study.
+    /// after the change does not converge, study.toml and the results remain unchanged. This
+    /// session keeps the study with the effect. Open a new session for the changed study.
     /// @param effect name of an effect that study.toml lists
-    /// @param same_fidelity whether to use the fidelity (set of simulation settings) of the fit in
-    ///        the results folder, if there is a fit
+    /// @param same_fidelity whether to use the simulation settings of the fit in the results
+    ///        folder, if there is a fit
     /// @throws InputError if the study does not list the effect, if ladder.json cannot be read, if
     ///         a fit is impossible, or if study.toml has changed since the session read it
     /// @throws std::runtime_error if a file cannot be written

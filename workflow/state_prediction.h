@@ -47,8 +47,8 @@ struct VariedQuantity {
     bool logarithmic = false;
 
     /// Parses the name and the range of a varied quantity from a text such as
-    /// "reduced-pressure=0.5:10". The values are evenly spaced in the logarithm, except for the
-    /// friction coefficient and for a range that does not begin above 0.
+    /// "reduced-pressure=0.5:10". Values of the friction coefficient, and of a range that begins at
+    /// 0 or below, are evenly spaced. All other values are evenly spaced in the logarithm.
     /// @param points number of values along the range
     /// @throws InputError if the text has another form, if the range does not increase, or if
     ///         `points` is below 2
@@ -86,8 +86,8 @@ struct PredictionCurve {
 class StatePredictor {
   public:
     /// Trains an emulator (which interpolates simulations) on the earlier runs of the atlas (the
-    /// simulations supplied with Pendular) and of the store (the user's file of simulations).
-    /// @param fidelity settings of the simulation runs that messages and `run_for` suggest for
+    /// simulations supplied with Pendular) and of `store`.
+    /// @param fidelity simulation settings of the runs that messages and `run_for` suggest for
     ///        states that cannot be predicted
     /// @param store user's file of simulations; null: only the atlas is used
     /// @param stiffness_number stiffness number of the grains to predict [1]
@@ -105,9 +105,9 @@ class StatePredictor {
     const Emulator& emulator() const { return emulator_; }
     double stiffness_number() const { return stiffness_number_; }
 
-    /// Whether a requested state can be predicted from the earlier simulation runs: the state lies
-    /// within the convex hull of the states of the runs, the standard errors of the predictions are
-    /// small enough, and the predicted values are physical (`KnownRange`).
+    /// Whether the earlier simulation runs allow a prediction at a requested state. The state must
+    /// lie within the convex hull of the states of the runs. The standard errors of the predictions
+    /// must be small enough, and the predicted values must be physical (`KnownRange`).
     /// @throws InputError if the state is wet but no earlier run is wet, or if the state is dry but
     ///         no earlier run is dry
     bool supports(const RequestedState& requested) const;
@@ -124,12 +124,12 @@ class StatePredictor {
     ///         solid fraction is not that of a dense flow
     PredictionCurve along(RequestedState requested, const VariedQuantity& varied) const;
 
-    /// Returns the values of the closures (analytical formulas) of Badetti et al. (2018) for the
-    /// state of a wet simulation run. The values are computed from the observables of the run and
-    /// the stress ratio that the emulator predicts for dry grains with the friction coefficient,
-    /// inertial number and stiffness number of the run. Empty if the run is dry, if the earlier
-    /// runs do not support a prediction at the dry state, if the damping of the contacts is not the
-    /// default damping, or if an effect of the run also changes dry flow.
+    /// Returns the values of the closures (analytical formulas) of Badetti et al. (2018) for a wet
+    /// simulation run. The values are computed from the observables of the run and from the stress
+    /// ratio that the emulator predicts for dry grains with equal friction coefficient, inertial
+    /// number and stiffness number. Empty if the run is dry, if the earlier runs do not support
+    /// this prediction, if the damping of the contacts is not the default damping, or if an effect
+    /// of the run also changes dry flow.
     std::optional<closures::ClosureValues> closures_of(const dem::RunResult& run) const;
 
     /// Returns the parameters of the run that simulates a requested state, for a state that cannot

@@ -26,8 +26,9 @@ struct StudyChange {
 };
 
 /// Checks a change of the effects that a study lists, and prepares the changed study. Nothing is
-/// written. If the study's catalogue lacks an effect to add, the effect is taken from `proposed`,
-/// and its table [[effect]] is added to the new text of study.toml too.
+/// written.
+/// @param proposed effects that can be added although the study's catalogue lacks them; the new
+///        text of study.toml then contains the table [[effect]] that defines the added effect
 /// @throws InputError if an effect to add is unknown (the message names the nearest known effect),
 ///         does not apply to the study or is listed already, or if an effect to drop is not listed
 StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect,
@@ -66,9 +67,9 @@ Fitted fitted(const ResolvedStudy& study, Calibration calibration, bool cross_va
 nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before,
                                const LadderStep& after, bool written);
 
-/// Makes a fitted change of effects permanent. The function appends the model after the change to
-/// the ladder (the sequence of the study's models), writes fit.json and ladder.json to `folder`,
-/// and last writes study.toml.
+/// Makes a fitted change of effects permanent: appends the model after the change to the ladder
+/// (the sequence of the study's models), writes fit.json and ladder.json to `folder`, and last
+/// writes study.toml.
 /// @param before, after models before and after the change, fitted to the same readings
 /// @param fit fit of the changed study, for fit.json
 /// @throws InputError if study.toml has changed since it was read; nothing is written
@@ -112,10 +113,9 @@ struct ChangeOptions {
 };
 
 /// Adds an effect to a study or drops an effect, and fits the study before and after the change.
-/// The fit before the change is read from the results folder if that fit was made with comparable
-/// settings. Otherwise the study before the change is fitted again. Then fit.json and ladder.json
-/// are written to the results folder and, last, study.toml is written. Nothing is written if the
-/// fit after the change does not converge.
+/// The fit in the results folder serves as the fit before the change if its settings are
+/// comparable. If the fit after the change converges, the function writes fit.json and ladder.json
+/// to the results folder and, last, study.toml. Otherwise the function writes nothing.
 /// @param effect name of the effect; an effect to add may be defined in proposed.toml of the
 ///        results folder
 /// @throws InputError if the effect cannot be added or dropped, if ladder.json cannot be read, if a

@@ -90,21 +90,21 @@ struct StudyDiagnosis {
     Belief belief = {};
 };
 
-/// Tests which physical effect is missing from a study's model, with an emulator (which
-/// interpolates simulations). The emulator is trained on the runs of the atlas (the simulations
-/// supplied with Pendular) and of the store (the user's file of simulations). Nothing is simulated.
-/// @throws InputError if the readings contain no more measured values than the model has
-///         parameters, if all readings have one condition, if there are too few runs, if the study
-///         lists an effect that no run has, or if a reading is outside the range that can be
-///         simulated
+/// Tests which physical effect is missing from a study's model. Nothing is simulated: an emulator
+/// predicts the readings by interpolation between earlier simulation runs. The runs come from the
+/// atlas (the simulations supplied with Pendular) and from `session.store` (the user's file of
+/// simulations).
+/// @throws InputError if the model has at least as many parameters as there are measured values, if
+///         all readings have one condition, if there are too few runs, if the study lists an effect
+///         that no run has, or if a reading cannot be simulated
 /// @throws dem::Interrupted if the user requests a stop
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session);
-/// Tests which physical effect is missing from a study's model, with an emulator (which
-/// interpolates simulations) that is trained on the runs `known`. Nothing is simulated.
-/// @throws InputError if the readings contain no more measured values than the model has
-///         parameters, if all readings have one condition, if the study lists an effect that no run
-///         has, or if a reading is outside the range that can be simulated
+/// Tests which physical effect is missing from a study's model. Nothing is simulated: an emulator
+/// predicts the readings by interpolation between the runs `known`.
+/// @throws InputError if the model has at least as many parameters as there are measured values, if
+///         all readings have one condition, if the study lists an effect that no run has, or if a
+///         reading cannot be simulated
 /// @throws dem::Interrupted if the user requests a stop
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session, KnownRuns known);
@@ -140,14 +140,14 @@ std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size
 std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& diagnosis,
                                          const SessionOptions& session, std::size_t count);
 
-/// Returns the standard deviation of a discrepancy, relative to the shear stress [1], that would
-/// account for the remaining misfit if study.toml stated the discrepancy. A discrepancy is an error
-/// of the predicted shear stress that varies smoothly between conditions. The remaining misfit is
+/// Returns the standard deviation [1] of a discrepancy that would account for the remaining misfit
+/// if study.toml stated the discrepancy. A discrepancy is an error of the predicted shear stress,
+/// relative to the shear stress, that varies smoothly between conditions. The remaining misfit is
 /// the misfit of the model with the leading effects (effects that explain most of the misfit) or,
-/// if there are none, of the best refitted model. Returns 0 if a model fits, if no discrepancy is
-/// significant, or if the misfit varies too quickly with the conditions.
-/// @param stated discrepancy that study.toml already states, relative to the shear stress [1]; the
-///        result is the root of the sum of the squares of both discrepancies
+/// without leading effects, of the best refitted model. Returns 0 if a model fits, if no
+/// discrepancy is significant, or if the misfit varies too quickly with the conditions.
+/// @param stated standard deviation of the discrepancy that study.toml already states [1]; the
+///        result includes this discrepancy (root of the sum of squares)
 double remaining_discrepancy(const StudyDiagnosis& diagnosis, double stated);
 
 }  // namespace pendular

@@ -40,19 +40,19 @@ struct OutputPlaces {
 };
 
 /// Checks, before a long computation, that the output of a command will not damage a study. Output
-/// must replace none of the files from which the study was read (study.toml, the recordings, and
-/// links to these files). No link may lead output out of the results folder. No `file` pattern of
-/// the study may match an output file, since the study would then read this file as a measurement.
+/// must not replace a file that the study reads, nor follow a link out of the results folder. An
+/// output file must match no `file` pattern of study.toml: the study would read the file as a
+/// measurement.
 /// @throws InputError if output would replace an input, leave the folder or match a pattern; the
 ///         message says what to do
 void protect_inputs(const Study& study, const OutputPlaces& outputs);
 
-/// Reads a study and its recordings, after checking that the files which a command will write
-/// (`outputs`) do not replace the files of the study.
+/// Reads a study and its recordings. Checks first that the files which a command will write
+/// (`outputs`) will not damage the study (`protect_inputs`).
 /// @param file study.toml, or the folder that contains study.toml
 /// @throws InputError if a file of the study is wrong, if a listed effect is unknown, is defined
 ///         wrongly or does not apply to the study, if a direct measurement is wrong, or if an
-///         output would replace a file of the study or match the pattern of its recordings
+///         output would damage the study
 StudyInput read_input(const std::filesystem::path& file, const OutputPlaces& outputs);
 
 /// Returns the shear cell that study.toml in the folder of `file` describes. Empty if study.toml

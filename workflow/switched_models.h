@@ -71,11 +71,13 @@ struct SwitchedModels {
     std::size_t current = 0;
 };
 
-/// Fits a study with each combination of its leading effects. The leading effects are first the
-/// effects that the study lists, then the effects that the verdict of the diagnosis names (unless
-/// the verdict is inconclusive), the effects of all models that fit, the effects whose refits
-/// reduce chi2 most, and finally the other candidate effects in the order of their score tests.
-/// Nothing is simulated.
+/// Fits a study with each combination of its leading effects. Nothing is simulated. The leading
+/// effects are the first `options.most` effects of this list:
+/// - effects that the study lists;
+/// - effects that the verdict names, unless the verdict is inconclusive;
+/// - effects of all models that fit the readings;
+/// - refitted candidate effects, the largest reduction of chi2 first;
+/// - all other candidate effects, in the order of their score tests.
 /// @throws dem::Interrupted if the user requests a stop
 SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis& diagnosis,
                                const SessionOptions& session, const SwitchOptions& options = {});

@@ -12,13 +12,12 @@ namespace pendular {
 
 /// Returns the measurements that a rig (the user's instrument) can make: first readings of steady
 /// shear at a grid of conditions, then the rig's direct measurements of effects' parameters
-/// (without shearing grains). The grid combines each normal stress and each shear rate (or inertial
-/// number) with every liquid content, every filling (volume of beads in the cell) and every waiting
-/// time. Normal stresses and shear rates (or inertial numbers) are evenly spaced in the logarithm.
+/// (without shearing grains). The grid combines every normal stress, shear rate (or inertial
+/// number), liquid content, filling (volume of beads in the cell) and waiting time. Normal stresses
+/// and shear rates (or inertial numbers) are evenly spaced in the logarithm.
 /// @param time time of the study's last reading [s], at which the waiting times begin
-/// @throws InputError if a direct measurement of the rig is not valid: for example, the effect is
-///         unknown, does not apply to the study or has no parameter to measure, or a unit is wrong
-///         (`direct_measurement`)
+/// @throws InputError if a direct measurement of the rig is not valid (`direct_measurement`), for
+///         example because the effect does not apply to the study
 std::vector<Point> points_of(const Rig& rig, const ResolvedStudy& study, double time);
 
 /// Returns the rig (possible measurements of an instrument) of a study whose study.toml has no
@@ -67,17 +66,16 @@ struct Plan {
 };
 
 /// Returns a plan of readings for each of `points` (possible measurements), the best plan first.
-/// Plans that tell more pairs of rival models apart come first. Among plans that tell equally many
-/// pairs apart, cheaper plans come first, and among equally cheap plans, plans of larger criterion
-/// T. For n readings at a point and the rival models i and j,
+/// Plans that tell more pairs of rival models apart are better. Among plans that tell equally many
+/// pairs apart, cheaper plans are better. Among equally cheap plans, plans of larger criterion T
+/// are better. For n readings at a point and the rival models i and j,
 ///     T = D' S^-1 D + tr(2 V S^-1)/n,   D = f_i - f_j,
 ///     S = 2 V/n + J_i C_i J_i' + J_j C_j J_j' + 2 C_f,
 /// with the predicted values f, the derivatives J of the predicted values with respect to the
 /// parameters, the covariance C of the parameters, the covariance V of one reading and the
-/// covariance C_f of the simulation's errors, averaged over both models. A pair is told apart if
-/// D' S_1^-1 D is at least `telling_noncentrality`, or `telling_directly` for a direct measurement.
-/// S_1 contains V/n and C_f once instead of twice, since both models are compared with one
-/// measurement.
+/// covariance C_f of the simulation's errors, averaged over both models. A pair is told apart if D'
+/// S_1^-1 D is at least `telling_noncentrality`, or `telling_directly` for a direct measurement.
+/// S_1 contains V/n and C_f once instead of twice.
 /// @param relative_noise relative standard errors [1] of the shear stress (first) and of the solid
 ///        fraction (second) of one reading
 /// @param most_repeats largest number of readings at one point
@@ -86,9 +84,9 @@ std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
                                    const std::vector<Point>& points,
                                    const Eigen::Vector2d& relative_noise, int most_repeats);
 
-/// Returns the readings to make next in order to tell rival models apart. The function returns the
-/// readings of the first of `plans` or, if a series of readings at several points
-/// (`separating_series`) tells more pairs of models apart, that series.
+/// Returns the readings to make next in order to tell rival models apart: the readings of the first
+/// of `plans`. If a series of readings at several points (`separating_series`) tells more pairs of
+/// models apart, the function returns the series instead.
 /// @param plans plans for `points` in the order of `separating_plans`; at least one plan
 /// @param relative_noise relative standard errors [1] of the shear stress (first) and of the solid
 ///        fraction (second) of one reading
@@ -114,12 +112,11 @@ struct Sharpening {
 };
 
 /// Returns, for each of `points` (possible measurements), the standard errors that the parameters
-/// of `model` are expected to have after `repeats` further readings. The results are sorted by
+/// of `model` are expected to have after n = `repeats` further readings. The results are sorted by
 /// `Sharpening::gain`, the largest first. The covariance C of the parameters becomes
 ///     C' = (C^-1 + J' (V/n + C_f)^-1 J)^-1
-/// with the number n of readings, the covariance V of one reading, the covariance C_f of the
-/// simulation's errors and the derivatives J of the predicted values with respect to the
-/// parameters.
+/// with the covariance V of one reading, the covariance C_f of the simulation's errors and the
+/// derivatives J of the predicted values with respect to the parameters.
 /// @param relative_noise relative standard errors [1] of the shear stress (first) and of the solid
 ///        fraction (second) of one reading
 std::vector<Sharpening> sharpening_plans(const Rival& model, const std::vector<Point>& points,

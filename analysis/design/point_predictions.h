@@ -13,19 +13,19 @@ inline Eigen::Index entries_at(const Point& point) {
 }
 
 /// Returns the values that a rival model with its fitted parameters predicts for measurements at
-/// several points, in the order of the points. A reading has two values, first the shear stress
-/// [Pa] and second the solid fraction [1]. A direct measurement of an effect's parameter has one
-/// value [its unit]. The result also contains the derivatives of the values with respect to the
-/// parameters, and the covariance of the errors of the values that come from the simulation.
+/// several points, in the order of the points. A reading has two values: shear stress [Pa] and
+/// solid fraction [1]. A direct measurement of an effect's parameter has one value [its unit]. The
+/// result contains the derivatives of the values with respect to the parameters and the covariance
+/// of the simulation's errors.
 Prediction predicted_at(const Rival& rival, const std::vector<Point>& points);
 
 /// Returns the variances of the measurement errors at several points, in the squared units of the
-/// measured values and in the order of the points. A reading has two values, first the shear stress
-/// and second the solid fraction. A direct measurement of an effect's parameter has one value.
+/// measured values and in the order of the points. A reading has two values: shear stress and solid
+/// fraction. A direct measurement of an effect's parameter has one value.
 /// @param shown expected values of the measurements, in the order of the returned variances
 /// @param relative_noise relative standard errors [1] of the shear stress (first) and of the solid
-///        fraction (second) of one reading; direct measurements have their own standard errors
-///        instead
+///        fraction (second) of one reading; not used for direct measurements, which state their
+///        standard errors
 Eigen::VectorXd noise_at(const std::vector<Point>& points, const Eigen::VectorXd& shown,
                          const Eigen::Vector2d& relative_noise);
 

@@ -32,18 +32,15 @@ struct Series {
     int readings() const;
 };
 
-/// Returns a series of readings that tells many pairs of rival models apart at low cost, as found
-/// by a greedy search. The models i and j are told apart if D' S^-1 D, for all points of the series
+/// Returns a series of readings that tells many pairs of rival models apart at low cost, found by a
+/// greedy search. The models i and j are told apart if D' S^-1 D, for all points of the series
 /// together, is at least `telling_noncentrality`. D is the difference between the predictions of
 /// both models, and
 ///     S = V/n + J_i C_i J_i' + J_j C_j J_j' + C_f,
 /// with the covariance V/n of n readings, the derivatives J of the predictions with respect to the
 /// parameters, the covariance C of the parameters, and the covariance C_f of the simulation's
 /// errors, averaged over both models. S contains the correlations between the errors at different
-/// points, so that a second point with the error of the first point adds little. The search adds
-/// one reading at a time, at the point where the reading most increases D' S^-1 D of the pairs not
-/// yet told apart, relative to the cost of the reading. Finally the search removes readings that
-/// turned out to be unnecessary.
+/// points.
 /// @param relative_noise relative standard errors [1] of the shear stress (first) and of the solid
 ///        fraction (second) of one reading
 /// @param most_repeats largest number of readings at one point

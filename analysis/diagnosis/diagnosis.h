@@ -48,8 +48,8 @@ struct Diagnosis {
     std::vector<std::string> suspects;
     /// Models that fit the readings and between which the readings cannot decide. If the study's
     /// model fits, the set contains this model alone. Otherwise, the set contains the refitted
-    /// models with one further effect that fit, and the models with two further effects that are
-    /// needed or that fit clearly better. If no effects explain the misfit, the set contains the
+    /// models with one or two further effects that fit. Models with two further effects must be
+    /// needed or fit clearly better. If no effects explain the misfit, the set contains the
     /// refitted models with an error of one suspect measurement (part of the measurement that may
     /// be wrong) that fit.
     std::vector<Explanation> confidence_set;
@@ -93,13 +93,15 @@ struct Diagnosis {
 };
 
 /// Tests whether a study's model is complete and, if not, which physical effects explain the
-/// residuals. The diagnosis fits the model, tests the residuals for every candidate effect (not in
-/// the model), refits the model with significant effects and with errors of significant suspect
-/// measurements, and keeps the models that fit (`Diagnosis::confidence_set`). A model fits if it
-/// passes two tests, each at half of `options.significance`: the test for lack of fit, and the test
-/// for the most significant effect or suspect measurement that the model does not contain. All p
-/// values come from one set of random draws of errors. If no model fits, the diagnosis names the
-/// effects that explain most of the misfit, if there are any.
+/// residuals. The diagnosis fits the model and tests the residuals for each candidate effect (not
+/// in the model) and each suspect measurement. Then the diagnosis refits the model with each
+/// significant effect or measurement error, and keeps the models that fit
+/// (`Diagnosis::confidence_set`). If no model fits, the diagnosis names the effects that explain
+/// most of the misfit, if there are any.
+///
+/// A model fits if it passes two tests, each at half of `options.significance`: the test for lack
+/// of fit, and the test for the most significant effect or suspect measurement that the model does
+/// not contain. All p values come from one set of random draws of errors.
 /// @param space study's model and the candidate effects
 /// @param evidence readings with their errors and with parts of the measurement that may be wrong
 /// @throws InputError if the number of measured values does not exceed the number of fitted values

@@ -45,20 +45,17 @@ struct Found {
 /// below 0.05.
 bool looks_missing(const Finding& finding);
 
-/// Searches for models that explain the readings. Refits a study's model with each candidate effect
-/// (effect not in the model) whose score test is significant, and with each significant suspect
-/// measurement (part of the measurement that may be wrong) as an error. Pairs of candidate effects
-/// follow if no refitted model fits the readings, or if the linear estimate of chi2 promises a pair
-/// that is clearly better. Returns all refitted models and the models that fit.
+/// Searches for models that explain the readings. Returns all refitted models and the models that
+/// fit. The search refits a study's model with each candidate effect (not in the model) whose score
+/// test is significant, and with an error of each significant suspect measurement (part of the
+/// measurement that may be wrong). Pairs of candidate effects follow if no refitted model fits the
+/// readings, or if a pair promises to be clearly better. A model is not refitted if its predicted
+/// reduction of chi2 is clearly too small.
 ///
 /// A model fits if its p value is at least DiagnosisOptions::significance. If no model with one
 /// effect fits, models with one effect and a p value of at least DiagnosisOptions::least_p are
-/// accepted too, unless a suspect measurement explains the readings better or a pair of effects
-/// explains them clearly better.
-///
-/// A model is not refitted if its predicted reduction of chi2 is clearly below the reduction by a
-/// model that was already refitted and rejected. Refits run in parallel on up to `options.threads`
-/// threads.
+/// accepted too. However, a better model with a suspect measurement, or a clearly better pair of
+/// effects, excludes these models.
 /// @param scanned fitted model without further effects, with its score tests
 Found search_explanations(const ModelSpace& space, const Evidence& evidence,
                           const DiagnosisOptions& options, const Explanations& explanations,

@@ -14,10 +14,10 @@ inline constexpr FitEffort refit_effort{
     .most_steps = 12, .tolerance = 1e-6, .settled = 1e-4, .elsewhere = false};
 
 /// Returns the whitened residuals (in units of their errors) of the readings from a fitted model.
-/// Derivatives with respect to parameters at a bound are set to zero, since a parameter at its
-/// bound cannot move to imitate a change of the readings.
-/// @param fit fit of the model; after the model's parameters, the fitted parameters may contain
-///        amplitudes of an error of measurement
+/// Derivatives with respect to parameters at a bound are set to zero, since these parameters cannot
+/// move to imitate a change of the readings.
+/// @param fit fit of the model; amplitudes of an error of measurement may follow the model's
+///        parameters
 WeightedResiduals residuals_of(const Model& model, const Measured& measured, const Fit& fit);
 
 /// Returns the factor by which all variances of errors are probably larger than stated [1]:
@@ -36,8 +36,7 @@ class Explanations {
     Explanations(const ModelSpace& space, const Evidence& evidence,
                  const DiagnosisOptions& options);
     /// Uses the readings and the random draws of errors of `other` for tests of the models of
-    /// `space`, which saves the time of new draws. `space` and the arguments from which `other` was
-    /// made must outlive this object.
+    /// `space`. `space` and the arguments from which `other` was made must outlive this object.
     /// @param space study's model and the candidates (effects that may be added to the model)
     /// @param other tests of other models against the readings
     Explanations(const ModelSpace& space, const Explanations& other);
@@ -62,11 +61,12 @@ class Explanations {
     /// at its bound cannot move to imitate a change.
     WeightedResiduals residuals_of(const Explanation& explanation) const;
     /// Returns Akaike's criterion [1] of a refitted model, up to a constant that all models of the
-    /// readings share: chi2 + ln det Sigma + 2 (number of parameters), with the covariance Sigma of
-    /// measurement and prediction in the units of the readings. Of two models, the one with the
-    /// smaller value explains the readings better.
-    /// @param variance_factor factor by which all variances of errors are larger than stated;
-    ///        divides chi2 (`factor_on_variance`)
+    /// readings share:
+    ///     chi2/variance_factor + ln det Sigma + 2 (number of parameters),
+    /// with the covariance Sigma of measurement and prediction in the units of the readings. A
+    /// model with a smaller value explains the readings better.
+    /// @param variance_factor factor by which all variances of errors are larger than stated
+    ///        (`factor_on_variance`)
     double akaike(const Explanation& explanation, double variance_factor = 1) const;
     /// Returns the p value [1] of the test for lack of fit: probability that errors of readings and
     /// predictions alone make the mean residuals of the conditions at least as large as observed.
@@ -90,11 +90,11 @@ class Explanations {
     /// for further effects.
     double half_significance() const { return options_.significance / 2; }
 
-    /// Errors of the predicted change of the readings by each candidate effect (not in the study's
-    /// model), as covariances in products of the units of the readings. The change is predicted by
-    /// the emulator (which interpolates simulations) and divided by the amplitude of the effect (1
-    /// at the smallest size of interest). The list has the order of ModelSpace::candidates(). The
-    /// caller sets the covariances once, before the tests of refitted models.
+    /// Covariances of the errors of the predicted change of the readings by each candidate effect
+    /// (not in the study's model), in products of the units of the readings and in the order of
+    /// ModelSpace::candidates(). The emulator predicts the change, which is divided by the
+    /// amplitude of the effect (1 at the smallest size of interest). The caller sets the
+    /// covariances once, before the tests of refitted models.
     std::vector<ModelSpace::ChangeErrors> errors;
 
   private:

@@ -118,15 +118,17 @@ struct ImpactTable {
 };
 
 /// Computes the impacts of effects and errors of measurement on the calibrated parameters, in the
-/// linear approximation. The function also refits the model with up to `most_refitted` effects or
-/// errors that the verdict of the diagnosis names, and with `most_refitted` further effects or
-/// errors in the order of the returned table, each at the estimated size and at the smallest size
-/// of interest. If the verdict names the effect or error, the function also refits the model at one
-/// standard error above and below the estimated size. Sizes of effects are estimated by the refits
-/// of the diagnosis or, without a refit, by score tests. Sizes of errors of measurement are
-/// estimated by score tests. Two kinds of effects are left out: effects with several free
+/// linear approximation. For the first entries of the returned table, the function also refits the
+/// model with the effect or error at the estimated size and at the smallest size of interest. If
+/// the verdict of the diagnosis names the effect or error, the function also uses the sizes one
+/// standard error above and below the estimate.
+///
+/// Refits of the diagnosis estimate the sizes of effects. Score tests estimate the sizes of effects
+/// without a refit and of errors of measurement. The table leaves out effects with several free
 /// parameters, and effects with which the model cannot give the conditions that the instrument
 /// shows.
+/// @param most_refitted number N; the function refits the first N + min(N, m) entries of the table,
+///        which begins with the m entries that the verdict names
 /// @param threads largest number of threads; no result depends on the number
 ImpactTable impacts(const ModelSpace& space, const Evidence& evidence, const Diagnosis& diagnosis,
                     std::size_t most_refitted = 3, std::size_t threads = 1);

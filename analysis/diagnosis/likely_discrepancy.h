@@ -7,12 +7,11 @@
 
 namespace pendular {
 
-/// Returns the most likely size of a model's discrepancy (error that varies smoothly between
-/// conditions), relative to the shear stress [1], given the residuals of the model's fit to
-/// readings. The size is 0 if the discrepancy is not significant (p > 0.05). Sizes from 0.05 % to
-/// 17 % are compared. The discrepancy has the correlation `discrepancy_correlation` between
-/// conditions and adds to the errors of measurement and prediction. The restricted likelihood
-/// allows for the fitted parameters.
+/// Returns the most likely size of a model's discrepancy, relative to the shear stress [1], given
+/// the residuals of the model's fit to readings. The discrepancy is an error of the model that
+/// varies smoothly between conditions, with the correlation `discrepancy_correlation`. The
+/// restricted likelihood selects the size among sizes from 0.05 % to 17 %. The size is 0 if the
+/// discrepancy is not significant (p > 0.05).
 /// @param measured readings, followed by direct measurements
 /// @param prediction prediction of `measured` at the fitted parameters, with derivatives
 /// @param conditions conditions of the readings

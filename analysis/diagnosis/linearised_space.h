@@ -9,17 +9,18 @@
 
 namespace pendular {
 
-/// Set of models (a bare model and the models with candidate effects added) with which a diagnosis
-/// takes little time, since a prediction takes microseconds. The predictions f are linear in all
-/// parameters theta and in the amplitudes A_k of the candidate effects k:
+/// Set of models (a bare model and the models with candidate effects added) for fast diagnoses. The
+/// predictions f are linear in the parameters theta of the bare model and in the amplitudes A_k of
+/// the candidate effects k:
 ///     f = f_0 + J (theta - theta_0) + sum over the added effects k of c_k A_k.
-/// The models are tangent to the models of a diagnosis at a refitted model of the diagnosis, which
-/// has the parameters theta_0. f_0 is the prediction of the bare model at theta_0, J contains the
-/// derivatives of f_0 with respect to theta, and c_k is the change of the predictions by effect k
-/// at amplitude 1. The candidate effects and their bounds are those of the diagnosis. The
-/// parameters of the candidate effects are amplitudes: 0 without the effect, 1 at the smallest size
-/// of interest. At the estimates of the refitted model, and of the refits with one effect, the
-/// predictions equal those of the diagnosis.
+/// Here theta_0 contains the values of theta in a model that a diagnosis refitted, and f_0 is the
+/// prediction of the bare model at theta_0. J contains the derivatives of f_0 with respect to
+/// theta. c_k is the change of the predictions by effect k at amplitude 1.
+///
+/// The candidate effects and their bounds are taken from the diagnosis. The parameters of the
+/// candidate effects are amplitudes: 0 without the effect, 1 at the smallest size of interest. The
+/// predictions equal the predictions of the diagnosis at the estimates of the refitted model and of
+/// the refits with one effect.
 class LinearisedSpace : public ModelSpace {
   public:
     /// Linearises the models of `space` about `about`, one of the models that `diagnosis` refitted.

@@ -40,20 +40,18 @@ struct RepetitionOptions {
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
 };
 
-/// Whether `repetition`, the diagnosis of a repeated experiment, gives the same verdict as
-/// `verdict`, the diagnosis of the readings. The verdicts `nothing_missing` and `inconclusive`
-/// count as one verdict, since the two verdicts differ only in the effects that the readings could
-/// not have revealed, and these effects depend on the plan of the experiment, not on the readings.
-/// For all other verdicts, both diagnoses must have the same verdict, name the same effects and
-/// suspect measurements, and agree on whether a model fits (`Diagnosis::complete`).
+/// Whether `repetition`, the diagnosis of a repeated experiment, confirms `verdict`, the diagnosis
+/// of the readings. Both diagnoses must have the same verdict, name the same effects and suspect
+/// measurements, and agree on whether a model fits (`Diagnosis::complete`). However,
+/// `nothing_missing` and `inconclusive` count as one verdict, whatever effects the diagnoses name.
 bool comes_again(const Diagnosis& verdict, const Diagnosis& repetition);
 
 /// Repeats an experiment by simulation (parametric bootstrap), and counts the repetitions for which
 /// the diagnosis gives the same verdict as for the readings. The readings of a repetition are the
 /// predictions of a model that fits the readings, at the model's estimates, plus new random errors.
-/// If several models fit, each model gives an equal part of the repetitions. Each repetition is
-/// diagnosed with linearised models (`LinearisedSpace`). The share of equal verdicts holds if the
-/// estimates are the true values. Empty if no model fits the readings, or if `options.count` is 0.
+/// If several models fit, each model gives an equal part of the repetitions. Linearised models
+/// (`LinearisedSpace`) are used for the diagnoses. The result is empty if no model fits the
+/// readings, or if `options.count` is 0.
 /// Source: Efron and Tibshirani (1993), An Introduction to the Bootstrap, section 6.5.
 std::optional<Repeated> repeat(const ModelSpace& space, const Evidence& evidence,
                                const Diagnosis& diagnosis, const RepetitionOptions& options = {});

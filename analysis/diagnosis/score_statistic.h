@@ -11,13 +11,12 @@ namespace pendular {
 
 /// Score test of one effect that a model lacks: a test, without a refit, whether the residuals r of
 /// the model contain the change g of the readings that the effect causes. r and g are in units of
-/// the readings' errors (whitened). The projection P (`WeightedResiduals`) removes what a change of
-/// the calibrated parameters can imitate. With
+/// the readings' errors (whitened). With the projection P (`WeightedResiduals`),
 ///     U = g' P r,   v = g' P g,
 ///     b = -tr(P Cov(e_f, e_g)),   v_c = v - tr(P Cov(e_g)),
-/// the amplitude is estimated as (U - b)/v_c, and the predicted reduction of chi2 is (U - b)^2/v. b
-/// and v_c correct for the errors e_f of the prediction and e_g of the change. A switch has
-/// amplitude 1 (on) or 0 (off), and its predicted reduction of chi2 is 2 (U - b) - v_c.
+/// the estimated amplitude is (U - b)/v_c, and the predicted reduction of chi2 is (U - b)^2/v. The
+/// terms b and v_c correct for the errors e_f of the prediction and e_g of the change. For a switch
+/// (amplitude 1 if on, 0 if off), the predicted reduction of chi2 is 2 (U - b) - v_c.
 /// Sources: score tests (Rao 1948; modification indices, Soerbom 1989; power, Saris, Satorra and
 /// van der Veld 2009), with errors in the derivatives.
 struct ScoreTest {

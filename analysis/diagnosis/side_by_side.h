@@ -6,8 +6,8 @@
 namespace pendular {
 
 /// Calls `work` once with each index from 0 to `count` - 1, in several threads at once. The number
-/// of threads is one for every two indices, but at least 1 and at most `threads`. Exceptions that
-/// `work` throws are passed on.
+/// of threads is `count`/2, but at least 1 and at most `threads`. Exceptions that `work` throws are
+/// passed on.
 /// @param threads largest number of threads, including the calling thread
 /// @param before_each function that the calling thread calls before each index that it processes
 ///        itself; may be empty, and may throw to end the work

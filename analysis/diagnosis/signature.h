@@ -9,11 +9,11 @@
 namespace pendular {
 
 /// Change of a model's predictions by one candidate effect (not in the model), divided by the
-/// amplitude of the effect. The amplitude is 0 without the effect. The amplitude is 1 if the
-/// effect's parameter differs from the neutral value (no effect) by the smallest amount of interest
-/// or, for a switch, if the effect is on. The amplitude is proportional to the distance of the
-/// parameter from the neutral value, or to a function of the parameter that the effect declares,
-/// such as the square of an angle.
+/// amplitude of the effect. The amplitude is the difference between the effect's parameter and the
+/// neutral value (no effect), divided by the smallest difference of interest. If the effect
+/// declares a function of the parameter, such as the square of an angle, the function replaces the
+/// parameter in both differences. The amplitude of a switch is 1 if the switch is on and 0 if it is
+/// off.
 struct Signature {
     /// Change of the predicted readings divided by the amplitude of the effect, in the units of the
     /// readings: a row for each measured value, a column for each parameter of the effect.
@@ -47,9 +47,8 @@ class Addition {
     Signature signature(bool with_errors) const;
     /// Computes the change of the readings in `signature` again, at the amplitude `amplitude` of
     /// the added effect [1], limited to the bounds of the effect's parameter. The new change is
-    /// more accurate near that amplitude, since the change need not be proportional to the
-    /// amplitude. `signature` is unchanged if the amplitude is zero, or if the model with the
-    /// effect of that amplitude cannot give the conditions that the instrument shows.
+    /// more accurate near this amplitude. `signature` is unchanged if the amplitude is zero, or if
+    /// the model with the effect cannot give the conditions that the instrument shows.
     void retake(Signature& signature, double amplitude) const;
 
     /// Returns the value of the added effect's parameter [its unit] at an amplitude [1], limited to

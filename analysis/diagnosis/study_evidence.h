@@ -9,24 +9,22 @@
 namespace pendular {
 
 /// Returns the readings of a study, followed by the study's direct measurements of effects'
-/// parameters, as the input of a diagnosis (search for effects that the model lacks). Errors of
-/// readings are estimated from replicates (readings at the same condition), separately for shear
-/// stress and solid fraction. Errors of direct measurements are stated in the study. The suspect
-/// measurements (parts of the measurement that may be wrong) are the readings of each condition,
-/// the readings of each file, and the direct measurements of each parameter. If the files follow
-/// one another in time, the readings of each file but the first, together with the readings of all
-/// later files, are also suspect. An error of suspect readings multiplies all their shear stresses
-/// by one factor and all their solid fractions by another factor.
+/// parameters, as the input of a diagnosis. Errors of readings are estimated from replicates
+/// (readings at the same condition). Errors of direct measurements are stated in the study.
+///
+/// The suspect measurements (parts of the measurement that may be wrong) are the readings of each
+/// condition, the readings of each file, and the direct measurements of each parameter. If the
+/// files follow one another in time, the readings of each file but the first, taken together with
+/// the readings of all later files, are also suspect. An error of suspect readings multiplies all
+/// their shear stresses by one factor and all their solid fractions by another factor.
 /// @param scatter estimates of the scatter between replicates, with their degrees of freedom
 Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                      const std::vector<DirectMeasurement>& direct = {});
 
 /// Returns the quantities along which the residuals of a fit are tested: normal stress, inertial
 /// number, liquid content, height, and time or run order. A quantity is returned only if its values
-/// differ by more than 10 % between the readings. Smaller differences are scatter of set points or,
-/// for the height, follow from the solid fraction. Each quantity has a value for every entry. The
-/// entries are the two observables of each reading in turn, then the direct measurements of
-/// effects' parameters.
+/// differ by more than 10 % between the readings. Each quantity has a value for the two observables
+/// of each reading in turn, then for the direct measurements of effects' parameters.
 /// @param direct number of direct measurements, for which the value is "not a number"
 std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::size_t direct = 0);
 

@@ -35,7 +35,7 @@ constexpr double incredible_p = 1e-6;
 
 /// Judges whether a fit can be believed, and returns the reasons not to believe the fit. Possible
 /// reasons are a large misfit, parameters at the end of their range, a column in a wrong unit, and
-/// doubts (reasons not to believe a measured value) that the import of the measurement found.
+/// doubts about measured values that the import of the measurement found.
 /// @param parameters definitions of the fitted parameters; the first is the friction coefficient
 /// @param misfit chi2 of the fit with its degrees of freedom
 /// @param mistake column that was probably read in a wrong unit, if one was found

@@ -85,25 +85,23 @@ struct EntryKinds {
 
 /// Tests where, and along which quantities, a model deviates from the readings beyond what a change
 /// of the calibrated parameters can imitate. All tests use the projected whitened residuals P r of
-/// `WeightedResiduals`. The p values of all tests come from one set of random draws of errors, so
-/// that the p value of all tests together is exact. The p value of all tests together is the share
-/// of draws in which the smallest p value of all tests is at most the observed smallest p value.
+/// `WeightedResiduals`. The p values come from one set of random draws of errors. The p value of
+/// all tests together is the share of draws in which the smallest p value of all tests is at most
+/// the observed smallest p value.
 ///
 /// - Lack of fit: squared norm of the part of the residuals that all readings at a condition have
 ///   in common.
-/// - Score: the cumulative score S(x) = sum_{x_i <= x} (L^-1 J)_i (P r)_i of one parameter, over
-///   the measured values i whose covariate x_i is at most x (J: derivatives of the predictions with
-///   respect to the parameter, L: Cholesky factor of the covariance of measurement and simulation).
-///   The sum over all values is zero, and S fluctuates like a Brownian bridge. The statistic is the
-///   largest |S(x)| divided by |L^-1 J|, the standard deviation that the sum over all values would
-///   have without the fit (after Hjort and Koning 2002).
+/// - Score: largest |S(x)|/|L^-1 J| over all x, with the cumulative score S(x) = sum_{x_i <= x}
+///   (L^-1 J)_i (P r)_i of one parameter (after Hjort and Koning 2002). x_i is the covariate of
+///   measured value i. J contains the derivatives of the predictions with respect to the parameter.
+///   L is the Cholesky factor of the covariance of measurement and simulation.
 /// - Trend: projection of the residuals onto a relative error of one observable that grows in
-///   proportion to the rank of the covariate (measured value times rank).
-/// - Runs: number of changes of sign between successive readings of one observable, with a minus
-///   sign, so that few changes make the statistic large. The test is made only without replicates.
-/// - Neighbours: (P r)' K (P r), which is large if the residuals of one observable are similar at
-///   similar conditions. K is a Gaussian kernel in the ranks of all covariates. The test is made
-///   with three widths of the kernel.
+///   proportion to the rank of the covariate.
+/// - Runs: minus the number of changes of sign between successive residuals of one observable. The
+///   test is made only without replicates.
+/// - Neighbours: (P r)' K (P r), with a Gaussian kernel K in the ranks of all covariates. The
+///   statistic is large if the residuals of one observable are similar at similar conditions. The
+///   test is made for three widths of the kernel.
 Checks check_fit(const WeightedResiduals& residuals, const EntryKinds& kinds,
                  const std::vector<Covariate>& covariates, const NullDraws& draws);
 

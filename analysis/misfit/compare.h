@@ -64,11 +64,11 @@ struct DirectMisfit {
     }
 };
 
-/// Returns the effective number of degrees of freedom nu [1] with which the errors of the readings
-/// were estimated. The number is infinite if all errors are known. The number nu follows from
-///     1/nu = sum_g (n_g/n)^2/nu_g,
-/// where n_g of the n measured values (two for each reading) share the estimate g of the variance,
-/// which has nu_g degrees of freedom.
+/// Returns the effective number nu of degrees of freedom [1] with which the errors of the readings
+/// were estimated:
+///     1/nu = sum_g (n_g/n)^2/nu_g.
+/// The estimate g of the variance has nu_g degrees of freedom and applies to n_g of the n measured
+/// values (two for each reading). The number is infinite if all errors are known.
 /// Source: Satterthwaite, Biometrics Bull. 2 (1946) 110, for equal variances.
 double freedom_behind(std::span<const Reading> readings);
 
@@ -126,10 +126,9 @@ std::array<double, 2> rms_percent(const std::vector<Reading>& readings,
 /// Compares readings with their predictions, and divides the misfit chi2 among readings,
 /// conditions, files and observables:
 ///     chi2 = e' (Sigma_measurement + Sigma_simulation)^-1 e,  e = measured - predicted,
-/// with the covariances Sigma of measurement and simulation. chi2 is divided among the measured
-/// values by ZCA-cor whitening, which converts the normalised residuals to uncorrelated residuals
-/// with as little change as possible. The contribution of each measured value to chi2 is the square
-/// of its uncorrelated residual.
+/// with the covariances Sigma of measurement and simulation. ZCA-cor whitening converts the
+/// normalised residuals to uncorrelated residuals with as little change as possible. The
+/// contribution of a measured value to chi2 is the square of its uncorrelated residual.
 /// @param prediction prediction of all readings, with its covariance
 /// @param parameters number of fitted parameters
 /// @param fitted number of fitted readings, which come first; the other readings were only

@@ -37,8 +37,8 @@ struct SharedErrors {
 /// Uncertainty of the standard errors of the measured values, if the standard errors are estimated
 /// from few replicates (readings at the same condition). A measured value is one observable of one
 /// reading, or one direct measurement. The error of a measured value is the sum of an unshared
-/// error and of errors that several measured values share. Unshared errors whose sizes follow from
-/// one estimate of the scatter form one kind of error.
+/// error and of errors that several measured values share. Unshared errors of one kind have sizes
+/// that follow from one estimate of the scatter.
 struct ErrorKnowledge {
     /// Kind of the unshared error of each measured value, as an index into `freedom`. The sizes of
     /// all errors of one kind follow from one estimate of the scatter.
@@ -64,9 +64,8 @@ struct ErrorKnowledge {
 };
 
 /// Random draws of the errors that readings and predictions would have if the model were complete
-/// (null hypothesis). The draws include the uncertainty of the errors' sizes. All tests of a
-/// diagnosis use one set of draws, so that the error rate of the diagnosis holds for all tests
-/// together. In each draw,
+/// (null hypothesis). The draws include the uncertainty of the errors' sizes (`ErrorKnowledge`). In
+/// each draw,
 /// - unshared errors of one kind are z sqrt(nu/chi2_nu), with normal numbers z of the estimated
 ///   covariance, the degrees of freedom nu of the estimate and a random number chi2_nu of the chi2
 ///   distribution;
@@ -74,7 +73,7 @@ struct ErrorKnowledge {
 ///   nu_w/chi2_nu_w)/steps, with the mean squares of `SharedErrors` and their degrees of freedom
 ///   nu_b and nu_w;
 /// - the correlation between the errors of the two observables of a reading deviates from its
-///   estimate by tanh(z/sqrt(nu - 2)), with a standard normal number z, after Fisher;
+///   estimate by tanh(z/sqrt(nu - 2)), with a standard normal number z (after Fisher);
 /// - errors of the prediction are normal with the prediction's covariance.
 /// Source: generalised pivotal quantities of variance components, Burdick, Borror and Montgomery
 /// (2005), Design and Analysis of Gauge R&R Studies, appendix B.

@@ -38,11 +38,10 @@ struct UnitMistake {
 /// freedom. The result is empty if no factor reduces chi2 that much, or if chi2 without a factor is
 /// below 2 per degree of freedom.
 ///
-/// The factors are 10^n, 2 pi, 60, 57.3, 9.81, their inverses and combinations that occur between
-/// units. Each factor is tried on the column in all recordings, in the files that one entry of
-/// study.toml names, and in each single file. The friction coefficient is fitted again each time,
-/// and the other parameters are fixed. Among factors that reduce chi2 about equally, the ratio of
-/// two named units has precedence over a power of ten.
+/// The factors are powers of ten and ratios of two named units, such as 60 or 9.81. Each factor is
+/// tried on the column in all recordings, in the files that one entry of study.toml names, and in
+/// each single file. The friction coefficient is fitted again each time. Among factors that reduce
+/// chi2 about equally, a ratio of two named units has precedence.
 /// @param parameters values of the model's fitted parameters; the first is the friction coefficient
 std::optional<UnitMistake> find_unit_mistake(const Predictor& model,
                                              const std::vector<Reading>& readings,

@@ -15,8 +15,8 @@ namespace pendular {
 /// imitate:
 ///     r = L^-1 (y - f),   J = L^-1 df/dtheta,   P = I - J (J'J)^-1 J',
 /// with the measured values y, the predictions f and the Cholesky factor L of the covariance L L' =
-/// Sigma_measurement + Sigma_simulation of measurement and simulation. P is applied by means of a
-/// QR decomposition. P ignores combinations of parameters that the readings do not determine.
+/// Sigma_measurement + Sigma_simulation. P ignores combinations of parameters that the readings do
+/// not determine.
 class WeightedResiduals {
   public:
     /// Computes the residuals of `measured` from `prediction`.
@@ -60,9 +60,8 @@ class WeightedResiduals {
     /// measurement and simulation.
     const Eigen::MatrixXd& prediction_root() const { return prediction_root_; }
     /// Returns the expected squared norm [1] of the part of whitened errors that no change of the
-    /// calibrated parameters can imitate: the trace of P L^-1 C L^-T. L is the Cholesky factor of
-    /// the covariance of measurement and simulation. P is the projection that removes what the
-    /// calibrated parameters imitate.
+    /// calibrated parameters can imitate: the trace of P L^-1 C L^-T. P is the projection and L the
+    /// Cholesky factor of `WeightedResiduals`.
     /// @param covariance covariance C of the errors, in products of the units of the readings
     double trace_of_projected(const Eigen::MatrixXd& covariance) const;
     /// Returns the variance [1] of the component of whitened errors along a direction d: d' L^-1 C
@@ -75,11 +74,10 @@ class WeightedResiduals {
     /// the calibrated parameters can imitate: returns P `columns`, with the projection P = I - J
     /// (J'J)^-1 J' and the whitened derivatives J of the predictions.
     Eigen::MatrixXd project(const Eigen::MatrixXd& columns) const;
-    /// Returns the matrix P B, with a column for each group of measured values, such as the values
-    /// at one condition. B is an orthonormal basis of the mean deviations of the groups, in units
-    /// of the readings' errors (whitened). In a mean deviation, all values of a group deviate in
-    /// proportion to their measured size. P is the projection that removes what a change of the
-    /// calibrated parameters can imitate.
+    /// Returns the matrix P B, with the projection P of `WeightedResiduals` and a column for each
+    /// group of measured values, such as the values at one condition. B is an orthonormal basis of
+    /// the mean deviations of the groups, in units of the readings' errors (whitened). In a mean
+    /// deviation, all values of a group deviate in proportion to their measured size.
     /// @param groups indices of the measured values of each group
     Eigen::MatrixXd means_over(const std::vector<std::vector<Eigen::Index>>& groups) const;
     /// Returns the change of the calibrated parameters [their units] that best imitates a change of

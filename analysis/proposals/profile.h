@@ -20,8 +20,8 @@ struct ReadingCoordinate {
 /// Returns the quantities of the readings along which a change of unknown cause may vary: normal
 /// stress, inertial number or angular velocity, liquid content, and time. A quantity is returned
 /// only if its values differ between the readings by more than a tenth.
-/// @param of_instrument whether the change acts on the instrument, whose formulas contain the
-///        angular velocity; all other formulas contain the inertial number
+/// @param of_instrument whether the change acts on the instrument; if true, the list may contain
+///        the angular velocity, otherwise the inertial number
 /// @throws std::bad_optional_access if `of_instrument` is true and the study has no cell
 std::vector<ReadingCoordinate> coordinates_of(const std::vector<Reading>& readings,
                                               const Study& study, bool of_instrument);

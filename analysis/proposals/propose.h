@@ -56,18 +56,18 @@ struct Proposal {
 };
 
 /// Searches for changes of unknown cause that would explain a misfit that no known effect explains.
-/// Every quantity that a formula can set is varied along every quantity of the readings, with every
-/// profile (dependence of the size of the change on the quantity of the readings). Each combination
-/// is scored by a linear estimate of the reduction of chi2, minus a penalty for the choice,
+/// The search combines each quantity that a formula can set with each profile (dependence of the
+/// size of the change on a quantity of the readings). The score of a combination is a linear
+/// estimate of the reduction of chi2, minus a penalty for the choice,
 ///     score = (g'Pr)^2/(g'Pg) - 2 ln(number of profiles of the kind),
 /// with the residuals r and the change g of the readings, both in units of the readings' errors,
-/// and the projection P that removes what the calibrated parameters can imitate. The model is
-/// refitted with the best combinations. Like the refitted models of a diagnosis, the refitted
-/// models are tested for lack of fit and for further effects, here the known effects and the other
-/// combinations. Pairs of combinations are tried if no single combination fits. Returns at most
-/// three proposals that fit, the lowest Proposal::description() first. If no proposal fits, returns
-/// the best proposal if it removes at least half of the excess chi2 - dof (chi2 minus degrees of
-/// freedom) of the study's model, else nothing.
+/// and the projection P (`WeightedResiduals`). The model is refitted with the best combinations and
+/// tested for lack of fit and for further effects. Pairs of combinations are tried if no single
+/// combination fits.
+///
+/// Returns the best proposals that fit, the lowest Proposal::description() first. If no proposal
+/// fits, returns the best proposal if it removes at least half of the excess chi2 - dof (chi2 minus
+/// degrees of freedom) of the study's model, else nothing.
 /// @param evidence readings with their errors and with parts of the measurement that may be wrong
 /// @param diagnosis diagnosis of the study's model, which does not fit
 std::vector<Proposal> propose(const ResolvedStudy& study, const StudyModels& models,

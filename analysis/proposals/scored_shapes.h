@@ -67,8 +67,8 @@ class ScoredShapes {
     std::pair<double, double> estimate(std::size_t index) const;
     /// Returns the p value [1] of one or two changes: probability that the best of all single
     /// changes reduces chi2 at least as much if the model lacks nothing, in a linear estimate. For
-    /// two changes, the reduction is that by the less important change when it is added to the
-    /// other, so that both changes are significant if p is small.
+    /// two changes, the result is the p value of the less important change when it is added to the
+    /// other change.
     double p(const Score& score) const;
 
   private:

@@ -46,11 +46,10 @@ struct ShapeOfChange {
     std::string name() const;
 };
 
-/// Returns the quantities that may change in a study with the readings `readings`: stress ratio,
-/// solid fraction and friction coefficient. In a study with a cell, torque, normal force and
-/// height, which the instrument shows, may also change. With wet readings, the surface tension of
-/// the liquid may also change. A quantity is left out if an effect that changes it does not apply
-/// to the study (`why_not`).
+/// Returns the quantities that may change in a study: stress ratio, solid fraction and friction
+/// coefficient. In a study with a cell, torque, normal force and height may also change. With wet
+/// readings, the surface tension of the liquid may also change. A quantity is left out if an effect
+/// that changes it does not apply to the study (`why_not`).
 std::vector<ChangedQuantity> quantities_that_may_change(const ResolvedStudy& study,
                                                         const std::vector<Reading>& readings);
 

@@ -122,15 +122,13 @@ struct MissingState {
 /// atlas (the simulations supplied with Pendular) or the store (the user's file of simulations).
 class PaperStudy {
   public:
-    /// Selects the runs without additional effects that can train an emulator (`emulated::usable`)
-    /// and that have a friction coefficient and a bridge volume of the parameter study and an
+    /// Selects the runs without additional effects that can train an emulator (`emulated::usable`).
+    /// The runs must have a friction coefficient and a bridge volume of the parameter study, and an
     /// inertial number of at most 0.0035. If several runs simulate one state, the constructor
-    /// prefers runs whose stiffness number is within a factor of 2 of `paper_stiffness`, and then
-    /// the run with the most grains. The emulator (which interpolates simulations) converts runs of
-    /// other stiffness numbers to the stiffness number of Badetti et al. (2018), and adds the error
-    /// of the conversion. Without the conversion, differences of stiffness could be mistaken for a
-    /// trend. Nothing is converted if the emulator has no training runs that determine the
-    /// influence of stiffness (Emulator::knows_stiffness()).
+    /// prefers runs whose stiffness number is within a factor of 2 of `paper_stiffness`, then the
+    /// run with the most grains. The emulator converts runs of other stiffness numbers to
+    /// `paper_stiffness` and adds the error of the conversion. Nothing is converted if
+    /// Emulator::knows_stiffness() is false.
     /// @param runs simulation runs of atlas and store
     /// @param emulator emulator trained on `runs`; must outlive this object
     PaperStudy(const std::vector<dem::RunResult>& runs, const Emulator& emulator);
@@ -162,8 +160,8 @@ class PaperStudy {
     const StrengthLine* line(double friction, double bridge_volume) const;
     /// Returns the mean of a closure (analytical formula) [1] over the simulated states to which
     /// the line `line` was fitted. The standard error of the mean is the mean of the states'
-    /// standard errors. The errors of the states are taken as fully correlated, since most of each
-    /// error comes from the stress ratio of dry grains, which the states have in common.
+    /// standard errors: the errors are taken as fully correlated, since most of each error comes
+    /// from the stress ratio of dry grains, which the states share.
     Mean mean_over(const StrengthLine& line, double closures::ClosureValues::*value) const;
     /// Returns the stress ratio [1] or the solid fraction [1] of dry grains with the friction
     /// coefficient `friction` [1] in the limit of slow shear, predicted by the emulator (which

@@ -7,12 +7,14 @@
 namespace pendular {
 
 /// Compares simulations with each number that Badetti et al. (2018) state about dry and wet grains,
-/// and returns a row for each number. A published number without an error is taken to be exact to
-/// half a unit of its last digit. Most published ranges are taken to be exact to half a unit of the
-/// last digit of the more precise end. The ranges of the reduced cohesion, of the growth of the
-/// reduced cohesion, and of the ratio of capillary shear stresses are taken literally. A number of
-/// one digit with the word "about" is taken to be exact to 10 %. Limits that the paper states with
-/// a sign such as <= are taken literally. Rows whose states no run simulates are left out.
+/// and returns a row for each number. Rows whose states no run simulates are left out. The
+/// published numbers have the following uncertainties:
+/// - a number with an error: the error;
+/// - a number without an error: half a unit of its last digit;
+/// - a number of one digit with the word "about": 10 %;
+/// - most ranges: half a unit of the last digit of the more precise end;
+/// - ranges of the reduced cohesion, of its growth and of the ratio of capillary shear stresses,
+///   and limits with a sign such as <=: none.
 std::vector<ScoreboardRow> compare_with_published(const PaperStudy& study);
 
 }  // namespace pendular

@@ -93,8 +93,8 @@ class Scoreboard {
     }
     /// Adds a row for each friction coefficient of the parameter study. The row compares a
     /// published range with the values of `quantity` at the states of the section that have the
-    /// friction coefficient and fulfil the condition `which`. No row is added for a friction
-    /// coefficient if no such state exists.
+    /// friction coefficient and fulfil the condition `which`. If there is no such state, the row is
+    /// left out.
     /// @param what quantity and condition, with the unit of the quantity
     /// @param published published range as text
     /// @param lower, upper ends of the published range

@@ -63,21 +63,22 @@ class LiveStudy {
     std::shared_ptr<const std::string> page() const;
     /// Returns the JSON that the study's page requests from the server while the page is open in a
     /// browser. The JSON contains the version and time of the newest page, the name and the
-    /// finished share of the computation in progress, the error because of which no newer page
-    /// could be made (`trouble`), and up to 20 recent events.
+    /// finished share of the computation in progress, the error that prevented a newer page
+    /// (`trouble`), and up to 20 recent events.
     std::string state() const;
 
     /// Stores a recording in the study and returns the answer for the browser. Waits until earlier
-    /// requests have been carried out. A page that is being made is abandoned, and is made again
-    /// afterwards. The HTTP status comes from `StudyWork::store`. If `StudyWork::store` throws, the
-    /// status is 422. If too many requests wait or the program ends, the status is 503.
+    /// requests have been carried out. If a page is being made, this work is interrupted and begins
+    /// again afterwards.
     /// @param name name of the recording's file
     /// @param bytes content of the recording's file
+    /// @return answer of `StudyWork::store`; HTTP status 422 if `StudyWork::store` throws, 503 if
+    ///         too many requests wait or the program ends
     Answer receive(std::string name, std::string bytes);
-    /// Starts to add an effect to the study or to drop an effect, and returns at once. The HTTP
-    /// status is 202 if the change was queued, 409 if another effect is being added or dropped, and
-    /// 503 if too many requests wait or the program ends. Once the change has been made or has
-    /// failed, the outcome is among the events that `state` returns.
+    /// Starts to add an effect to the study or to drop an effect, and returns at once. Once the
+    /// change has been made or has failed, the outcome is among the events that `state` returns.
+    /// @return answer with the HTTP status 202 if the change was queued, 409 if another effect is
+    ///         being added or dropped, 503 if too many requests wait or the program ends
     Answer change(Action action, const std::string& effect);
 
   private:

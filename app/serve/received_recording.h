@@ -16,17 +16,15 @@ constexpr std::size_t largest_received = 64u << 20;
 /// folder, and begins with neither a dot nor a hyphen.
 std::string fault_of_name(const std::string& name);
 
-/// Stores a recording in the folder of a study, or in the subfolder that the file pattern of the
-/// recording in study.toml names. Checks first that the file pattern of a [[recording]] in
-/// study.toml matches the name, that no file of different content would be replaced, and that the
-/// recording can be read and has the quantities of steady shear. Nothing is stored if a check
-/// fails.
+/// Stores a recording in the folder of a study, or in the subfolder that a `file` pattern of a
+/// [[recording]] in study.toml names. Nothing is stored unless the HTTP status is 201.
 /// @param study folder of the study, or its study.toml
 /// @param name name of the file, without a folder
 /// @param bytes content of the file
 /// @return HTTP status with a sentence: 201, stored; 200, the study has the file already, with
-///         equal content; 400, an invalid name; 409, a file of different content has the name; 422,
-///         no pattern matches or the recording cannot be read
+///         equal content; 400, invalid name (`fault_of_name`); 409, a file of different content has
+///         the name; 422, no pattern matches the name, or the recording cannot be read or lacks a
+///         quantity of steady shear
 /// @throws InputError if study.toml cannot be read
 /// @throws std::runtime_error if the file cannot be written
 Answer store_recording(const std::filesystem::path& study, const std::string& name,

@@ -43,12 +43,13 @@ struct Refusal {
 };
 
 /// Returns the page or action that an HTTP request asks for, or a refusal. The checks keep out
-/// other web sites that the user's browser shows. The page of a foreign site does not know the
-/// token. A foreign site whose name resolves to the address of this computer has its own name in
-/// the header Host. A refusal has the status 403 for a foreign host, a foreign origin or a wrong
-/// token, 405 for a method that is neither GET nor POST, 400 for a path with "..", "%" or "\", and
-/// 404 for an unknown path. A POST also needs the token in the header X-Pendular-Token, which no
-/// foreign site can set.
+/// foreign web sites in the user's browser, including sites that use DNS rebinding. The path of
+/// every request must contain the token. A POST must also state the token in the header
+/// X-Pendular-Token. A refusal has the HTTP status
+/// - 403 for a foreign host, a foreign origin or a wrong token,
+/// - 405 for a method that is neither GET nor POST,
+/// - 400 for a path with "..", "%" or "\",
+/// - 404 for an unknown path.
 std::variant<Route, Refusal> check_request(const RequestHead& request,
                                            const ServerAddress& address);
 

@@ -37,8 +37,8 @@ struct StudyStamps {
 /// Returns phrases that name the files of a study which differ between two times: "dry_4.csv is
 /// new", "study.toml has changed" or "dry_2.csv is gone", new files first. Files of results are
 /// named only if study.toml and the measurements are unchanged.
-/// @param before sizes and times of change of the files at the first time
-/// @param after sizes and times of change of the files at the second time
+/// @param before stamps (size, time of change, inode number) of the files at the first time
+/// @param after stamps of the files at the second time
 std::vector<std::string> changes_between(const StudyStamps& before, const StudyStamps& after);
 
 /// Watcher that finds changes of the files from which the page of a study is made: study.toml, the

@@ -22,10 +22,10 @@ struct ForeignStudiesOptions {
     std::array<double, 2> discrepancy = {0.005, 0.001};
 };
 
-/// Diagnoses studies whose flow another DEM code (LAMMPS) simulated, and writes foreign_worlds.txt
-/// (summary), foreign_worlds_confusion.csv (confusion matrix) and foreign_worlds_studies.csv (one
-/// row for each study). Each study is diagnosed once without and once with a stated error of the
-/// model. A benchmark that was stopped continues after the last finished study.
+/// Diagnoses studies whose flow another DEM code (LAMMPS) simulated, each study once without and
+/// once with a stated error of the model. Writes foreign_worlds.txt (summary),
+/// foreign_worlds_confusion.csv (confusion matrix) and foreign_worlds_studies.csv (one row for each
+/// study). A benchmark that was stopped continues after the last finished study.
 /// @throws InputError if a table cannot be read
 /// @throws std::runtime_error if a file cannot be written
 void foreign_studies(const ForeignStudiesOptions& options);

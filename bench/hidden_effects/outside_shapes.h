@@ -24,9 +24,9 @@ struct OutsideShapesOptions {
 };
 
 /// Simulates virtual laboratories with hidden effects that the program's catalogue lacks, and
-/// diagnoses their recordings. The diagnosis proposes which quantity changes, and with which
-/// condition. The benchmark writes how often the proposals are right to outside_shapes.txt and,
-/// with one row for each study, to outside_shapes_studies.csv.
+/// diagnoses their recordings. Each diagnosis proposes which quantity changes, and with which
+/// condition. The benchmark writes outside_shapes.txt (how often the proposals are right) and
+/// outside_shapes_studies.csv (one row for each study).
 /// @throws InputError if a table cannot be read
 /// @throws std::runtime_error if a file cannot be written
 /// @throws dem::Interrupted after Ctrl-C

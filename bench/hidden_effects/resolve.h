@@ -34,13 +34,10 @@ struct Resolution {
 };
 
 /// Makes further measurements in a virtual laboratory until the diagnosis is no longer
-/// "indistinguishable", until `pendular next` finds no measurement that tells the remaining models
-/// apart, or until `most_measurements` are made. With `Policy::next`, no measurements are made if
-/// the first plan of `pendular next` cannot tell the model with the hidden effect from all rival
-/// models, or if the model with the hidden effect does not fit the readings. The instrument permits
-/// conditions beyond those of the study (normal stresses, shear rates, liquid contents, fillings),
-/// and direct measurements of the torque of the empty cell and of the offset of the normal force.
-/// Empty if the first verdict is not "indistinguishable".
+/// "indistinguishable", or until `most_measurements` are made. With `Policy::next`, the
+/// measurements also end if `pendular next` finds no measurement that tells the remaining models
+/// apart. No measurement is made if `Resolution::separable` is false. Empty if the first verdict is
+/// not "indistinguishable".
 /// @param study number of the study, which determines the noise of its recordings
 /// @param folder folder for the files of the study, which the function creates and finally removes
 std::vector<Resolution> resolve(const Truth& truth, const LabResult& laboratory, int study,

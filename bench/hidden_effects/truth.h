@@ -22,8 +22,8 @@ struct Truth {
     /// Noncentrality v [1]: squared length of the change of the readings by the hidden effects, in
     /// units of the planned standard errors. The part of the change that the calibrated parameters
     /// can imitate does not count. For an effect outside the catalogue, the part that the best pair
-    /// of known effects can imitate does not count either. For a pair of hidden effects,
-    /// `noncentrality` is the smaller of the two noncentralities.
+    /// of known effects can imitate does not count either. For a pair of hidden effects, v is the
+    /// minimum of the noncentralities of both effects.
     double noncentrality = 0;
     /// Part v (1 - cos^2) of the noncentrality v that the most similar other effect cannot imitate
     /// [1], where cos is the cosine of the angle between the changes by both effects. 0 for a pair.

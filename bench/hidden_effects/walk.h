@@ -71,16 +71,16 @@ std::map<std::string, std::string> recordings_with_noise(LabResult laboratory, c
                                                          int study);
 
 /// Returns the RMS errors [%] that even the true model has, first of the shear stress and second of
-/// the solid fraction. The errors are the noise of the instrument in the readings, which is known
-/// in a virtual laboratory, combined with the standard error of the laboratory's simulations.
+/// the solid fraction. The errors combine the noise of the instrument in `readings` with the
+/// standard error of the laboratory's simulations.
 /// @param folder folder for temporary files, which the function creates and finally removes
 std::array<double, 2> noise_of(const std::vector<Reading>& readings, LabResult laboratory,
                                const std::filesystem::path& folder);
 
 /// Carries out one study of a virtual laboratory: writes the recordings with the noise of this
-/// study, imports the recordings and diagnoses them. If the true model is among the models that
-/// fit, the function also fits the study before and after the hidden effects are added. The models
-/// have the simulation settings of the laboratory.
+/// study, imports the recordings and diagnoses the study. If the true model is among the models
+/// that fit, the function also fits the study without and with the hidden effects. All fits use the
+/// simulation settings of the laboratory.
 /// @param study number of the study, which determines the noise
 /// @param folder folder for temporary files, which the function creates and finally removes
 /// @param discrepancy relative errors [1] that the study states for the model: first of the stress

@@ -47,14 +47,11 @@ struct Coordinates {
     bool operator==(const Coordinates&) const = default;
 };
 
-/// Returns the coordinates x, q, u and v of a state of steady shear. The coordinates are x =
-/// ln[(friction + 0.05)/(centre + 0.05)], q = I^exponent with the inertial number I, u = 1/P* with
-/// the reduced pressure P*, and v = ln(V0/a^3/0.002) with the bridge volume V0 and the grain
-/// diameter a. For dry grains, v = 0. The coordinate x replaces the friction coefficient, since the
-/// stress ratio is more nearly linear in x. Between the friction coefficients 0 and 0.4, the
-/// derivative of the stress ratio with respect to the friction coefficient changes by a factor of
-/// 9. The derivatives of stress ratio and solid fraction with respect to x change by about a factor
-/// of 2.
+/// Returns the coordinates of a state of steady shear,
+///     x = ln[(friction + 0.05)/(centre + 0.05)],  q = I^exponent,
+///     u = 1/P*,  v = ln(V0/a^3/0.002),
+/// with the inertial number I, the reduced pressure P*, the bridge volume V0 and the grain diameter
+/// a. For dry grains, v = 0.
 /// @param centre friction coefficient at which x is 0 [1]
 /// @param exponent exponent of the inertial number in q [1]
 Coordinates coordinates(const FlowState& state, double centre, double exponent);
@@ -83,10 +80,10 @@ class Basis {
     /// Returns the value of each term of the polynomial (product of powers of x, q, u and v) at the
     /// coordinates `at`, in the order in which the terms were added.
     Eigen::RowVectorXd values(const Coordinates& at) const;
-    /// Returns the derivative of each term of the polynomial (product of powers of x, q, u and v)
-    /// at the coordinates `at`, in the order in which the terms were added.
-    /// @param coordinate coordinate with respect to which the terms are differentiated: 0 for x, 1
-    ///        for q, 2 for u, 3 for v; -1: the values of the terms are returned
+    /// Returns the derivative of each term of the polynomial at the coordinates `at`, in the order
+    /// in which the terms were added.
+    /// @param coordinate coordinate of the derivative: 0 for x, 1 for q, 2 for u, 3 for v; if -1,
+    ///        the function returns the values of the terms
     Eigen::RowVectorXd slopes(const Coordinates& at, int coordinate) const;
     Eigen::RowVectorXd slopes_in_x(const Coordinates& at) const { return slopes(at, 0); }
     Eigen::RowVectorXd slopes_in_v(const Coordinates& at) const { return slopes(at, 3); }

@@ -6,12 +6,12 @@
 
 namespace pendular {
 
-/// Fast sums of weighted Gaussian functions (bells) in up to five coordinates. Predictions of a
-/// Gaussian process contain such sums. Bell i has the centre z_i and the weight w_i. All bells have
-/// equal widths, with the standard deviation 1/sqrt(c_k) along coordinate k. With the distances
-/// d_ik = z_ik - a_k of the centres from a place a, the sums at the place a are
-///     S = sum_i w_i exp(-sum_k c_k d_ik^2/2)  and  S_k = sum_i w_i d_ik exp(-sum_k c_k d_ik^2/2).
-/// The sums are identical to the last bit on all processors, whatever their vector instructions.
+/// Fast sums of weighted Gaussian functions (bells) in up to five coordinates, as in predictions of
+/// a Gaussian process. Bell i has the centre z_i and the weight w_i. All bells have the standard
+/// deviation 1/sqrt(c_k) along coordinate k. The sums at a place a are
+///     S = sum_i w_i E_i  and  S_k = sum_i w_i d_ik E_i,
+///     E_i = exp(-sum_k c_k d_ik^2/2),  d_ik = z_ik - a_k.
+/// The sums are identical to the last bit on all processors.
 class BellSums {
   public:
     static constexpr std::size_t most_coordinates = 5;
@@ -29,9 +29,9 @@ class BellSums {
     void add(const Place& place, double weight);
 
     /// Returns the sums over all bells at the place `at`: first S = sum_i w_i E_i, then S_k = sum_i
-    /// w_i d_ik E_i for each coordinate k. Here w_i is the weight of bell i, d_ik is the distance
-    /// of the centre of the bell from the place along coordinate k, and E_i is the value of the
-    /// bell at the place, which is 1 at the centre. S_k is 0 for coordinates that are not used.
+    /// w_i d_ik E_i for each coordinate k. Bell i has the weight w_i, the value E_i at the place (1
+    /// at the centre of the bell) and the distance d_ik of the centre from the place along
+    /// coordinate k. S_k is 0 for coordinates that are not used.
     std::array<double, 1 + most_coordinates> at(const Place& at) const;
 
   private:

@@ -8,30 +8,30 @@
 
 namespace pendular {
 
-/// Coordinates [1] at which the change of an observable by an effect on grains is evaluated: the
-/// emulator's coordinate x of the friction coefficient (`emulated::place_of`), sqrt(I) with the
-/// inertial number I, ln(1 + 10/P*) with the reduced pressure P*, ln(V0/a^3/0.002) with the bridge
-/// volume V0 and the grain diameter a (0 for dry grains), and the amplitude of the effect. Each
-/// coordinate is scaled to the order of 1 over the range of usual studies.
+/// Coordinates [1] at which the change of an observable by an effect on grains is evaluated, each
+/// scaled to the order of 1. The coordinates follow, in turn, from
+/// - the friction coefficient (coordinate x of `emulated::place_of`),
+/// - sqrt(I) with the inertial number I,
+/// - ln(1 + 10/P*) with the reduced pressure P*,
+/// - ln(V0/a^3/0.002) with the bridge volume V0 and the grain diameter a (0 for dry grains),
+/// - the amplitude of the effect.
 using ResponsePlace = Eigen::Vector<double, 5>;
 
-/// Predictor of how an effect on grains changes one observable. The predictor is trained on
-/// differences between two values of the observable: the value in a run with the effect, and the
-/// emulator's prediction for the same state without the effect. The model of a change is
+/// Predictor of how an effect on grains changes one observable. Each training value is the value in
+/// a run with the effect minus the emulator's prediction without the effect. The predicted change
+/// is
 ///     change = b p y(z, b),
-/// with the coordinates z of the state and the amplitude b of the effect. The factor p is 1/P*,
-/// with the reduced pressure P*, if the effect acts through capillary forces and the observable is
-/// of the kind `Domain::all_flow`; otherwise p = 1. The function y is a Gaussian process: the sum
-/// of a plane in the coordinates and a process of squared exponential covariance. The change
-/// vanishes at the neutral value of the effect, b = 0, and is smooth near b = 0. The variances of
-/// plane and process are chosen from a grid of values so that the likelihood is largest. Source:
-/// Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), section 2.7.
+/// with the coordinates z of the state and the amplitude b of the effect, which is 0 without the
+/// effect. The factor p is 1/P*, with the reduced pressure P*, if the effect acts through capillary
+/// forces and the observable is of the kind `Domain::all_flow`. Otherwise p = 1. The function y is
+/// a Gaussian process: the sum of a plane in the coordinates and a process of squared exponential
+/// covariance. The variances of both parts maximise the likelihood on a grid of values.
+/// Source: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), section 2.7.
 class EffectResponse {
   public:
     /// Trains the predictor on n observed changes of the observable by the effect.
     /// @param places coordinates at which each change was observed
-    /// @param amplitudes product b p of the amplitude b of the effect and the factor p, which is
-    ///        1/P* (P*: reduced pressure) or 1, for each change
+    /// @param amplitudes product b p of amplitude b and factor p (`EffectResponse`) for each change
     /// @param changes changes of the observable, divided by the scale of the observable
     ///        (`emulated::Unit::size`)
     /// @param covariance covariance (n x n) of the errors of `changes`
@@ -64,11 +64,12 @@ class EffectResponse {
     /// coordinates, `curved_` for the process of squared exponential covariance.
     double plane_ = 1, curved_ = 1;
     Eigen::LLT<Eigen::MatrixXd> factor_;
-    /// Sums over the training changes from which predictions follow. For the plane, the sums are
-    /// sum s (`plane_constant_`) and sum s z (`plane_slopes_`). For the process, Gaussian functions
-    /// (bells) of weight s are summed (`bells_`). Here s = b (K + Sigma)^-1 changes, with the
-    /// elements b of `amplitudes_`, the coordinates z, the prior covariance K of the changes, and
-    /// the covariance Sigma of the errors of the changes.
+    /// Sums over the training changes, from which predictions follow: sum s (`plane_constant_`) and
+    /// sum s z (`plane_slopes_`) for the plane, and a sum of Gaussian functions (bells) of weight s
+    /// for the process (`bells_`). Here z contains the coordinates of a change, and
+    ///     s = b (K + Sigma)^-1 changes,
+    /// with the elements b of `amplitudes_`, the prior covariance K of the changes, and the
+    /// covariance Sigma of the errors of the changes.
     double plane_constant_ = 0;
     ResponsePlace plane_slopes_ = ResponsePlace::Zero();
     BellSums bells_;

@@ -12,11 +12,10 @@ namespace pendular::emulated {
 /// The emulator predicts the mean overlap of contacts for the reference stiffness number.
 constexpr double reference_stiffness = 1000;
 
-/// Localization of the shear [1] above which a run counts as sheared in a band. The emulator is not
-/// trained on such a run. The localization D is 0 for uniform shear and 1 for an infinitely thin
-/// band. If the grains shear only in a band between rigid blocks, the height of the band is 1 -
-/// sqrt(D) times the height of the sample. For D above 0.2, the band takes about half of the height
-/// or less. In small samples that shear uniformly, D reaches 0.11 at low reduced pressure.
+/// Localization D of the shear [1] above which a run counts as sheared in a band. The emulator is
+/// not trained on such a run. D is 0 for uniform shear and 1 for an infinitely thin band. A band
+/// between rigid blocks has the height 1 - sqrt(D), relative to the height of the sample. Small
+/// samples that shear uniformly reach D = 0.11 at low reduced pressure.
 constexpr double banded_above = 0.2;
 
 /// Returns the reason why an emulator cannot be trained on a run, such as "crystallised" or "was
@@ -68,9 +67,9 @@ std::vector<Query> pairs_at(const std::vector<FlowState>& states);
 
 /// Scaling between an observable and the Gaussian process that predicts the observable, at one
 /// state of steady shear: value = offset + size x process. For capillary stresses divided by the
-/// normal stress, `size` is 1/P*, with the reduced pressure P*. For the distance of grains that
-/// have a bridge but no contact, `size` is the gap at which the bridge breaks, divided by the grain
-/// diameter. For all other observables, `size` is 1.
+/// normal stress, `size` is 1/P*, with the reduced pressure P*. For the distance of grains with a
+/// bridge but no contact, `size` is the gap at which the bridge breaks, divided by the grain
+/// diameter, and `offset` is 1. For all other observables, `size` is 1.
 struct Unit {
     double offset = 0, size = 1;
     /// Derivatives of `size` with respect to 1/P* (`by_inverse_pressure`) and with respect to
@@ -94,11 +93,11 @@ bool alike(double a_stiffness_number, double another);
 /// wet.
 bool has_value(const dem::RunResult& run, dem::Observable which);
 
-/// Returns the coordinates of a state of steady shear in which the Gaussian processes of all
-/// observables are defined: x = ln[(friction + `friction_scale`)/(`friction_centre` +
-/// `friction_scale`)], q = sqrt(I) with the inertial number I, u = 1/P* with the reduced pressure
-/// P*, and v = ln(V0/a^3/0.002) with the bridge volume V0 and the grain diameter a. For dry grains,
-/// v = 0.
+/// Returns the coordinates of a state of steady shear in which all Gaussian processes are defined,
+///     x = ln[(friction + friction_scale)/(friction_centre + friction_scale)],
+///     q = sqrt(I),  u = 1/P*,  v = ln(V0/a^3/0.002),
+/// with the inertial number I, the reduced pressure P*, the bridge volume V0 and the grain diameter
+/// a. For dry grains, v = 0.
 Coordinates place_of(const FlowState& state);
 
 }  // namespace pendular::emulated

@@ -23,14 +23,14 @@ struct EmulatedObservable {
     std::vector<Estimate> slopes;
 };
 
-/// Returns the emulated values of the observables `which` at a state of steady shear, with their
-/// derivatives and standard errors, in the order of `which`. The values hold for grains with the
-/// stiffness number `stiffness_number` [1]. If `Emulator::knows_stiffness` is false, only solid
-/// fraction and overlap are converted to this stiffness number. The standard errors include the
-/// error of the conversion. The derivatives leave out the contribution of effects on grains.
+/// Returns the emulated values of the observables `which` at a state of steady shear, in the order
+/// of `which`, with derivatives and standard errors. The values hold for grains with the stiffness
+/// number `stiffness_number` [1]. If `Emulator::knows_stiffness` is false, only solid fraction and
+/// overlap are converted to this stiffness number. The standard errors include the error of the
+/// conversion. The derivatives leave out the changes by effects on grains.
 /// @throws std::invalid_argument if an observable describes liquid bridges but the state is dry, if
-///         no training run has a value of an observable, or if `state` has an effect that no
-///         training run has as its only effect
+///         no training run has a value of an observable, or if `Emulator::knows` is false for an
+///         effect of the state
 std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const FlowState& state,
                                             double stiffness_number,
                                             const std::vector<dem::Observable>& which);

@@ -19,11 +19,11 @@ StructureResponse respond(const Emulator& emulator, const std::vector<dem::Obser
 /// is the number of contacts per grain, and Z_d the number of bridges without contact per grain.
 StructureResponse coordination(const Emulator& emulator, const FlowState& state);
 
-/// Returns the bridge volume V0/a^3 [1] at which the wet grains have a given liquid content in the
-/// state `state`, whose own bridge volume is ignored. The function solves
+/// Returns the bridge volume V0/a^3 [1] at which the grains in the wet state `state` have a given
+/// liquid content. The bridge volume of `state` is ignored. The function solves
 ///     liquid_content = 3 Z(V0) V0/(pi a^3)
-/// for the bridge volume V0, with the grain diameter a and the emulated coordination number Z. An
-/// emulated coordination number below 1 is replaced by 1.
+/// for V0, with the grain diameter a and the emulated coordination number Z. If Z is below 1, the
+/// function uses 1 instead.
 /// @param liquid_content volume of liquid divided by volume of grains [1]
 /// Source: Badetti et al. (2018), Eq. (6).
 double bridge_volume_of(const Emulator& emulator, double liquid_content, FlowState state);

@@ -15,21 +15,19 @@
 
 namespace pendular {
 
-/// Emulator: Gaussian processes that are trained on simulation runs and interpolate between the
-/// runs. The processes predict the observables, with standard errors, at states of steady shear
-/// that were not simulated. A `PlainEmulator` predicts the flow of grains without effects. For each
-/// effect on grains, an `EffectResponse`, trained on the runs that have only this effect, predicts
-/// how the effect changes the observables. The changes by several effects add up. A further
-/// `EffectResponse`, trained on runs of other stiffness numbers, predicts the change from the
-/// stiffness number of the `PlainEmulator` to the stiffness number of the requested state.
+/// Emulator: Gaussian processes that are trained on simulation runs and predict the observables,
+/// with standard errors, at states of steady shear that were not simulated. A `PlainEmulator`
+/// predicts the flow of grains without effects. For each effect on grains, an `EffectResponse` adds
+/// the change by the effect. A further `EffectResponse` adds the change from the stiffness number
+/// of the `PlainEmulator` to the stiffness number of the state.
+///
 /// Derivatives with respect to friction coefficient, inertial number, reduced pressure and bridge
-/// volume include the change with stiffness but omit the changes by effects. Predictions never
-/// change after construction, so that several threads may query the emulator at once.
+/// volume omit the changes by effects. Several threads may query one emulator at once.
 class Emulator {
   public:
     /// Makes an emulator from training runs and hyperparameters. Each Gaussian process is trained
-    /// when a prediction first needs the process. Hyperparameters that were not given are fitted
-    /// before the training.
+    /// when a prediction first needs the process. If an observable has no hyperparameters, the
+    /// emulator fits them before the training.
     /// @param hyperparameters hyperparameters (amplitudes, correlation lengths and noise of the
     ///        Gaussian processes) for each observable; may be empty
     /// @param stiffness_number stiffness number [1] of the runs on which the `PlainEmulator` is
@@ -50,39 +48,36 @@ class Emulator {
     /// Returns the result of each query: the predicted value of the observable, in the unit of the
     /// observable, or the derivative that the query names.
     /// @throws std::invalid_argument if no training run has a value of a queried observable, if the
-    ///         observable describes liquid bridges but the state is dry, or if the state has an
-    ///         effect that no training run has as its only effect
+    ///         observable describes liquid bridges but the state is dry, or if knows() is false for
+    ///         an effect of the state
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
-    /// Returns, for each query, the part of the prediction of `mean` that effects on grains and
-    /// stiffness cause, in the unit of the prediction. The part is the difference from the
-    /// prediction of the `PlainEmulator`, which holds for grains without effects and for the
-    /// stiffness number of its training runs. If a query requests a derivative, the part omits the
-    /// changes by effects.
-    /// @throws std::invalid_argument if the state of a query has an effect that no run has as its
-    ///         only effect
+    /// Returns, for each query, the change that effects on grains and stiffness cause, in the unit
+    /// of the query's result: the result of mean() minus the prediction of the `PlainEmulator`. For
+    /// a query for a derivative, the result contains only the change by stiffness.
+    /// @throws std::invalid_argument if knows() is false for an effect of the state of a query
     Eigen::VectorXd changes_by_causes(const std::vector<Query>& queries) const;
     /// Whether the prediction at a state of steady shear differs from the prediction of the
     /// `PlainEmulator`. The predictions differ if the state has effects on grains. If
     /// knows_stiffness() is true, the predictions also differ if the stiffness number of the state
     /// differs from that of the `PlainEmulator`.
     bool changes(const FlowState& state) const;
-    /// Returns the covariance of the errors of the predictions that `mean` returns. The matrix has
-    /// a row and a column for each query. The prediction for a state x with an effect is f(x) +
-    /// d(x), with the prediction f without the effect and the change d by the effect. The predictor
-    /// of d is trained on the differences (simulated value - f) at the states X of the runs with
-    /// the effect, so that the errors of f and d are correlated:
-    ///     error = e(x) - W e(X) + error of d at given f,
-    /// with the error e of f, and the weights W with which d depends on the training differences.
+    /// Returns the covariance of the errors of the predictions that mean() returns, with a row and
+    /// a column for each query. The prediction for a state x with an effect is f(x) + d(x), with
+    /// the prediction f without the effect and the change d by the effect. The error of the
+    /// prediction is
+    ///     e(x) - W e(X) + error of d at given f,
+    /// with the error e of f, the states X of the runs with the effect, and the weights W with
+    /// which d depends on the training data (simulated value - f) at X.
     /// @throws std::invalid_argument if no training run has a value of a queried observable, if the
-    ///         observable describes liquid bridges but the state is dry, or if the state has an
-    ///         effect that no training run has as its only effect
+    ///         observable describes liquid bridges but the state is dry, or if knows() is false for
+    ///         an effect of the state
     Eigen::MatrixXd covariance(const std::vector<Query>& queries) const;
 
     /// Describes which numbers of a state of steady shear lie outside their range in the training
     /// runs, such as "friction 0.9 is above 0.6". The compared numbers are friction coefficient,
-    /// inertial number and, for a wet state, reduced pressure and bridge volume. The text is empty
-    /// if all numbers lie inside their ranges. An inertial number below that of all runs counts as
-    /// inside, since the emulator extrapolates to slower flow and states the error.
+    /// inertial number and, for a wet state, reduced pressure and bridge volume. An inertial number
+    /// below the range counts as inside, since the emulator extrapolates to slower flow. The text
+    /// is empty if all numbers lie inside.
     std::string beyond(const FlowState& state) const;
 
     /// Returns the simulation runs on which the emulator is trained, with and without effects on
@@ -116,23 +111,22 @@ class Emulator {
   private:
     static inline const std::string stiffness_name = "stiffness number";
     /// Calls `use(name, size, place)` for each cause by which the observable `which` at a state of
-    /// steady shear differs from the prediction of the `PlainEmulator`. A cause is an effect on
-    /// grains, or a stiffness number that differs from that of the `PlainEmulator`. Effects come
-    /// first. `name` is the name of the effect, or `stiffness_name`. `size` is the factor to which
-    /// the change is proportional. `place` contains the coordinates at which the change is
-    /// evaluated.
+    /// steady shear differs from the prediction of the `PlainEmulator`. First come the effects on
+    /// grains, then a differing stiffness number. `name` is the name of the effect, or
+    /// `stiffness_name`. The change is proportional to `size`. `place` contains the coordinates at
+    /// which the change is evaluated.
     template <typename Use>
     void each_cause(const FlowState& state, dem::Observable which, const Use& use) const;
     /// Whether the stiffness number of a state of steady shear changes predictions. Predictions
     /// change if the stiffness number differs from that of the `PlainEmulator` and
     /// knows_stiffness() is true.
     bool stiffened(const FlowState& state) const;
-    /// Whether the predictor of the change of the observable `which` by the cause `name` is trained
-    /// on a run. A cause is an effect or a differing stiffness number. The run must have a value of
-    /// the observable. For an effect, the run must have only this effect, at any stiffness number,
-    /// and parameters that models of studies never fit (`EffectParameter::only_simulated`) must be
-    /// neutral. For stiffness, the run must have no effects, and the stiffness number of the run
-    /// must differ from that of the `PlainEmulator` by more than a factor of 2.
+    /// Whether a run trains the predictor of the change of the observable `which` by the cause
+    /// `name`. A cause is an effect or a differing stiffness number. The run must have a value of
+    /// the observable. For an effect, the run must have only this effect, and the parameters that
+    /// no model of a study fits (`EffectParameter::only_simulated`) must be neutral. For stiffness,
+    /// the run must have no effects, and its stiffness number must differ from that of the
+    /// `PlainEmulator` by more than a factor of 2.
     bool trains(const dem::RunResult& run, const std::string& name, dem::Observable which) const;
 
     /// Predictor of how one cause (an effect, or a differing stiffness number) changes an

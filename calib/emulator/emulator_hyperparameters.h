@@ -12,9 +12,9 @@ namespace pendular {
 constexpr const char* hyperparameters_name = "emulator.csv";
 
 /// Reads the hyperparameters of the emulator (amplitudes, correlation lengths and noise of the
-/// Gaussian processes) from a CSV table. The table has a row for each observable. The first column
-/// contains the name of the observable. The following columns contain the hyperparameters, in the
-/// order of `Hyperparameters::names`.
+/// Gaussian processes) from a CSV table with a row for each observable. The first column contains
+/// the name of the observable. The following columns contain the hyperparameters, in the order of
+/// `Hyperparameters::names`.
 /// @throws InputError, with line and column of the file, if the file cannot be read, the number of
 ///         columns is wrong, a value is not a number between 1e-15 and 1e15, or an observable is
 ///         unknown

@@ -7,8 +7,7 @@ namespace pendular {
 
 /// Fits the hyperparameters (amplitudes, correlation lengths and noise) of the Gaussian process of
 /// one quantity to observations. The fitted hyperparameters maximise the product of likelihood and
-/// prior. Broad log-normal priors keep a hyperparameter finite if the observations do not determine
-/// it. The library Ceres finds the maximum with analytic gradients.
+/// prior. Broad log-normal priors keep undetermined hyperparameters finite.
 /// @param domain kind of the quantity, which selects the form of the `Kernel`
 /// @param known observations; only the first column of `known.values` is used
 /// @param unit typical size of the quantity, in the unit of the quantity
@@ -20,7 +19,6 @@ Hyperparameters fit_hyperparameters(Domain domain, const Observations& known, do
 /// @param domain kind of the quantity, which selects the form of the `Kernel`
 /// @param known observations; only the first column of `known.values` is used
 /// @param unit typical size of the quantity, in the unit of the quantity
-/// @param hyperparameters hyperparameters at which the cost is evaluated
 /// @param gradient receives the derivatives of the cost with respect to the logarithms of the
 ///        hyperparameters, in the order of `Hyperparameters::names`; may be null
 double hyperparameter_cost(Domain domain, const Observations& known, double unit,

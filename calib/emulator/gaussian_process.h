@@ -25,21 +25,22 @@ struct Observations {
     Observations only(Eigen::Index quantity) const;
 };
 
-/// Gaussian process of m random functions, each with a kernel (prior covariance) of its own. The
-/// functions are observed with noise at some places. The noise is correlated between the functions
-/// at one place. The joint posterior of the values and derivatives at further places is
+/// Gaussian process of m random functions, each with its own kernel (prior covariance). The
+/// functions are observed with noise at some places. At one place, the noise of different functions
+/// is correlated. Values and derivatives at further places have the posterior
 ///     mean = k' (K + N)^-1 y,  covariance = k(*, *) - k' (K + N)^-1 k,
-/// with the observed values y, the prior covariance K of the observed values, the covariance N of
-/// the noise, the prior covariance k of the observed values with the predicted values, and the
-/// prior covariance k(*, *) of the predicted values.
+/// with the observed values y, the covariance N of the noise, and three prior covariances: K of the
+/// observed values, k of the observed values with the predicted values, and k(*, *) of the
+/// predicted values.
 /// Source: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), eq. 2.23, 2.24;
 /// derivatives: section 9.4.
 class GaussianProcess {
   public:
-    /// Trains the Gaussian process on the observations `known`. First the covariance of the noise
-    /// of the functions k and l at each place is multiplied by sqrt(n_k n_l), with the noise
-    /// factors n_k and n_l in the hyperparameters of the kernels. Then the squares of the
-    /// between-run scatters are added to the variances of the noise.
+    /// Trains the Gaussian process on the observations `known`. At each place, the noise of the
+    /// functions k and l has the covariance
+    ///     sqrt(n_k n_l) `known.noise`(k, l) + (s_k^2 if k = l, else 0),
+    /// with the noise factor n_k and the between-run scatter s_k in the hyperparameters of kernel
+    /// k.
     /// @param kernels kernel of each function, in the order of the columns of `known.values`
     /// @throws std::logic_error if the covariance of the observations is not positive definite
     GaussianProcess(std::vector<Kernel> kernels, const Observations& known);

@@ -83,21 +83,18 @@ struct Hyperparameters {
     static Hyperparameters from_array(const std::array<double, count>& values);
 };
 
-/// Prior covariance of an emulated quantity f, which is a function of friction coefficient,
-/// inertial number I, reduced pressure P* and bridge volume. The form of f has the limits that
-/// physics demands:
+/// Prior covariance of an emulated quantity f, a function of friction coefficient, inertial number
+/// I, reduced pressure P* and bridge volume,
 ///     f = h(z).beta + g_dry(x, q) + b(u) [h_wet(z).gamma + g_wet(x, q, u, v)],
 /// with the coordinates z = (x, q, u, v) of `Coordinates`, where q = sqrt(I) and u = 1/P*. The
 /// vectors h and h_wet contain terms of polynomials. Their coefficients beta and gamma have broad
 /// priors. The functions g_dry and g_wet are Gaussian processes of squared exponential covariance
 /// with a correlation length for each coordinate. The correlation length for u applies to ln(1 +
-/// u/0.1). The factor b(u) depends on the kind of the quantity (`Domain`). For `all_flow`, b = u.
-/// For `contacts`, b = 0 at u = 0 and b = 1 elsewhere. For `bridges`, b = 1 and the dry terms h and
-/// g_dry are absent.
+/// u/0.1).
 ///
-/// Dry flow (u = 0) thus does not depend on the bridge volume. For `all_flow`, the capillary part
-/// vanishes as 1/P* -> 0. With q = sqrt(I), the quantity f has a finite quasi-static limit. As I
-/// becomes 0, f approaches the limit as a power of I between 1/2 and 1.
+/// The kind of the quantity (`Domain`) determines b(u) and thus the dry limit u -> 0. For
+/// `all_flow`, b = u. For `contacts`, b = 0 at u = 0 and b = 1 elsewhere. For `bridges`, b = 1 and
+/// the dry terms h and g_dry are absent. The quasi-static limit I -> 0 of f is finite.
 class Kernel {
   public:
     /// Makes the prior covariance of one emulated quantity.
@@ -146,10 +143,10 @@ class Kernel {
     /// Stores the places of `values` and the weight of each place in a form in which the function
     /// `sums` sums over the places fast.
     Known known(const std::vector<Prepared>& values, const Eigen::VectorXd& weights) const;
-    /// Returns a weighted sum of prior covariances, followed by the derivatives of the sum with
-    /// respect to the coordinates x, q, u and v of `at`. A term of the sum is the weight of a place
-    /// stored in `known` times the prior covariance between the values at the place and at `at`.
-    /// The contribution of the polynomials to the covariance is left out.
+    /// Returns sum_p w_p k(p, at) over the places p stored in `known`, followed by the derivatives
+    /// of the sum with respect to the coordinates x, q, u and v of `at`. Here w_p is the weight of
+    /// the place p, and k is the prior covariance between the values at two places without the
+    /// contribution of the polynomials.
     /// @param with_pressure whether the derivative with respect to u is needed; if false, the
     ///        derivative with respect to u may be incomplete
     std::array<double, 1 + coordinate_count> sums(const Known& known, const Prepared& at,
@@ -159,10 +156,9 @@ class Kernel {
     /// matrix has a row and a column for each entry of `of`.
     Eigen::MatrixXd matrix(const std::vector<Prepared>& of) const;
     /// Returns the derivatives of tr(W K)/2 with respect to the logarithms of the first eight
-    /// hyperparameters, which are the amplitudes and correlation lengths, in the order of the
-    /// hyperparameters. K is the contribution of the Gaussian processes to the prior covariance
-    /// matrix of `values`. W is the symmetric matrix `weights`. The derivatives are part of the
-    /// gradient in the fit of the hyperparameters.
+    /// hyperparameters (amplitudes and correlation lengths). W is the symmetric matrix `weights`. K
+    /// is the contribution of the Gaussian processes to the prior covariance matrix of `values`.
+    /// The fit of the hyperparameters needs these derivatives.
     std::array<double, Hyperparameters::of_processes> half_traces(
         const std::vector<Prepared>& values, const Eigen::MatrixXd& weights) const;
 

@@ -9,23 +9,19 @@ namespace pendular {
 
 /// Range of states of steady shear in which the training runs of the emulator support predictions.
 /// A state is supported if
-/// - the state lies in the convex hull of the states of the runs, or outside the hull by at most
-///   `margin` of the range that the runs cover,
+/// - the state lies in the convex hull of the states of the runs, or at most `margin` outside,
 /// - the relative standard error of the emulator is at most `largest_ratio_error` for the stress
 ///   ratio and at most `largest_fraction_error` for the solid fraction, and
 /// - both predicted values are physical: the stress ratio is above 0 and the solid fraction is
 ///   between 0.4 and 0.74.
 ///
-/// The convex hull is taken in the coordinates x = ln(friction + 0.02) with the friction
-/// coefficient, q = sqrt(I) with the inertial number I, ln(1 + 10/P*) with the reduced pressure P*
-/// = a^2 s22/F0, and ln(V0/a^3) with the bridge volume V0. Here a is the grain diameter, s22 the
-/// normal stress and F0 the pull-off force of a bridge.
+/// The convex hull has the coordinates ln(friction + 0.02), sqrt(I), ln(1 + 10/P*) and ln(V0/a^3),
+/// with the inertial number I, the reduced pressure P*, the bridge volume V0 and the grain diameter
+/// a.
 ///
-/// Each run enters the convex hull twice, first at the inertial number of the run and second at
-/// inertial number 0, since the emulator also predicts the quasi-static limit, with a standard
-/// error. A dry run enters the hull of the wet states at 1/P* = 0 with every bridge volume. Runs
-/// with effects on grains do not enter the hull, since the emulator predicts the changes by effects
-/// separately.
+/// Each run enters the hull at its own inertial number and at inertial number 0. A dry run enters
+/// the hull of the wet states at 1/P* = 0 with every bridge volume. Runs with effects on grains do
+/// not enter the hull.
 class KnownRange {
   public:
     /// Largest distance of a supported state from the convex hull of the runs [1], in coordinates
@@ -56,10 +52,10 @@ class KnownRange {
     std::string why_unsupported(const FlowState& state) const;
 
     /// Returns a state of steady shear, close to the unsupported state `state`, at which the
-    /// training runs support predictions. The returned state is the point of the convex hull of the
-    /// runs that is nearest to `state`. If the prediction at this point is too uncertain or
-    /// unphysical, the function moves from this point towards the nearest run and returns the first
-    /// supported point. The returned state has no effects on grains.
+    /// training runs support predictions. The function tries the nearest point of the convex hull
+    /// of the runs. If the prediction at this point is too uncertain or unphysical, the function
+    /// returns the first supported point on the way from this point to the nearest run. The
+    /// returned state has no effects on grains.
     /// @throws std::invalid_argument if the state is wet but no run without effects is wet, or if
     ///         the state is dry but no run without effects is dry
     FlowState nearest_supported(const FlowState& state) const;

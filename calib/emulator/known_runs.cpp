@@ -10,6 +10,7 @@ namespace pendular {
 
 std::vector<dem::RunResult> runs_serving(const Study& study, const Fidelity& fidelity,
                                          const std::vector<dem::RunResult>& runs) {
+    // Changes the ratio of tangential to normal stiffness by less than a tenth.
     constexpr double largest_poisson_difference = 0.1;
     // The periodic boundaries influence samples smaller than the fidelity's and the atlas's.
     constexpr int enough_grains = 1000;

@@ -23,11 +23,10 @@ struct KnownRuns {
 };
 
 /// Returns the runs among `runs` on which the emulator for a study can be trained. Each returned
-/// run is usable (`emulated::usable`) and has only effects that the study lists. The number of
-/// grains is at least 1000, or at least the number of grains in the settings `fidelity` if that
-/// number is smaller. The Poisson ratio of the run differs by at most 0.1 from the Poisson ratio of
-/// the study's grains. A difference of 0.1 changes the ratio of tangential to normal stiffness by
-/// less than a tenth. A wet run has the formula for the bridge force that the study states.
+/// run is usable (`emulated::usable`) and has only effects that the study lists. The run has at
+/// least 1000 grains or, if fewer, the number of grains in the settings `fidelity`. The Poisson
+/// ratios of the run and of the study's grains differ by at most 0.1. A wet run has the formula for
+/// the bridge force that the study states.
 std::vector<dem::RunResult> runs_serving(const Study& study, const Fidelity& fidelity,
                                          const std::vector<dem::RunResult>& runs);
 

@@ -16,25 +16,21 @@
 namespace pendular {
 
 /// Emulator that interpolates simulations of grains without effects such as rolling resistance. For
-/// each observable, the emulator has a Gaussian process over friction coefficient, inertial number,
-/// reduced pressure and bridge volume. The processes are trained on simulation runs and take
-/// account of the stated noise of the runs. Stress ratio and solid fraction share one process,
-/// since the noise of the two observables is correlated within a run. The stiffness numbers of the
-/// training runs are about equal. The solid fraction is predicted for rigid grains, and the mean
-/// overlap for the stiffness number `emulated::reference_stiffness`, since the main dependence of
-/// both observables on stiffness is known.
+/// each observable, a Gaussian process over friction coefficient, inertial number, reduced pressure
+/// and bridge volume is trained on simulation runs. Stress ratio and solid fraction share one
+/// process, since their noise is correlated within a run. All training runs have about the same
+/// stiffness number. The solid fraction is predicted for rigid grains, and the mean overlap for the
+/// stiffness number `emulated::reference_stiffness`.
 class PlainEmulator {
   public:
     /// Makes an emulator from training runs. Runs that are not usable (`emulated::usable`) are left
-    /// out, for example because they failed, crystallised or were not steady. If an observable has
-    /// no hyperparameters, they are fitted when they are first needed, which takes half a second
-    /// for each observable.
+    /// out, such as runs that failed or crystallised. If an observable has no hyperparameters, the
+    /// emulator fits them when they are first needed.
     /// @param hyperparameters hyperparameters (amplitudes, correlation lengths and noise of the
     ///        Gaussian processes) for each observable; may be empty
-    /// @param stiffness_number stiffness number [1] of the runs on which the Gaussian processes are
-    ///        trained, with a tolerance of a factor of 2. If no run without effects has this
-    ///        stiffness number, the stiffness number of the first run without effects is used
-    ///        instead.
+    /// @param stiffness_number stiffness number [1] of the training runs, with a tolerance of a
+    ///        factor of 2; if no run without effects has this stiffness number, the stiffness
+    ///        number of the first run without effects replaces it
     /// @throws std::invalid_argument if none of the runs is usable
     PlainEmulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
                   double stiffness_number = emulated::reference_stiffness);
@@ -96,19 +92,17 @@ class PlainEmulator {
     /// Returns the stiffness number [1] of the runs on which the Gaussian processes are trained.
     /// The stiffness numbers of the runs may differ from the returned number by a factor of 2.
     double stiffness_number() const { return stiffness_number_; }
-    /// Whether the Gaussian process of an observable can be trained on any of `runs`. Such a run
-    /// must have a value of the observable and no effects on grains. The stiffness number of the
-    /// run must be within a factor of 2 of `emulated::reference_stiffness`. If no run without
-    /// effects is within this factor, the stiffness number of the first run without effects takes
-    /// the place of `emulated::reference_stiffness`.
+    /// Whether any of `runs` can train the Gaussian process of an observable. The run must have a
+    /// value of the observable, no effects on grains, and a stiffness number within a factor of 2
+    /// of `emulated::reference_stiffness`. If no run without effects has such a stiffness number,
+    /// the stiffness number of the first run without effects replaces
+    /// `emulated::reference_stiffness`.
     static bool known(const std::vector<dem::RunResult>& runs, dem::Observable which);
     /// Fits the hyperparameters (amplitudes, correlation lengths and noise of the Gaussian process)
-    /// of one observable to runs without effects (`fit_hyperparameters`). The fit uses the runs
-    /// whose stiffness number is within a factor of 2 of `stiffness_number` [1]. If no run without
-    /// effects is within this factor, the stiffness number of the first run without effects takes
-    /// the place of `stiffness_number`.
-    /// @throws std::invalid_argument if none of the runs to which the hyperparameters are fitted
-    ///         has a value of the observable
+    /// of one observable. The fit uses the runs without effects whose stiffness number is within a
+    /// factor of 2 of `stiffness_number` [1]. If there is no such run, the stiffness number of the
+    /// first run without effects replaces `stiffness_number`.
+    /// @throws std::invalid_argument if none of these runs has a value of the observable
     static Hyperparameters learn(const std::vector<dem::RunResult>& runs, dem::Observable which,
                                  double stiffness_number = emulated::reference_stiffness);
 

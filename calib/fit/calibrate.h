@@ -43,12 +43,11 @@ class LearningModel {
     /// Returns the model trained on all runs simulated so far.
     virtual const Model& model() const = 0;
     /// Makes more simulation runs of steady shear and trains the emulator of the model on the runs.
-    /// @param parameters parameter values at which the new runs are to improve predictions: the
-    ///        result of the last fit or, before any fit, the starting values
-    /// @param excess variance that the noise of the runs causes in the most affected parameter or
-    ///        predicted reading of the last fit, divided by the largest acceptable variance [1]
-    ///        (`Enlargement::excess`); above 1, the number of runs should grow by about the
-    ///        factor `excess`
+    /// @param parameters parameter values near which predictions are to improve: the result of the
+    ///        last fit or, before any fit, the starting values
+    /// @param excess variance that the noise of the runs causes in the last fit, divided by the
+    ///        largest acceptable variance [1] (`Enlargement::excess`); above 1, the number of runs
+    ///        should grow by about the factor `excess`
     virtual void improve(const Eigen::VectorXd& parameters, double excess) = 0;
     /// Whether the simulation runs of the last call of `improve` agree with the predictions that
     /// the model made before being trained on the runs.
@@ -58,15 +57,15 @@ class LearningModel {
 };
 
 /// Calibrates a model in rounds and returns the fit of the last round. Each round simulates states
-/// near the last fit, trains the model on the runs and fits the parameters of the model again.
+/// near the last fit, trains the model on the runs and fits the parameters again.
 ///
 /// After at least `CalibrationOptions::fewest_rounds` rounds, the calibration ends if the
 /// parameters no longer change, the runs agree with the predictions of the model, and the noise of
 /// the runs enlarges no standard error by more than `CalibrationOptions::largest_enlargement`. The
-/// calibration also ends if a fit does not converge after the smallest number of rounds, and in any
-/// round in which the time for simulations ends. `Fit::converged` is false if the last fit did not
-/// converge. `Fit::converged` is also false if more than one round was allowed and the last allowed
-/// round did not end the calibration in one of the ways above.
+/// calibration also ends if a fit after the smallest number of rounds does not converge, or if the
+/// time for simulations ends. Otherwise the calibration ends after
+/// `CalibrationOptions::most_rounds` rounds, and `Fit::converged` is false unless only one round
+/// was allowed.
 /// @param report function that is called after each round; may be empty
 /// @throws std::logic_error if the covariance of the readings is not positive definite
 Fit calibrate(LearningModel& learning, const Measured& measured, const CalibrationOptions& options,

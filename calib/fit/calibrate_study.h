@@ -45,11 +45,10 @@ struct CalibrationRequest {
     std::function<void(std::string_view)> stage = {};
 };
 
-/// Fits the parameters of a study's model to the readings of the study. The model uses an emulator,
-/// which interpolates simulations. The emulator is trained on earlier runs and on new runs, which
-/// are simulated as needed. With fit_to = "dry" in study.toml, the dry readings are fitted and the
-/// wet readings predicted, unless an effect needs a joint fit (`needs_joint_fit`). With fit_to =
-/// "all", all readings are fitted.
+/// Fits the parameters of a study's model to the readings of the study. The emulator of the model
+/// is trained on earlier runs and on new runs, which the function simulates as needed. If fit_to =
+/// "all" in study.toml or an effect needs a joint fit (`needs_joint_fit`), all readings are fitted.
+/// Otherwise the dry readings are fitted and the wet readings predicted.
 /// @param report function that is called after each round of simulations and fit; may be empty
 /// @throws InputError if the study has no reading to fit, a reading cannot be simulated
 ///         (`check_range`), or the study lists effects on grains and there are no earlier runs
@@ -79,12 +78,13 @@ ResolvedStudy fitting_all(const ResolvedStudy& study);
 
 /// Predicts the shear stress [Pa] and solid fraction [1] at each of `conditions` in turn, at the
 /// fitted parameters of a calibration that did not fit readings at these conditions. The covariance
-/// of the prediction is the covariance of the model plus the contribution J C J' of the fit, with
-/// the covariance C of the parameters and the derivatives J of the predictions with respect to the
-/// parameters. The fit has already compensated for errors of the model that the predictions share
-/// with the fitted readings, such as errors of corrections and of common runs. The covariance is
-/// corrected for these shared errors. Without shared errors and with a linear model, the chi2 of
-/// the fitted readings and the chi2 of the predicted readings add up to the chi2 of a joint fit.
+/// of the prediction is
+///     S + J C J' - X - X',  X = J K S_f,
+/// with the covariance S of the model's errors, the derivatives J of the predictions with respect
+/// to the parameters, and the covariance C of the fitted parameters. K contains the derivatives of
+/// the fitted parameters with respect to the measured values. S_f is the covariance of the model's
+/// errors at the fitted readings (rows) with the model's errors at `conditions` (columns). X
+/// corrects for errors that the fit has already compensated.
 Prediction predict_unseen(const Predictor& model, const Calibration& calibration,
                           const std::vector<Condition>& conditions);
 

@@ -23,12 +23,11 @@ struct Overestimate {
 
 /// Cohesion line: straight line (Mohr-Coulomb) fitted to the stress ratios of wet readings of one
 /// liquid content and one inertial number,
-///     |s12|/s22 = intercept + c*/P*
-/// with the shear stress s12, the normal stress s22, the reduced cohesion c* = a^2 c/F0, the
-/// reduced pressure P* = a^2 s22/F0, the grain diameter a, the pull-off force F0 of a liquid bridge
-/// and the cohesion c. A point of the line is the stress ratio of one reading. The standard errors
-/// follow from the covariance of the points and are not scaled by chi2/dof, where dof is the number
-/// of degrees of freedom.
+///     |s12|/s22 = intercept + c*/P*,  c* = a^2 c/F0,  P* = a^2 s22/F0,
+/// with the shear stress s12, the normal stress s22, the reduced cohesion c*, the reduced pressure
+/// P*, the grain diameter a, the cohesion c and the pull-off force F0 of a liquid bridge. A point
+/// of the line is the stress ratio of one reading. The standard errors follow from the covariance
+/// of the points, without a factor chi2/dof.
 /// Source: Badetti et al. (2018), Eq. (16).
 struct CohesionLine {
     /// Kind of the stress ratios to which the line is fitted: "measured" or "simulated".
@@ -85,9 +84,9 @@ struct CohesionOptions {
 void check_options(const CohesionOptions& options);
 
 /// Fits a straight line of the measured stress ratio against the inverse reduced pressure 1/P* to
-/// each group of wet readings of steady shear (`wet_groups`). The lines are in the order of the
-/// groups. A line is fitted to the readings whose P* is at or above the limit of `options`. A group
-/// has a line only if two of these readings have reduced pressures that differ by more than 2 %.
+/// each group of wet readings of steady shear, in the order of `wet_groups`. Readings whose P* is
+/// below the limit of `options` are left out. A group has a line only if the P* of two remaining
+/// readings differ by more than 2 %.
 /// @param notes receives sentences for the user on groups without a line and on readings that a
 ///        line leaves out
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
@@ -96,15 +95,13 @@ std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
                                          std::vector<std::string>& notes);
 
 /// Fits a straight line of the predicted stress ratio against the inverse reduced pressure 1/P* to
-/// each group of wet readings of steady shear (`wet_groups`). The readings are grouped and selected
-/// as for the lines of measured stress ratios.
+/// each group of wet readings of steady shear (`wet_groups`). The readings are selected as for the
+/// lines of measured stress ratios.
 ///
-/// The points are weighted by the inverse covariance of the measured readings. The standard errors
-/// of the lines follow from the full covariance of the predictions. The covariance of the
-/// predictions would give misleading weights if the points share most of their errors. Small
-/// differences between the points would determine the line, although simulated stress ratios are
-/// not exactly linear in 1/P*. A large chi2 means that the errors of the readings are small enough
-/// to reveal this curvature.
+/// The points are weighted by the inverse covariance of the measured readings. The covariance of
+/// the predictions would give misleading weights, since the points share most of their errors. The
+/// standard errors of the lines follow from the covariance of the predictions. A large chi2 means
+/// that the predicted stress ratios are not linear in 1/P* within the errors of the readings.
 /// @param predicted predictions of all `readings`, with their covariance
 /// @param notes receives sentences for the user on groups without a line and on readings that a
 ///        line leaves out

@@ -101,15 +101,13 @@ struct FitEffort {
     bool elsewhere = true;
 };
 
-/// Fits a model's parameters theta to measured values y by weighted least squares with the library
-/// Ceres,
+/// Fits a model's parameters theta to measured values y by weighted least squares,
 ///     minimise r'r,  r = L^-1 (y - f(theta)),  L L' = Sigma_measurement + Sigma_simulation(start),
 /// with the predictions f of the model and the covariances Sigma of measurement and simulation.
-/// Sigma_simulation is evaluated at `start` and kept constant, so that the fit cannot reduce chi2
-/// by a larger simulation error. The caller should repeat the fit from the fitted parameters until
-/// the parameters no longer change. If the standard error of a parameter exceeds the width of the
-/// parameter's range after a search, further searches with other settings begin at `start`. The
-/// lowest minimum is returned.
+/// Sigma_simulation is evaluated at `start` and kept constant. The caller should repeat the fit
+/// from the fitted parameters until the parameters no longer change. If a search leaves a parameter
+/// undetermined, the function searches again from `start` with other settings and returns the
+/// lowest minimum.
 /// @param start starting values, in the order and units of the parameters
 /// @throws std::logic_error if the sum of both covariances is not positive definite
 /// @throws std::domain_error if the readings are impossible at `start`: no true state of the cell
@@ -117,10 +115,9 @@ struct FitEffort {
 Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start,
         const FitEffort& effort = {});
 
-/// Returns the parameters of the model, in their units, that minimise chi2 = r'r with r = L^-1 (y -
-/// f(theta)) and L L' = `covariance`. Here y contains the measured values, and f(theta) the
-/// predictions at the parameters theta. The function is faster than `fit`, but does not compute
-/// standard errors of the parameters.
+/// Returns the parameters theta of the model, in their units, that minimise chi2 = r'r with r =
+/// L^-1 (y - f(theta)) and L L' = `covariance`. Here y contains the measured values and f the
+/// predictions. The function is faster than `fit`, but computes no standard errors.
 /// @param covariance covariance of measured minus predicted values, in the squared units of the
 ///        values
 /// @param start starting values, in the order and units of the parameters
@@ -131,9 +128,9 @@ Eigen::VectorXd best_parameters(const Model& model, const Measured& measured,
 
 /// Returns the lower and the upper end of the profile-likelihood interval of one parameter, in the
 /// unit of the parameter. In the interval, chi2 minimised over all other parameters exceeds the
-/// minimum of chi2 by at most `rise` [1]. A rise of 1 gives the 68 % interval. The interval is cut
-/// off at the ends of the parameter's range and at the ends of the range that simulation supports.
-/// @param best fit of the model; the covariance of the predictions is taken from this fit
+/// minimum of chi2 by at most `rise` [1]. A rise of 1 gives the 68 % interval. The interval ends at
+/// the latest at the ends of the parameter's range and of the range that simulation supports.
+/// @param best fit of the model, with the covariance of the predictions
 /// @param which index of the parameter
 std::pair<double, double> profile_interval(const Model& model, const Measured& measured,
                                            const Fit& best, Eigen::Index which, double rise = 1);
@@ -141,7 +138,7 @@ std::pair<double, double> profile_interval(const Model& model, const Measured& m
 /// the rise of chi2 above the minimum of chi2 [1]. The parameter is held at the value, and all
 /// other parameters minimise chi2 within their ranges. The rise is infinite if no true state of the
 /// cell gives the conditions that the instrument shows.
-/// @param best fit of the model; the covariance of the predictions is taken from this fit
+/// @param best fit of the model, with the covariance of the predictions
 /// @param which index of the parameter
 Eigen::VectorXd profile_rise(const Model& model, const Measured& measured, const Fit& best,
                              Eigen::Index which, const Eigen::VectorXd& values);

@@ -8,10 +8,8 @@ namespace pendular {
 
 /// Fits a model's parameters to measured values, like `fit` but with fewer evaluations of the
 /// model, from a start near the minimum of chi2. The result agrees with the result of two
-/// successive calls of `fit`, of which the second uses the simulation errors at the parameters that
-/// the first call found. Each Gauss-Newton step goes to the minimum of chi2 of the linearised model
-/// within the bounds of the parameters. A step is halved, at most five times, as long as chi2 would
-/// rise.
+/// successive calls of `fit`. The second call uses the simulation errors at the result of the first
+/// call.
 /// @param start starting values, in the order and units of the parameters
 /// @param simulation covariance of the simulation errors in the first fit, such as the covariance
 ///        of a model with fewer effects; null: the covariance of the model at `start`

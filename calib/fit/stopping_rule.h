@@ -40,10 +40,9 @@ std::string text_of(const Enlargement& enlargement);
 /// @param rest variance of all other errors, in the unit of `noise`
 double enlargement(double noise, double rest);
 
-/// Finds which standard error of a fit the noise of the simulation runs increases most, and by how
-/// much. For a predicted reading, the function uses the standard error of the difference between
-/// measured and predicted value, since noise far below the errors of the readings changes no
-/// conclusion.
+/// Finds the standard error of a fit that the noise of the simulation runs enlarges most. The
+/// function compares the standard errors of the parameters and, for each reading, the standard
+/// error of the difference between measured and predicted value.
 /// @param parameters parameters of the fitted model, in the order of Fit::parameters
 Enlargement enlargement_by_runs(const Fit& fit, const Measured& measured,
                                 const std::vector<Parameter>& parameters);

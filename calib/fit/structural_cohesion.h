@@ -28,18 +28,15 @@ struct StructuralCohesion {
     Estimate generalised;
 };
 
-/// Returns the reduced cohesion predicted from the simulated structure of wet grains at the
-/// calibrated parameters, for each group of wet readings of steady shear (`wet_groups`). The
-/// reduced cohesion is the mean over the readings of a group whose reduced pressure is at least
+/// Returns, for each group of wet readings of steady shear (`wet_groups`), the reduced cohesion
+/// predicted from the simulated structure of the wet grains at the calibrated parameters. The
+/// reduced cohesion is the mean over the readings of the group whose reduced pressure is at least
 /// `options.lowest_reduced_pressure`. A group without such a reading is left out.
 ///
 /// The prediction includes the study's effects on grains and liquid, but no effects on the
-/// instrument. The stress ratio mu*_0 of dry grains is predicted for the grains without liquid, at
-/// the inertial number of the wet grains. Cohesions are divided by F0/a^2 with the pull-off force
-/// F0 of the study's liquid and the grain diameter a, as in `cohesion_lines`. The standard errors
-/// include the errors of the fitted parameters, of the dry stress ratio and of the solid fraction.
-/// The standard errors leave out the errors of the coordination number and of the capillary shear
-/// stress, which are unknown.
+/// instrument. Cohesions are divided by F0/a^2 with the pull-off force F0 of the study's liquid and
+/// the grain diameter a. The standard errors leave out the errors of the coordination number and of
+/// the capillary shear stress, which are unknown.
 /// Source: Badetti et al. (2018), Fig. 8.
 std::vector<StructuralCohesion> structural_cohesions(const StudyModel& model,
                                                      const Calibration& calibration,

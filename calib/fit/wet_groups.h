@@ -24,9 +24,9 @@ struct WetGroup {
 
 /// Groups the wet readings among `readings` by liquid content and inertial number. Each member
 /// agrees with the first member of the group within 2 % in liquid content and within 20 % in
-/// inertial number. Quasi-static readings (inertial number 0) and points of failure are grouped
-/// separately. The groups are sorted by liquid content, then by inertial number. If both numbers
-/// are equal, a group of steady shear comes before a group of points of failure.
+/// inertial number. Quasi-static readings (inertial number 0) and points of failure form separate
+/// groups. The groups are sorted by liquid content, then by inertial number, then by steady shear
+/// before failure.
 std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings);
 
 /// Whether two values differ by at most `tolerance` [1] times the larger of their magnitudes.

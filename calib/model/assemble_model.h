@@ -12,16 +12,14 @@
 namespace pendular {
 
 /// Returns the model that predicts the shear stress [Pa] and solid fraction [1] of a study's
-/// readings. The emulated simulation predicts dry grains. Wet grains are predicted by the
-/// simulation or by the analytical formula (closure) that `level_with` selects. The effects of the
-/// model change these predictions. If the model has no effects, it returns the predictions of the
-/// simulation or the formula unchanged.
+/// readings. The emulated simulation predicts dry grains. For wet grains, `level_with` selects the
+/// simulation or an analytical formula (closure). The effects of the model change these
+/// predictions.
 /// @param simulation emulated simulation of the study's grains
 /// @param effects effects of the model, in the order of their parameters; the effects must outlive
 ///        the model
 /// @throws InputError if the formula has constant cohesions (`closures::Level::mohr_coulomb`) but
-///         the study has no wet reading of steady shear at a reduced pressure of at least 2.3, to
-///         which a cohesion could be fitted
+///         the study has no wet reading of steady shear at a reduced pressure of at least 2.3
 std::shared_ptr<const EffectModel> assemble_model(
     const Study& study, std::shared_ptr<const EmulatedSimulation> simulation,
     const std::vector<const Effect*>& effects);

@@ -9,23 +9,22 @@
 
 namespace pendular {
 
-/// Predictor of the strength of wet grains by an analytical formula (closure) of Badetti et al.
-/// (2018). The formula computes the stress ratio mu* of wet grains from mu*_dry, the simulated
-/// stress ratio of dry grains of friction coefficient mu at inertial number I, and from the
-/// simulated structure:
+/// Predictor of the stress ratio mu* of wet grains by an analytical formula (closure) of Badetti et
+/// al. (2018):
 ///     mu* = mu*_dry(mu, I) [1 + Phi_S Z/(pi P*)]                        (level rumpf)
 ///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)]                       (level strength3)
 ///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)] - a^2 s12cap/(F0 P*)  (level strength2)
 ///     mu* = mu*_dry(mu, I) [1 - s22cap/s22] - s12cap/s22                (level strength1)
-/// with the reduced pressure P* = a^2 s22/F0, the grain diameter a, the normal stress s22, the
-/// pull-off force F0 of a liquid bridge and the solid fraction Phi_S. The coordination numbers are
-/// Z = Z_c + 0.5 Z_d and Z* = Z_c + Z_d F_d/F0, with Z_c contacts per grain, Z_d bridges without
-/// contact per grain, and the mean force F_d of bridges without contact. The normal stress and the
-/// shear stress of the capillary forces are s22cap and s12cap.
+///     Z = Z_c + 0.5 Z_d,  Z* = Z_c + Z_d F_d/F0,  P* = a^2 s22/F0.
+/// Here mu*_dry is the simulated stress ratio of dry grains of friction coefficient mu at inertial
+/// number I. The other symbols are the solid fraction Phi_S, the reduced pressure P*, the grain
+/// diameter a, the normal stress s22, and the pull-off force F0 of a liquid bridge. Each grain has
+/// Z_c contacts and Z_d bridges without contact, which have the mean force F_d. The capillary
+/// forces have the normal stress s22cap and the shear stress s12cap.
 ///
 /// `EmulatedSimulation` predicts the shear stresses of dry grains and all solid fractions. The
-/// covariance of a prediction omits the errors of Z, Z* and the capillary stresses, which are a few
-/// per mille.
+/// covariance of a prediction omits the errors of Z, Z*, s22cap and s12cap, which are a few per
+/// mille.
 /// Source: Badetti et al. (2018), Eq. (24) after Rumpf, Eq. (19) to Eq. (23).
 class ClosureModel : public FlowPredictor {
   public:

@@ -13,15 +13,14 @@ namespace pendular {
 ///     exp(-[ln(s22_a/s22_b)^2/L_s^2 + (sqrt I_a - sqrt I_b)^2/L_I^2
 ///           + (sqrt w_a - sqrt w_b)^2/L_w^2]/2),
 /// with the normal stress s22, the inertial number I, the liquid content w, L_s = ln 10 and L_I =
-/// L_w = 0.1. The correlation falls to exp(-1/2) = 0.61 between normal stresses that differ by a
-/// factor of 10, between inertial numbers 0 and 0.01, and between liquid contents 0 and 0.01.
+/// L_w = 0.1. The correlation is 0.61 between normal stresses that differ by a factor of 10,
+/// between inertial numbers 0 and 0.01, and between liquid contents 0 and 0.01.
 /// Source: squared exponential as in Kennedy and O'Hagan, J. R. Stat. Soc. B 63 (2001) 425.
 double discrepancy_correlation(const Condition& a, const Condition& b);
 
-/// Returns the covariance matrix of a model's discrepancy, in the squared units of `values`. The
-/// discrepancy is the error, smooth in the condition, that the user expects of the model's
-/// predictions. The matrix has a row and a column for each of `values`. Two entries i and k of one
-/// observable have the covariance
+/// Returns the covariance matrix of a model's discrepancy, in products of the units of `values`.
+/// The discrepancy is the error, smooth in the condition, that the user expects of the model's
+/// predictions. Two entries i and k of one observable have the covariance
 ///     discrepancy^2 x discrepancy_correlation x values(i) values(k).
 /// The errors of shear stress and solid fraction are uncorrelated.
 /// @param values predicted shear stress [Pa] and solid fraction [1] of each condition in turn

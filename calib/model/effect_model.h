@@ -12,24 +12,21 @@
 namespace pendular {
 
 /// Predictor of shear stress [Pa] and solid fraction [1] with physical effects, such as wall slip,
-/// added to an inner model without effects. The parameters of the inner model come first, followed
-/// by the parameters of the effects, with names "EFFECT.PARAMETER". An effect that is a switch (on
-/// or off) is on in the model and has no parameter.
+/// added to an inner model without effects. The parameters of the inner model come first, then the
+/// parameters of the effects, with names "EFFECT.PARAMETER". An effect that is a switch (on or off)
+/// is on in the model and has no parameter.
 ///
-/// A prediction starts from the condition that the instrument shows and takes four steps. Two of
-/// the steps use the instrument's map (`InstrumentMap`), which gives the state that the instrument
-/// shows for a true state of the cell. In step 1, the inverse of the instrument's map yields the
-/// condition truly imposed. In step 2, effects on grains and liquid change the imposed condition.
-/// In step 3, the inner model predicts the true shear stress and solid fraction, which effects on
-/// the flow may change. In step 4, the instrument's map converts the true values to the values that
-/// the instrument shows. If no effect acts on a reading, the prediction equals the prediction of
-/// the inner model.
+/// A prediction starts from the condition that the instrument shows and takes four steps:
+/// 1. The inverse of the instrument's map (`InstrumentMap`, from true to shown states of the cell)
+///    yields the condition truly imposed.
+/// 2. Effects on grains and liquid change the imposed condition.
+/// 3. The inner model predicts the true shear stress and solid fraction, which effects on the flow
+///    may change.
+/// 4. The instrument's map converts the true values to the values that the instrument shows.
 ///
-/// Derivatives with respect to the parameter of an effect are central differences, with a step of a
-/// thousandth of the parameter's `smallest_of_interest`. The differences contain no noise, since
-/// emulated predictions are smooth functions of the parameters. The covariance of a prediction
-/// includes the discrepancy (expected error of the model) that the study states. Predictions throw
-/// std::domain_error if no true state of the cell gives a condition that the instrument shows.
+/// The covariance of a prediction includes the discrepancy (expected error of the model) that the
+/// study states. Predictions throw std::domain_error if no true state of the cell gives a condition
+/// that the instrument shows.
 class EffectModel : public Predictor {
   public:
     /// Adds the effects `effects`, which must outlive the model, to the inner model `inside`.
@@ -44,12 +41,10 @@ class EffectModel : public Predictor {
                        PredictionPart what = PredictionPart::covariance) const override;
     ParameterBounds bounds() const override;
 
-    /// Returns the covariances of the simulation errors of the change of predictions from the model
-    /// `without` to the present model. The model `without` has the inner model of the present model
+    /// Returns the covariances of the simulation errors of a change of predictions: prediction of
+    /// the present model minus prediction of the model `without`, which has the present inner model
     /// and fewer effects. The predictions are shear stress [Pa] and solid fraction [1] at each of
-    /// `conditions` in turn, and the covariances are in products of the units of the predictions.
-    /// The errors of both predictions are computed together, since the errors nearly cancel if an
-    /// effect changes a condition little.
+    /// `conditions` in turn. The covariances are in products of the units of the predictions.
     /// @param parameters parameter values of the present model
     /// @param parameters_without parameter values of the model `without`
     ModelSpace::ChangeErrors change_errors(const Eigen::VectorXd& parameters,

@@ -9,13 +9,11 @@
 namespace pendular {
 
 /// Fast predictions of an `EmulatedSimulation` near given conditions, from which derivatives are
-/// computed as difference quotients over short steps. Predictions without effects on grains are
-/// expanded to first order in the friction coefficient, ln I with the inertial number I, 1/P* with
-/// the reduced pressure P*, and ln V0 with the bridge volume V0, about each condition. Changes of a
-/// prediction by effects on grains, and by a stiffness that differs from the stiffness of the
-/// training runs, are computed again for each prediction, which takes little time. The bridge
-/// volume follows from the liquid content and the expanded coordination number. The difference
-/// quotients are as exact as difference quotients of the full predictions.
+/// computed as difference quotients over short steps. About each condition, predictions without
+/// effects on grains are expanded to first order in the friction coefficient, ln I, 1/P* and ln V0,
+/// with the inertial number I, the reduced pressure P* and the bridge volume V0. Changes by effects
+/// on grains and by stiffness are not expanded. The difference quotients are as exact as difference
+/// quotients of the full predictions.
 class EmulatedNeighbourhood : public FlowNeighbourhood {
   public:
     /// @param simulation emulated simulation, which must outlive the object

@@ -14,13 +14,12 @@
 namespace pendular {
 
 /// Predictor of the shear stress [Pa] and solid fraction [1] of dry and wet grains by the emulator
-/// (Gaussian processes trained on simulation runs). The only parameter of the predictor is the
-/// friction coefficient.
+/// (Gaussian processes trained on simulation runs). The only parameter is the friction coefficient.
 ///
 /// A prediction holds for the stiffness number of the study's grains at the normal stress of the
-/// condition. If the study states no Young's modulus, the prediction holds for the stiffness number
-/// in the simulation settings (`Fidelity`). The liquid content is converted to a bridge volume by
-/// means of the emulated coordination number.
+/// condition. If the study states no Young's modulus, the stiffness number of the simulation
+/// settings (`Fidelity`) applies. The emulated coordination number converts the liquid content to a
+/// bridge volume.
 class EmulatedSimulation : public FlowPredictor {
   public:
     EmulatedSimulation(const Study& study, const Fidelity& fidelity, Emulator emulator);
@@ -58,8 +57,8 @@ class EmulatedSimulation : public FlowPredictor {
     FlowState filled(const FlowState& state, double liquid_content) const;
     /// Returns the effective coordination number Z* = Z_c + Z_d F_d/F0 at a wet condition [1], with
     /// the derivative of Z* with respect to the friction coefficient at constant liquid content.
-    /// There are Z_c contacts per grain and Z_d bridges without contact per grain. F_d is the mean
-    /// force of bridges without contact, and F0 the pull-off force of a bridge.
+    /// Each grain has Z_c contacts and Z_d bridges without contact. F_d is the mean force of
+    /// bridges without contact, and F0 the pull-off force of a bridge.
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse effective_coordination(double friction,
                                              const EffectiveCondition& condition) const;

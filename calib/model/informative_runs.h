@@ -33,17 +33,16 @@ struct RunChoice {
     std::size_t fewest = 4, most = 16;
 };
 
-/// Returns the states of steady shear at which new runs reduce the errors of the emulator's
-/// predictions most, the most useful state first. A state may occur several times. The measure of
-/// error is the sum of squares of the weighted variances of the predictions, so that the worst
-/// predictions count most. The function chooses one state after another. Each chosen state reduces
-/// the measure of error most, relative to the computing time of its run. The computing time is
-/// taken as inversely proportional to the inertial number. A run at state c reduces the covariance
-/// C of the predictions by
+/// Returns the states of steady shear at which new runs most reduce the errors of the emulator's
+/// predictions, the most useful state first. A state may occur several times. The measure of error
+/// is the sum of squares of the weighted variances of the predictions. The function chooses one
+/// state after another. Each chosen state most reduces the measure of error, relative to the
+/// computing time of its run (taken as inversely proportional to the inertial number). A run at
+/// state c reduces the covariance C of the predictions by
 ///     C(., c) [C(c, c) + N]^-1 C(c, .),
-/// with the covariance N of the noise of a run with the settings `fidelity`. The function returns
-/// at least `choice.fewest` and at most `choice.most` states. Within these limits, the choice ends
-/// when the root of the measure of error has decreased by the factor `choice.factor`.
+/// with the covariance N of the noise of a run with the settings `fidelity`. The choice ends when
+/// the root of the measure of error has decreased by the factor `choice.factor`, but not before
+/// `choice.fewest` and not after `choice.most` states.
 std::vector<FlowState> most_informative(const Emulator& emulator, const Fidelity& fidelity,
                                         const RunChoice& choice);
 

@@ -55,9 +55,8 @@ std::optional<Eigen::Index> place_of(const DirectMeasurement& direct,
                                      const std::vector<Parameter>& parameters);
 
 /// Returns the value that a model predicts for the direct measurement of an effect's parameter, in
-/// the unit of the parameter. The predicted value is the value of the parameter in `values`. If the
-/// model lacks the parameter, the predicted value is `DirectMeasurement::neutral`, the value in a
-/// model without the effect.
+/// the unit of the parameter: the value of the parameter in `values`. If the model lacks the
+/// parameter, the predicted value is `DirectMeasurement::neutral`.
 /// @param parameters parameters of the model
 /// @param values values of the parameters, in the order of `parameters`
 double predicted_value(const DirectMeasurement& direct, const std::vector<Parameter>& parameters,

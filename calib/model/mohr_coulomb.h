@@ -27,10 +27,10 @@ struct CohesionGroup {
 };
 
 /// Groups the strengths (stress ratios) of wet readings, `ModelSettings::strengths`, by liquid
-/// content and returns the groups in the order of increasing liquid content. Strengths at reduced
-/// pressures P* below `lowest_cohesion_pressure` are left out. In each group, all liquid contents
-/// agree within 2 % with the liquid content of the strength that was grouped first. The list is
-/// empty if the study has no liquid.
+/// content, in the order of increasing liquid content. Strengths at reduced pressures below
+/// `lowest_cohesion_pressure` are left out. All liquid contents of a group agree within 2 % with
+/// the liquid content of the first strength of the group. The list is empty if the study has no
+/// liquid.
 std::vector<CohesionGroup> cohesion_groups(const ModelSettings& model,
                                            const GrainProperties& grains,
                                            const std::optional<Liquid>& liquid);
@@ -40,14 +40,14 @@ std::vector<CohesionGroup> cohesion_groups(const ModelSettings& model,
 ///     mu* = mu*_dry(mu, I) + c*/P*
 /// with the reduced pressure P*, the simulated stress ratio mu*_dry of dry grains of friction
 /// coefficient mu at inertial number I, and a constant reduced cohesion c* for each liquid content.
-/// For every value of mu, each c* is fitted by weighted least squares to the study's measured
-/// strengths (stress ratios) y_i at P*_i >= `lowest_cohesion_pressure`:
+/// For every value of mu, c* follows by weighted least squares from the study's measured strengths
+/// (stress ratios) y_i at P*_i >= `lowest_cohesion_pressure`:
 ///     c* = sum w_i (y_i - mu*_dry(mu, I_i))/P*_i / sum w_i/P*_i^2,    w_i = 1/error(y_i)^2.
-/// If no c* was fitted at the liquid content of a condition, the c* of the nearest liquid content
-/// applies, nearest in the logarithm of the liquid content. `EmulatedSimulation` predicts the shear
-/// stresses of dry grains and all solid fractions. The covariance of a prediction includes the
-/// error of c* only at conditions to which c* was not fitted. Each fitted c* reduces the degrees of
-/// freedom of a misfit by one (`fitted_cohesions`); `Fit::dof` does not include this reduction.
+/// At a liquid content without a fitted c*, the c* of the nearest liquid content (nearest in its
+/// logarithm) applies. `EmulatedSimulation` predicts the shear stresses of dry grains and all solid
+/// fractions. The covariance of a prediction includes the error of c* only at conditions to which
+/// c* was not fitted. Each fitted c* reduces the degrees of freedom of a misfit by one
+/// (`fitted_cohesions`), but `Fit::dof` does not include this reduction.
 /// Source: Badetti et al. (2018), Eq. (16).
 class MohrCoulombModel : public FlowPredictor {
   public:

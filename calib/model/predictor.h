@@ -78,10 +78,10 @@ class FlowPredictor : public Predictor {
         const Eigen::VectorXd& parameters, const std::vector<EffectiveCondition>& conditions) const;
 };
 
-/// Returns `readings` (prediction of the readings) with the predicted value of each direct
-/// measurement of an effect's parameter appended. The appended entry is the value of the parameter
-/// in `values`. If the model lacks the parameter, the entry is `DirectMeasurement::neutral`, the
-/// value in a model without the effect. The appended entries have no simulation error.
+/// Appends the predicted value of each direct measurement of an effect's parameter to `readings`,
+/// the prediction of the readings, and returns the result. The predicted value is the value of the
+/// parameter in `values`. If the model lacks the parameter, the predicted value is
+/// `DirectMeasurement::neutral`. The appended entries have no simulation error.
 /// @param parameters parameters of the model
 /// @param values values of the parameters, in the order of `parameters`
 Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>& direct,

@@ -31,9 +31,8 @@ struct Response {
 Eigen::VectorXd products(const Eigen::VectorXd& change);
 
 /// Returns the second-order expansion of a model's predictions about `parameters`. The second
-/// derivatives are difference quotients of the model's first derivatives. If a step would lead
-/// beyond the upper end of a parameter's range, the step goes downwards instead, at most to the
-/// lower end.
+/// derivatives are difference quotients of the model's first derivatives. A step that would exceed
+/// the upper end of a parameter's range goes downwards instead.
 /// @param steps steps of the parameters for the difference quotients, in the units of the
 ///        parameters
 Response respond(const Model& model, const Eigen::VectorXd& parameters,
@@ -41,19 +40,13 @@ Response respond(const Model& model, const Eigen::VectorXd& parameters,
 
 /// Returns a box of parameter values (a range of each parameter) in which an expansion may replace
 /// the model. In the box, the expansion differs from the model's predictions by at most `tolerance`
-/// in every compared value. The box contains the parameter values about which the model is
-/// expanded.
-///
-/// Each end of a range is first found with all other parameters fixed. The distance of the end is
-/// the largest of 40, 20, 10, 5, ... `steps`, limited to `range`, at which the expansion holds.
-/// Then all ranges are reduced by one factor, 1, 1/2, 1/4 or 1/8, until the expansion holds at the
-/// corners of the box. For up to three parameters, all corners are tested; for more parameters,
-/// eight corners. If the expansion holds with none of the factors, the box contains only the
-/// parameter values of the expansion.
+/// in every compared value. The function compares the values at the ends of each range, with all
+/// other parameters fixed, and at up to eight corners of the box. If the expansion is accurate in
+/// no box, the returned box contains only the parameter values of the expansion.
 /// @param tolerance largest allowed difference of each of the first predicted values, in the unit
 ///        of the value; further values are not compared
-/// @param steps units of length for the distances of the ends, such as the standard errors of the
-///        parameters, in the units of the parameters
+/// @param steps unit of length of each parameter, such as the standard error of the parameter; the
+///        function tries ends at distances of 40, 20, 10, 5, ... units
 /// @param range limits of the box
 ParameterBounds trusted_box(const Model& model, const Response& response,
                             const Eigen::VectorXd& tolerance, const Eigen::VectorXd& steps,

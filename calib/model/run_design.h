@@ -10,10 +10,9 @@ namespace pendular {
 
 /// Returns the inertial numbers [1] at which to simulate for readings at `conditions`, in
 /// increasing order and never below `lowest` [1]. The returned numbers span the inertial numbers of
-/// the conditions, are evenly spaced in their logarithm, and are at most a factor of 10/3 apart. If
-/// the inertial number of a condition lies more than 5 % below `lowest`, the returned numbers reach
-/// at least from `lowest` to 10/3 `lowest`, for extrapolation. Otherwise one number is returned if
-/// the inertial numbers of the conditions agree within 5 %. The list is empty if there are no
+/// the conditions in equal ratios of at most 10/3. If the conditions are `extrapolated`, the
+/// numbers reach at least from `lowest` to 10/3 `lowest`. Otherwise one number is returned if the
+/// inertial numbers of the conditions agree within 5 %. The list is empty if there are no
 /// conditions.
 std::vector<double> inertial_numbers_for(const std::vector<Condition>& conditions, double lowest);
 
@@ -32,12 +31,11 @@ struct WetSetting {
 };
 
 /// Returns the settings of the runs to simulate for the wet conditions among `conditions`. The
-/// settings contain the pairs of reduced pressure and liquid content of the conditions. Two pairs
-/// count as different if reduced pressure or liquid content differ by more than 5 %. If there are
-/// more than `most_wet_pairs` pairs, the function chooses `most_wet_pairs` pairs that are as far
-/// apart as possible. The settings contain each pair twice: with the lowest and with the highest of
-/// the inertial numbers that `inertial_numbers_for` returns for the wet conditions. If
-/// `inertial_numbers_for` returns only one number, the settings contain each pair once.
+/// settings contain each pair of reduced pressure and liquid content of the conditions. Pairs that
+/// agree within 5 % count as one pair. If there are more than `most_wet_pairs` pairs, the function
+/// chooses `most_wet_pairs` pairs that are as far apart as possible. Each pair occurs with the
+/// lowest and with the highest inertial number of `inertial_numbers_for`, or once if there is only
+/// one inertial number.
 /// @param lowest lowest inertial number of the runs [1]
 /// @throws std::invalid_argument if a condition is wet but the study has no liquid
 std::vector<WetSetting> wet_settings_for(const std::vector<Condition>& conditions,
@@ -46,11 +44,10 @@ std::vector<WetSetting> wet_settings_for(const std::vector<Condition>& condition
 /// `wet_settings_for` returns.
 constexpr std::size_t most_wet_pairs = 12;
 
-/// Returns the points of a Latin hypercube design in the square [-1, 1]^2, one point for each of
-/// `settings`, in the order of `settings`. The planner of runs uses the coordinates of a point to
-/// vary the friction coefficient and the bridge volume of a run. For each inertial number, the
-/// points of the settings with this inertial number are evenly spread along both axes. The points
-/// do not depend on the reduced pressures and liquid contents of the settings.
+/// Returns a point of a Latin hypercube design in the square [-1, 1]^2 for each of `settings`. The
+/// planner of runs uses the coordinates of the point to vary the friction coefficient and the
+/// bridge volume of a run. The points of all settings of one inertial number are evenly spread
+/// along both axes, whatever the reduced pressures and liquid contents.
 /// @param seed seed of the random order
 std::vector<std::pair<double, double>> latin_places(const std::vector<WetSetting>& settings,
                                                     std::uint64_t seed);

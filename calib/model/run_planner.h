@@ -25,17 +25,16 @@ struct SimulatedRuns {
 };
 
 /// Planner of the simulation runs of a calibration. The planner repeatedly chooses the runs that
-/// reduce the errors of a study's predictions most, carries out the runs and trains the predictor
-/// on the runs. Without earlier runs, the planner begins with dry runs spread over friction
-/// coefficient and inertial number. Then the planner requests runs at states of steady shear
-/// outside the range of the earlier runs, where an emulator must not extrapolate. Finally the
-/// planner requests runs near the optimum of a fit (the fitted friction coefficient), which check
-/// the emulator and reduce the errors of the predictions.
+/// most reduce the errors of a study's predictions, carries out the runs and trains the predictor
+/// on the runs. In turn, the planner requests
+/// - if there are no earlier runs, dry runs spread over friction coefficient and inertial number,
+/// - runs at states of steady shear outside the range of the earlier runs, and
+/// - runs near the fitted friction coefficient, which check the emulator and reduce the errors of
+///   the predictions.
 class RunPlanner {
   public:
     /// Trains a first emulator on the earlier runs `known`. If there are no earlier runs and runs
-    /// may be requested (`KnownRuns::orders_more`), the constructor first simulates dry runs spread
-    /// over friction coefficient and inertial number.
+    /// may be requested (`KnownRuns::orders_more`), the constructor first simulates dry runs.
     /// @param conditions conditions at which the emulator must predict the study's readings
     /// @param fidelity settings of the simulations
     /// @param seed seed from which the seeds of the runs follow
@@ -63,18 +62,17 @@ class RunPlanner {
     /// Improves the predictions of wet readings at a friction coefficient [1] by new runs, if runs
     /// may be requested. Each call first requests runs at states outside the range of the earlier
     /// runs. Then the first call checks the emulator with few runs. Later calls request as many
-    /// runs as are needed to reduce the variances of the predictions by a factor of 1 + `turns`,
-    /// but at most 16 runs.
+    /// runs as reduce the variances of the predictions by a factor of 1 + `turns`, but at most 16
+    /// runs.
     /// @param conditions wet conditions truly imposed on the grains
     /// @param turns factor by which later calls reduce the variances, minus 1 [1]
     /// @throws dem::SimulationError if no training run is wet and all of the first wet runs fail
     void improve_wet(double friction, const std::vector<EffectiveCondition>& conditions, int turns);
 
     /// Whether new runs confirm the emulator. The new runs of the last call of `improve`, and of
-    /// all later calls of `improve_wet`, must agree at 1 % significance with the predictions that
-    /// the emulator made before being trained on the runs. The result is false after the first call
-    /// of `improve`, since this call checks nothing. The result is true if no runs may be
-    /// requested.
+    /// all later calls of `improve_wet`, must agree at 1 % significance with the emulator's
+    /// predictions before the training on the runs. The result is false after the first call of
+    /// `improve`, which checks nothing. The result is true if no runs may be requested.
     bool confirmed() const { return confirmed_ || !orders_more_; }
     /// Whether the planner may request new runs (`KnownRuns::orders_more`).
     bool orders_more() const { return orders_more_; }
@@ -146,11 +144,10 @@ class RunPlanner {
     std::vector<dem::RunResult> simulated(const std::vector<dem::RunParameters>& runs,
                                           const std::string& why);
     /// Carries out one run at each of the first n of `states` and trains the emulator on the runs.
-    /// The time budget determines the number n of runs before the best states are chosen again
-    /// (RunBudget::batch). The function adds the number of finished runs to the entry `why` of
-    /// simulated().
+    /// The number n follows from the time budget (RunBudget::batch). The function adds the number
+    /// of finished runs to the entry `why` of simulated().
     /// @return p value of the agreement of the runs with the emulator before the training
-    ///        (`agreement`); empty if no run had a usable result, or the budget allowed no run
+    ///         (`agreement`); empty if no run had a usable result, or the budget allowed no run
     std::optional<double> simulate_at(const std::vector<FlowState>& states, const std::string& why);
     /// Adds the number `runs` to the entry of simulated() with the reason `why`.
     void count_runs(std::size_t runs, const std::string& why);

@@ -23,12 +23,10 @@ struct FittedModel {
 
 /// Returns the task for `most_informative` to choose the simulation runs that most reduce the
 /// contribution of simulation noise to the chi2 of all fitted models. The targets are the states of
-/// steady shear that each model assigns to the readings. Each model assigns a state to a reading at
-/// the fitted parameters, and at parameters shifted up and down by one standard error along the
-/// direction in which the parameters are least certain. The next fit may end at the shifted
-/// parameters. Runs may be made at the target states, with the model's effects on grains or without
-/// effects. The variance of each prediction has the weight 1/sigma^2, with the standard error sigma
-/// of the reading.
+/// steady shear that each model assigns to the readings: at the fitted parameters, and one standard
+/// error above and below along the least certain direction of the parameters. Runs may be made at
+/// the target states, with or without the model's effects on grains. The variance of each
+/// prediction has the weight 1/sigma^2, with the standard error sigma of the reading.
 /// @param lowest_inertial_number lowest inertial number of the runs [1]; slower readings are
 ///        simulated at this inertial number
 RunChoice sharpening_choice(const EmulatedSimulation& simulation,

@@ -22,10 +22,10 @@ struct LeftAside {
     bool without_runs = false;
 };
 
-/// Set of all models of a study. The set contains the model with the effects that the study lists,
-/// and each model that also has one or more of the candidates for addition. The candidates are all
-/// further effects that apply to the study and that the emulator can predict. All models use one
-/// emulator (Gaussian processes trained on earlier runs). No new runs are simulated.
+/// Set of all models of a study: the model with the effects that the study lists, and each model
+/// that also has one or more of the candidates for addition. The candidates are all further effects
+/// that apply to the study and that the emulator can predict. All models use one emulator (Gaussian
+/// processes trained on earlier runs). No new runs are simulated.
 class StudyModels : public ModelSpace {
   public:
     /// Trains the emulator on earlier runs and finds the candidates for addition to the model.

@@ -10,8 +10,8 @@ namespace pendular {
 
 /// Returns the inverse reduced pressure 1/P* = F0/(a^2 s22) of a wet condition [1], with the grain
 /// diameter a, the normal stress s22 and the pull-off force F0 of a liquid bridge. F0 is computed
-/// for the condition's own liquid, which effects may have changed, or for the study's liquid if the
-/// condition has no liquid of its own.
+/// for the condition's own liquid, which effects may have changed. If the condition has no liquid
+/// of its own, F0 is computed for the study's liquid.
 /// @throws std::bad_optional_access if neither the condition nor the study has a liquid
 double inverse_pressure_of(const EffectiveCondition& condition, const Study& study);
 
@@ -28,12 +28,12 @@ double stiffness_number_of(const Condition& condition, const GrainProperties& gr
                            const Fidelity& fidelity);
 
 /// Returns the share [1] of the correction to rigid grains that converts a simulated solid fraction
-/// to the solid fraction of the study's grains at a condition. The share is
+/// to the solid fraction of the study's grains at a condition,
 ///     (phi_study - phi_simulated)/(phi_rigid - phi_simulated) = 1 - simulated/kappa,
-/// with the solid fractions phi_study of the study's grains, phi_simulated of grains of the
-/// stiffness number `simulated`, and phi_rigid of rigid grains, and with the study's stiffness
-/// number kappa (`stiffness_number_of`). The share is negative if the study's grains are softer
-/// than the simulated grains.
+/// with the solid fractions phi_study of the study's grains, phi_simulated of the simulated grains
+/// and phi_rigid of rigid grains, and with the study's stiffness number kappa
+/// (`stiffness_number_of`). The share is negative if the study's grains are softer than the
+/// simulated grains.
 /// @param simulated stiffness number of the simulated grains [1]
 double stiffness_share(double simulated, const Condition& condition, const GrainProperties& grains,
                        const Fidelity& fidelity);

@@ -11,16 +11,16 @@
 
 namespace pendular {
 
-/// Values of a table in SI units, found by the name of a quantity such as "torque".
-///
-/// Header cells read `name [unit]`, `name (unit)` or `name in unit`. Columns may be in any order. A
-/// column `name_sd [unit]` has standard deviations. If the header cell of the standard deviations
-/// states no unit, they have the unit of the column `name`. Two kinds of columns are converted to
-/// another quantity. A column `inertial_number_diameter_density` contains the shear rate times a
-/// sqrt(density/s22), with grain diameter a and normal stress s22. The column is divided by
-/// sqrt(6/pi) and read as `inertial_number`. A column `rotational_speed` is read as
-/// `angular_velocity`. If the unit of the rotational speed has no angle (1/min), the column gives
-/// turns per time.
+/// Values of a table in SI units, found by the name of a quantity such as "torque". Columns may be
+/// in any order.
+/// - Header cells read `name [unit]`, `name (unit)` or `name in unit`.
+/// - A column `name_sd [unit]` has standard deviations. If its header cell states no unit, the
+///   column `name` gives the unit.
+/// - A column `inertial_number_diameter_density` has the shear rate times a sqrt(density/s22), with
+///   grain diameter a and normal stress s22. The column is divided by sqrt(6/pi) and read as
+///   `inertial_number`.
+/// - A column `rotational_speed` is read as `angular_velocity`. A unit without an angle (1/min)
+///   means turns per time.
 class Columns {
   public:
     /// Finds the quantity and the unit of each column from its header cell. The table is not copied

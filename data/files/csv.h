@@ -40,9 +40,9 @@ struct Table {
     Position at_header(std::size_t cell) const { return at(header, cell); }
 };
 
-/// Largest numbers of table cells that are read: at most `most_cells` cells (rows times columns)
-/// from one file, and at most `most_cells_of_line` cells from one line. Simple recordings, which
-/// `quick_recording` reads, may have more than `most_cells` cells.
+/// Maximum numbers of table cells that are read: `most_cells` cells (rows times columns) from one
+/// file, and `most_cells_of_line` cells from one line. Simple recordings, which `quick_recording`
+/// reads, may have more than `most_cells` cells.
 constexpr std::size_t most_cells = 20'000'000, most_cells_of_line = 2'000'000;
 
 /// Checks that a file does not have more than `most_cells` cells.
@@ -61,21 +61,19 @@ enum class InnerQuotes { refused, kept };
 ///         cell and `inner` refuses the quote, or if there are more than `most_cells_of_line` cells
 Row split_cells(std::string_view line, char delimiter, const Position& at, InnerQuotes inner);
 
-/// Reads a text file of cells that are separated by a delimiter. The delimiter is the most frequent
-/// of comma, semicolon and tab in the header. Blank lines, lines of empty cells and lines that
-/// begin with '#' are skipped.
-/// @throws InputError at file:line:column if the file cannot be read, is empty or has no rows, a
-///         row differs in length from the header, a quote is misplaced or not closed, a column name
-///         occurs twice, the header consists of numbers or has more than 1000 cells, or there are
-///         more than `most_cells` cells
+/// Reads a text file of cells that are separated by a delimiter: the most frequent of comma,
+/// semicolon and tab in the header. Blank lines, lines of empty cells and lines that begin with '#'
+/// are skipped.
+/// @throws InputError at file:line:column if the file cannot be read or has no rows, a row differs
+///         in length from the header, a quote is misplaced or not closed, the header repeats a
+///         name, consists of numbers or has more than 1000 cells, or the table has more than
+///         `most_cells` cells
 Table read_table(const std::filesystem::path& path);
 
 /// Parses the lines of a text as a table, by the rules of `read_table`, and returns the table.
 /// @param file path of the file, for error messages
-/// @throws InputError at file:line:column if there are no rows, a row differs in length from the
-///         header, a quote is misplaced or not closed, a column name occurs twice, the header
-///         consists of numbers or has more than 1000 cells, or there are more than `most_cells`
-///         cells
+/// @throws InputError at file:line:column in the cases of `read_table`, except for a file that
+///         cannot be read
 Table table_of(const std::string& file, const std::vector<std::string_view>& lines);
 
 /// Returns a text as one cell of a CSV file. A text that contains a delimiter, a quote or a line

@@ -7,15 +7,15 @@ namespace pendular {
 
 /// Numbers of digits with which the numbers in a column of a table are written.
 struct Digits {
-    /// Largest number of significant digits among the numbers of the column, trailing zeros not
+    /// Maximum number of significant digits among the numbers of the column, trailing zeros not
     /// counted.
     int significant = 0;
-    /// Largest number of digits after the decimal point among the numbers of the column, trailing
+    /// Maximum number of digits after the decimal point among the numbers of the column, trailing
     /// zeros not counted.
     int decimals = 0;
 };
 
-/// Returns the largest numbers of significant digits and of decimals among the numbers in a column.
+/// Returns the maximum numbers of significant digits and of decimals among the numbers in a column.
 /// Cells without digits are ignored.
 /// @param cells texts of the column's cells
 Digits digits_of(const std::vector<std::string_view>& cells);

@@ -33,10 +33,10 @@ struct DecodedText {
     std::string encoding;
 };
 
-/// Reads a text file and converts the text to UTF-8. If `encoding` is empty, the encoding is
-/// determined from the text. A byte-order mark states the encoding. Without a byte-order mark, the
-/// text is UTF-16 if one of its first two bytes is zero, UTF-8 if all bytes are valid UTF-8,
-/// Shift-JIS if the charset detection of ICU ranks Shift-JIS first, and otherwise Windows-1252.
+/// Reads a text file and converts the text to UTF-8. If `encoding` is empty, a byte-order mark
+/// states the encoding. Without a byte-order mark, the encoding is the first that applies: UTF-16
+/// (one of the first two bytes is zero), UTF-8 (all bytes are valid UTF-8), Shift-JIS (first rank
+/// in the charset detection of ICU), Windows-1252.
 /// @param encoding name of the encoding; empty: determined from the text
 /// @param largest largest size of the file [bytes]
 /// @throws InputError if the file cannot be read, is larger than `largest`, is not a text, or is

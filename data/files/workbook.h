@@ -12,11 +12,11 @@ constexpr std::uintmax_t largest_unpacked = 256u << 20;
 /// Whether bytes are the beginning of a ZIP archive, such as a workbook (.xlsx).
 bool is_archive(std::string_view bytes);
 
-/// Returns a sheet of a workbook (.xlsx) as lines of text in UTF-8, with cells separated by tabs.
-/// Each line is a row of the sheet and has as many cells as the widest row. Rows without values
-/// become empty lines. Numbers have a decimal point and all digits that the workbook stores,
-/// whatever format the workbook displays. A formula is replaced by its stored result. Tabs and line
-/// ends within a cell become blanks. Errors such as #DIV/0! become empty cells.
+/// Returns a sheet of a workbook (.xlsx) as text in UTF-8: one line per row, with cells separated
+/// by tabs. Each row with values has as many cells as the widest row, and each row without values
+/// is an empty line. Numbers have a decimal point and all digits that the workbook stores. A
+/// formula is replaced by its stored result. Tabs and line ends within a cell become blanks. Errors
+/// such as #DIV/0! become empty cells.
 /// @param bytes content of the file
 /// @param file path of the file, for error messages
 /// @param sheet name of the sheet; empty: the first sheet of the workbook

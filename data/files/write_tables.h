@@ -10,8 +10,7 @@ namespace pendular {
 /// file in SI units, in the format that an entry [[readings]] of study.toml reads. Each row also
 /// has the source file (relative to the folder of the CSV file), line, step, duration and number of
 /// replicates (repeated readings at one condition). The standard errors include the scatter between
-/// replicates. The scatter is not added again when the file is read, so that the readings do not
-/// change.
+/// replicates. Reading the file does not add the scatter again.
 /// @throws InputError if the path is a symbolic link out of its folder
 /// @throws std::runtime_error if the file cannot be written, on a full disk for example
 void write_readings(const std::filesystem::path& path, const Measurements& measurements);

@@ -10,20 +10,18 @@ namespace pendular {
 /// With `on_disk`, the data are on the disk and survive a loss of power.
 enum class Kept { by_system, on_disk };
 
-/// Writes a file completely or not at all: the content is written to a temporary file in the folder
-/// of the file, and the temporary file is then renamed. Missing folders are created. An existing
-/// file keeps its mode and, if the system allows it, its owner. Devices and pipes are written
-/// directly.
+/// Writes a file completely or not at all, by renaming a temporary file in the same folder. Missing
+/// folders are created. An existing file keeps its mode and, if the system allows it, its owner.
+/// Devices and pipes are written directly.
 /// @throws InputError if the path is a symbolic link to a file outside of the folder of the link
 /// @throws std::runtime_error if the file cannot be written, on a full disk for example. The
 ///         message names the file and the system's reason.
 void write_whole(const std::filesystem::path& path, const std::string& content,
                  Kept kept = Kept::on_disk);
 
-/// Writes a folder of files completely or not at all: the files are written to a temporary folder
-/// beside the folder, and the temporary folder is then renamed. If the folder exists, the files are
-/// written to a temporary folder inside the folder, and are moved into the folder after all files
-/// are written.
+/// Writes the files of a folder. All files are first written to a temporary folder, so that an
+/// error while writing leaves an existing folder unchanged. Further files of an existing folder are
+/// kept.
 /// @param content_of_file map whose key is the name of a file and whose value is the text of the
 ///         file
 /// @throws std::runtime_error if a file cannot be written. The message names the file or folder and

@@ -11,8 +11,8 @@ class Unit {
   public:
     /// Reads a unit in any common spelling, such as "mN m", "mNm", "N·m", "kPa", "1/s", "deg",
     /// "rpm" or "%". The texts "", "-" and "1" mean dimensionless.
-    /// @throws std::invalid_argument if the text is no unit, or if the case of its letters makes
-    ///         the text an unlikely unit ("pa" would be a pico-are). The message quotes the text.
+    /// @throws std::invalid_argument if the text is no unit, or if wrong upper or lower case makes
+    ///         it an unlikely unit ("pa" would be a pico-are). The message quotes the text.
     /// @throws std::runtime_error if the unit database of UDUNITS-2 is not installed
     explicit Unit(std::string_view spelling);
 
@@ -40,10 +40,10 @@ class Unit {
 ///     'g cm' measures kg m, not kg m^2 s^-2 as 'N m' does; did you mean 'gf cm'?
 std::string wrong_dimension(const Unit& unit, const Unit& expected);
 
-/// Returns the common spelling of the SI unit with the dimension of `unit`, such as "N m" for "mNm"
-/// and "Pa" for "kPa". The result is "1" if `unit` is dimensionless. For a dimension without a
-/// common spelling, the prefixes of `unit` are left out: "N m s/rad" for "mN m s/rad". If leaving
-/// out the prefixes gives no SI unit, the result is a product of SI base units.
+/// Returns the common spelling of the SI unit with the dimension of `unit`, such as "Pa" for "kPa".
+/// The result is "1" if `unit` is dimensionless. If the dimension has no common spelling, the
+/// function leaves out the prefixes of `unit`: "N m s/rad" for "mN m s/rad". If `unit` without
+/// prefixes is no SI unit, the result is a product of SI base units.
 std::string si_spelling(const Unit& unit);
 
 /// Returns the value in SI units of a text such as "500 um". The text needs no unit if the expected
@@ -54,8 +54,8 @@ double quantity_in_si(std::string_view text, const Unit& expected);
 
 /// Returns the values in SI units of a comma-separated list such as "0.3, 1, 3 kPa", in the order
 /// of the list. A number without a unit has the unit of the next number that has a unit.
-/// @throws std::invalid_argument if an item is no number with a unit, or if the dimension of its
-///         unit is not that of `expected`. The message says what to write.
+/// @throws std::invalid_argument if an item is no number with a unit, or if its unit and `expected`
+///         differ in dimension. The message says what to write.
 std::vector<double> quantities_in_si(std::string_view list, const Unit& expected);
 
 }  // namespace pendular

@@ -9,11 +9,9 @@ namespace pendular {
 /// Returns the arithmetic mean of values, in the unit of the values; NaN for an empty list.
 double plain_mean(std::span<const double> samples);
 
-/// Lagged covariances C(t) of two series of n values, in the product of the units of the series.
-/// C(t) is the covariance of the first series with the second series t values later, averaged with
-/// the covariance of the second series with the first series t values later. Covariances at lags
-/// below `lags_alone` are computed one by one, up to the requested lag. The first request at a
-/// larger lag computes the covariances at all lags by Fourier transforms.
+/// Lagged covariances C(t) of two series, in the product of the units of the series. C(t) is the
+/// mean of two covariances: the first series with the second series t values later, and the second
+/// series with the first series t values later.
 class LaggedCovariances {
   public:
     /// Prepares the covariances of two series. For the autocovariances of one series, pass the
@@ -58,10 +56,13 @@ struct Autoregression {
     double order() const { return static_cast<double>(coefficients.size()); }
     /// Returns the spectral density of the series at frequency zero, in the squared unit of the
     /// series. The spectral density divided by `count` is the variance of the mean of `count`
-    /// values. The variance of the innovation is multiplied by count/(count - 1 - order), since the
-    /// mean and the coefficients were estimated. The sum a of the coefficients is corrected for the
-    /// bias -(1 + 3 a)/count of its estimate (Marriott and Pope 1954, for order 1). The corrected
-    /// sum is limited to 1 - 2/count.
+    /// values.
+    ///     innovation count/(count - 1 - order)/(1 - b)^2
+    ///     b = min(a + (1 + 3 a)/count, 1 - 2/count)      a: sum of the coefficients
+    /// The sum b is corrected for the bias -(1 + 3 a)/count of the estimated sum a. Without
+    /// coefficients, b = 0. The factor count/(count - 1 - order) allows for the estimated mean and
+    /// coefficients.
+    /// Source: Marriott and Pope (1954), for order 1.
     double spectrum_at_zero(double count) const;
     /// Returns the spectral density of the series at a frequency in cycles per value, in the
     /// squared unit of the series. For independent values, the spectral density equals the variance

@@ -24,19 +24,14 @@ struct Contradictions {
     std::optional<std::string> file;
 };
 
-/// Compares the columns of a recording that measure one quantity, removes the rows in which the
-/// columns contradict each other, and returns the removed rows. Shear stress is compared with
-/// torque, normal stress with normal force, and shear rate with angular velocity; the radii of the
-/// cell convert one to the other. The function also lists the removed rows in `result.excluded`,
-/// and adds messages about the contradictions to `result.doubts` and `result.notes`. If
-/// `choice.keep_implausible` is set, no row is removed and no file is refused.
-///
-/// Two values in a row contradict each other if they differ by more than the sum of 5 % and the
-/// resolution of the two columns. If the median ratio of the two columns differs from 1 by more
-/// than 2 %, the instrument used another cell or formula than the study, and the whole file is
-/// doubtful: `Contradictions::file` gives the reason, and no row is removed. A median ratio of
-/// shear rates between 0.5 and 2 causes only a note, since instruments define the shear rate at
-/// different radii.
+/// Removes the rows of a recording in which two columns contradict each other, and returns the
+/// removed rows. The pairs of columns are shear stress and torque, normal stress and normal force,
+/// and shear rate and angular velocity. Values of a pair, converted with the radii of the cell, may
+/// differ by the sum of 5 % and the resolution of both columns. If the median ratio of a pair
+/// differs from 1 by more than 2 %, the whole file is doubtful and the pair removes no row. A
+/// median ratio of shear rates between 0.5 and 2 causes only a note.
+/// @param choice if `keep_implausible` is set, no row is removed and no file is refused
+/// @param result receives the removed rows in `excluded`, and messages in `doubts` and `notes`
 Contradictions take_out_contradictions(Recording& recording, const AnnularCell& cell,
                                        const ImportSettings& choice, Measurements& result);
 

@@ -10,15 +10,11 @@
 
 namespace pendular {
 
-/// Detects rows of a study's recordings that were copied from an earlier row, so that no
-/// measurement counts twice. A KnownRows object keeps the rows of all recordings examined so far.
-///
-/// A row is a copy if torque, normal force and gap agree with an earlier row within half the
-/// resolution of the coarser column. The times of all copied rows must differ from the earlier
-/// times by one constant. Copies must form runs of at least `shortest_step` rows with at least five
-/// different torques, since single rows of replicates (repeated measurements) agree by chance.
-/// Copies are found even if the file was renamed, linked, reformatted, rounded, thinned out, cut or
-/// shifted in time. Copies are also found within one recording whose time restarts.
+/// Detects copied rows in the recordings of a study, so that no measurement counts twice. A
+/// KnownRows object keeps the rows of all recordings examined so far. A run of at least
+/// `shortest_step` rows with five different torques is a copy if torque, normal force and gap agree
+/// with earlier rows within half the resolution of the coarser column, and if all times differ from
+/// the earlier times by one constant. Copies may be rounded, incomplete, or within one recording.
 class KnownRows {
   public:
     /// Removes copied rows from a recording. Lists the copied rows with the original rows in
@@ -55,11 +51,10 @@ class KnownRows {
 };
 
 /// Moves readings that repeat an earlier reading from `measurements.readings` to
-/// `measurements.excluded`. A reading is a repetition if normal stress, inertial number, liquid
-/// content, volume of grains (if both are known), measured values, time and covariance equal those
-/// of an earlier reading. For two readings from different files, time and covariance need not be
-/// equal if shear stress and solid fraction have more than six digits, since values with so many
-/// digits are hardly equal by chance. Notes on the repetitions are added to `measurements.notes`.
+/// `measurements.excluded`, and adds notes to `measurements.notes`. A repetition agrees with the
+/// earlier reading in normal stress, inertial number, liquid content, volume of grains (if both are
+/// known), measured values, time and covariance. Readings of different files need not agree in time
+/// and covariance if shear stress and solid fraction have more than six digits.
 void count_readings_once(Measurements& measurements);
 
 }  // namespace pendular

@@ -22,21 +22,25 @@ struct CellFromColumns {
     std::optional<double> inner_radius, outer_radius;
 };
 
-/// Returns the constants of the cell from the most frequent ratios of shear stress to torque and of
-/// normal stress to normal force in the rows of a file. If a commercial cup has the ratios in the
-/// file, the radii of the cup are returned too; one ratio is enough if the file gives only one. If
-/// the ratio of normal stress to normal force is that of a cup, but only some rows have the cup's
-/// ratio of shear stress to torque, the cup's ratio of shear stress to torque is returned.
+/// Returns the constants of the cell: the most frequent ratios of shear stress to torque and of
+/// normal stress to normal force in the rows of a file. If a commercial cup has these ratios (or
+/// the only ratio in the file), the result has the radii of the cup too. If at least some rows have
+/// the cup's ratio of shear stress to torque, the result has the cup's ratio.
 /// @param series columns of each interval of the file
 CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series);
 
-/// Checks a file of measurements for contradictions within the file, and returns one finding for
-/// each kind of contradiction. The kinds are: ratio of shear stress to torque or of normal stress
-/// to normal force not constant to 5 %, two columns with exchanged headers, declared number of rows
-/// not found, time that goes back, repeated rows, several tests in one file, constants or radii in
-/// the header that contradict the columns, and measured values that do not follow their set points.
+/// Checks a file of measurements for contradictions within the file, and returns findings on:
+/// - ratio of shear stress to torque, or of normal stress to normal force, not constant to 5 %
+/// - headers of two columns exchanged
+/// - number of rows of an interval not as declared
+/// - time that goes back within an interval
+/// - rows that repeat the preceding row
+/// - several tests in one file
+/// - constants or radii in the header that contradict the columns
+/// - measured values that do not follow their set points
 /// @param series columns of each interval of the file, in the order of the file's blocks
-/// @param cell constants of the cell, from `cell_from_columns`
+/// @param cell constants of the cell, from `cell_from_columns`; not used for a file with several
+///         tests
 std::vector<FileFinding> check_file(const BlockFile& file,
                                     const std::vector<IntervalSeries>& series,
                                     const CellFromColumns& cell);

@@ -34,10 +34,10 @@ struct FileView {
 /// Reads a file of measurements and examines the file without a study: columns, roles of the
 /// intervals, cell, faults and yield loci. A table with a column of interval numbers is divided
 /// into intervals.
-/// @param format settings of the user for the layout, encoding and decimal mark
-/// @param study_cell cell of a study, with which the header of the file is compared; empty: no
+/// @param format settings of the user for reading the file, such as layout and decimal mark
+/// @param study_cell cell of a study, which is compared with the header of the file; empty: no
 ///         comparison
-/// @throws InputError if the file cannot be read, its layout or a cell is malformed, or a unit is
+/// @throws InputError if the file cannot be read, its layout or a value is malformed, or a unit is
 ///         missing or wrong
 FileView view_of_file(const std::filesystem::path& path, const FileFormat& format = {},
                       const std::optional<AnnularCell>& study_cell = std::nullopt);

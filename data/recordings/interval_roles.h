@@ -11,7 +11,7 @@ namespace pendular {
 
 /// Role of an interval (step of constant set points) in a test, with the reason for the choice.
 struct IntervalRole {
-    /// Role of the interval in the test, such as "failure". The function `interval_roles` lists all
+    /// Role of the interval in the test, such as "failure". The function `roles_of` lists all
     /// roles.
     std::string role;
     /// Reason for the role of the interval, such as "normal stress 0.40 times that of interval 2
@@ -20,23 +20,24 @@ struct IntervalRole {
 };
 
 /// Returns the role of each interval of a file: "filling", "preshear", "unloading", "failure",
-/// "reloading", "steady" or "other". Roles that the user or the file states take precedence.
-/// Intervals without values of shear stress or of normal stress are "other".
+/// "reloading", "steady" or "other". A role that the user or the file states takes precedence. An
+/// interval without values of shear stress or of normal stress is "other".
 ///
 /// An interval is sheared if its largest shear stress exceeds 5 % of the largest shear stress of
-/// the test. The role of a sheared interval is the first role in the list that applies:
-/// - "steady", if the sample is hardly loaded (the normal stress is not positive, or the shear
-/// stress reaches three times the normal stress), or if the lid turns by more than 1 rad.
-/// - "failure", if the file has only the intervals 4, 8, 12 and so on of a powder cell, or if the
-/// preceding sheared interval has a normal stress more than 5 % higher.
+/// the test. The role of a sheared interval is the first in the list that applies:
+/// - "steady", if the normal stress is not positive, or if the shear stress reaches three times the
+///   normal stress.
+/// - "steady", if the lid turns by more than 1 rad.
+/// - "failure", if the file has only the intervals 4, 8, 12 and so on of a powder cell.
+/// - "failure", if the normal stress of the preceding sheared interval is more than 5 % higher.
 /// - "preshear", if the next sheared interval whose normal stress differs by at least 5 % has a
-/// lower normal stress.
-/// - "failure", if the lid turns by less than 0.3 rad, too little for steady shear.
+///   lower normal stress.
+/// - "failure", if the lid turns by less than 0.3 rad.
 /// - "steady".
 ///
 /// An interval without shear is "filling" before the first sheared interval. A later interval
-/// without shear is "unloading" if its normal stress is more than 5 % lower than that of the
-/// preceding sheared interval, and otherwise "reloading".
+/// without shear is "unloading" if its normal stress is more than 5 % lower than in the preceding
+/// sheared interval, and otherwise "reloading".
 /// @param series columns of each interval, in the order of the file's blocks
 /// @param format settings of the user, with the roles that the user states
 std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<IntervalSeries>& series,

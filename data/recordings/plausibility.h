@@ -9,9 +9,9 @@
 namespace pendular {
 
 /// Smallest and largest plausible solid fraction [1] of grains in steady shear. Equal spheres fill
-/// at most pi/sqrt(18) = 0.7405 of space. Steady shear under load keeps the solid fraction above
-/// that of random loose packing, 0.55. Cohesion by separate liquid bridges lowers the limit 0.55 by
-/// a few hundredths. The value 0.4 leaves a margin.
+/// at most pi/sqrt(18) = 0.7405 of space. Dry grains in steady shear under load stay above the
+/// solid fraction of random loose packing, 0.55. Liquid bridges lower this limit by a few
+/// hundredths, and the value 0.4 leaves a margin.
 /// Source: Hales, Ann. Math. 162 (2005) 1065; Onoda and Liniger, Phys. Rev. Lett. 64 (1990) 2727.
 constexpr double loosest_solid_fraction = 0.4, densest_solid_fraction = 0.74;
 
@@ -23,10 +23,9 @@ constexpr double least_stress_ratio = 0.05;
 /// Returns the largest plausible stress ratio [1] of grains at a reduced pressure P* [1]. For dry
 /// grains, P* is infinite.
 ///     1.5 (1 + 1/P*)
-/// The stress ratio of dry grains stays below 1.5 (a slope of 56 degrees), even if the grains are
-/// angular or flow fast. A cohesion c adds c/s22 = c*/P* to the stress ratio at a normal stress
-/// s22. The reduced cohesion c* is 0.2 to 0.4 and at most 0.6 (Badetti et al. 2018). The largest
-/// plausible stress ratio allows for 2.5 times the maximum 0.6 of c*.
+/// The stress ratio of dry grains stays below 1.5 (a slope of 56 degrees). A cohesion adds c*/P*,
+/// with the reduced cohesion c*. Badetti et al. (2018) found c* of at most 0.6. The limit allows
+/// for c* = 1.5.
 double greatest_stress_ratio(double reduced_pressure);
 
 /// Finds readings whose solid fraction, stress ratio, inertial number, reduced pressure or liquid
@@ -35,11 +34,11 @@ double greatest_stress_ratio(double reduced_pressure);
 /// moved to `measurements.excluded`.
 void doubt_impossible_readings(Measurements& measurements, const Study& study);
 
-/// Adds a message to `part.doubts` if the torque of a recording is constant over all rows. If the
-/// torque varies, but the gap is constant, a message about the gap is added. If the torque is
-/// constant, all readings are moved to `part.excluded`, unless `choice.keep_implausible` is set. If
-/// the gap is constant, the readings stay, since the gap may have been measured coarsely.
-/// Recordings of less than `shortest_step` rows are not checked.
+/// Adds a message to `part.doubts` if the torque of a recording is constant over all rows, or if
+/// the torque varies and the gap is constant. If the torque is constant, all readings are moved to
+/// `part.excluded`, unless `choice.keep_implausible` is set. If the gap is constant, the readings
+/// stay, since the gap may have been measured coarsely. Recordings of less than `shortest_step`
+/// rows are not checked.
 /// @param part readings of the recording
 void doubt_stuck_columns(const Recording& recording, Measurements& part,
                          const ImportSettings& choice);

@@ -51,16 +51,17 @@ struct Step {
     std::size_t end = 0;
 };
 
-/// Reads a recording from a file with the columns time, torque, normal force, gap and angular
-/// velocity in any common spelling, order and unit. Optional columns are the interval (number of
-/// the step) and the shear stress, normal stress and shear rate that the instrument computed. A
-/// file without torques must have shear stresses, and a file without normal forces must have normal
-/// stresses. The torques or normal forces of the recording then stay empty until
-/// `fill_from_stresses` computes the values.
+/// Reads a recording from a file. The columns may have any common spelling, order and unit. The
+/// file may have any layout that `read_blocks` knows.
+/// - Required columns: time, torque or shear stress, normal force or normal stress, gap, and
+///   angular velocity.
+/// - Optional columns: interval (number of the step), and shear stress, normal stress and shear
+///   rate that the instrument computed.
 ///
-/// Exports of rheometers may have any layout that `read_blocks` knows. Intervals that lack a
-/// column, rows that lack a value, and intervals for which `format` states a role other than steady
-/// are left out and listed in `Recording::left_out`.
+/// If the file lacks torques or normal forces, the column of the recording stays empty until
+/// `fill_from_stresses` computes the values. `Recording::left_out` lists the intervals that lack a
+/// column, the rows that lack a value, and the intervals for which `format` states a role other
+/// than steady.
 /// @throws InputError at file:line:column if a required column is missing, a unit or number is
 ///         invalid, a gap is not positive, an interval is not a whole number, time goes back within
 ///         an interval, or the layout cannot be read
@@ -77,12 +78,11 @@ Recording recording_of(const BlockFile& file, const FileFormat& format);
 /// and `normal_stress`.
 void fill_from_stresses(Recording& recording, const AnnularCell& cell);
 
-/// Splits a recording into steps of constant set points, in the order of the rows. A step begins
-/// where the column interval changes. Without a column interval, a step begins where the angular
-/// velocity or the normal force changes to a new constant value. A constant value lasts at least
-/// `shortest_step` rows. The value differs from the preceding constant value by more than 5 % and
-/// by more than the noise. Rows between two constant values belong to the later step, as its
-/// transient.
+/// Splits a recording into steps of constant set points, in the order of the rows. A step begins at
+/// each new value in the column interval. If the recording has no column interval, a step begins at
+/// each new constant value of the angular velocity or the normal force. The new value must last at
+/// least `shortest_step` rows, and must differ from the old value by more than 5 % and by more than
+/// the noise.
 std::vector<Step> split_steps(const Recording& recording);
 
 /// Removes the rows whose element of `marked` is true from all columns of a recording.

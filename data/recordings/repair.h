@@ -6,12 +6,10 @@
 
 namespace pendular {
 
-/// Corrects torques of a recording that are wrong by a power of ten, since they lost a decimal or
-/// thousands mark. The shear stress in each row is converted to a torque. If the recorded torque
-/// differs from the converted torque by a power of ten, within 5 %, the converted torque replaces
-/// the recorded torque. A message that lists the corrected rows is added to `result.doubts`.
-/// Nothing is changed if the recording has no shear stresses. Nothing is changed either if torque
-/// and shear stress agree in no row, since a unit is then probably wrong.
+/// Corrects torques of a recording that lost a decimal or thousands mark. If a torque differs by a
+/// power of ten, within 5 %, from the torque that follows from the shear stress of the row, the
+/// function replaces the torque. A message in `result.doubts` lists the corrected rows. Nothing is
+/// changed if the recording has no shear stresses, or if torque and shear stress agree in no row.
 void repair_torques(Recording& recording, const AnnularCell& cell, Measurements& result);
 
 }  // namespace pendular

@@ -55,11 +55,11 @@ struct ScatterSums {
 };
 
 /// Performs a two-way analysis of variance (by conditions and by files) of deviations between
-/// replicates (repeated readings at one condition), for files that are connected by common
-/// conditions. If conditions and files leave no degree of freedom, all scatter is attributed to
-/// the steps of a recording, each of which gives one reading.
-/// @param exponent exponent of the normal stress in the scatter [1]: standard deviation ~
-///         (normal stress)^-exponent
+/// replicates (repeated readings at one condition). Common conditions must connect the files. If
+/// conditions and files leave no degree of freedom, all scatter is attributed to the steps of a
+/// recording, each of which gives one reading.
+/// @param exponent exponent of the normal stress in the scatter [1]: standard deviation ~ (normal
+///         stress)^-exponent
 /// @param tell_files true: the scatter is divided between steps and files; false: all scatter is
 ///         attributed to steps
 /// Source: Searle, Casella and McCulloch, Variance Components (1992), chapter 5.
@@ -77,15 +77,12 @@ struct LoadExponent {
     double evidence = 0;
 };
 
-/// Returns the most probable exponent [1] with which the scatter between replicates (repeated
-/// readings at one condition) depends on the load (normal stress divided by a reference stress):
+/// Returns the most probable exponent [1] of the load (normal stress divided by a reference stress)
+/// in the scatter between replicates (repeated readings at one condition):
 ///     standard deviation ~ load^-exponent
-/// The exponent is common to all sets of values, but each set has a variance of its own. All
-/// members of the result are 0 for fewer than 10 degrees of freedom.
-///
-/// The prior of the exponent is normal with mean 0 and standard deviation 0.5, limited to the range
-/// from 0 to 1. Errors of an instrument are constant or proportional to the load, so that relative
-/// errors decrease at most as 1/load.
+/// One exponent holds for all sets of values, but each set has a variance of its own. The prior of
+/// the exponent is normal with mean 0 and standard deviation 0.5, limited to the range from 0 to 1.
+/// All members of the result are 0 for fewer than 10 degrees of freedom.
 LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets);
 
 /// Mean square of relative deviations, which is an estimate of the variance of the deviations, with
@@ -95,12 +92,11 @@ struct MeanSquare {
     double freedom = 0;  ///< degrees of freedom of the mean square
 };
 
-/// Returns improved estimates of the mean squares of several sets of deviations, such as the sets
-/// of different clusters of files, in the order of the sets. All sets get the pooled mean square if
-/// Bartlett's test finds no difference (p > 0.005) or if the sets differ no more than by chance.
-/// Otherwise a set with at least 5 degrees of freedom keeps its own mean square, and the mean
-/// squares of sets with fewer degrees of freedom are shrunk towards a common value. The better the
-/// sets agree, the stronger the mean squares are shrunk.
+/// Returns improved estimates of the mean squares of several sets of deviations, such as one set
+/// for each cluster of files, in the order of the sets. If the sets do not differ significantly
+/// (p > 0.005), all sets get the pooled mean square. Otherwise, a set with at least 5 degrees of
+/// freedom keeps its own mean square, and the mean squares of smaller sets are shrunk towards a
+/// common value.
 /// @param own mean square of each set by itself
 /// Source: Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004) 3, moderated variances.
 std::vector<MeanSquare> moderated(const std::vector<MeanSquare>& own);

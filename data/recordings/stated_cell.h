@@ -35,9 +35,9 @@ struct StatedCell {
 StatedCell stated_cell(const BlockFile& file);
 
 /// Adds a finding for each ratio of stress to torque or to normal force in a file's header that
-/// differs by more than 5 % from the ratio in the columns of the file. A ratio that the header
-/// lacks is computed from the radii in the header.
-/// @param stated radii of the cell and ratios of stress to torque and to force in the header
+/// differs by more than 5 % from the ratio in the columns of the file. If the header lacks a ratio,
+/// the radii in the header give the ratio.
+/// @param stated radii and ratios in the header
 /// @param stress_per_torque ratio of shear stress to torque in the columns [Pa/(N m)]; 0: unknown
 /// @param stress_per_force ratio of normal stress to normal force in the columns [1/m^2]; 0:
 ///         unknown

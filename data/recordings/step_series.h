@@ -27,12 +27,11 @@ struct StepSeries {
     StepSeries from(std::size_t begin) const;
 };
 
-/// Converts the rows of a step to evenly spaced data points. All columns are interpolated linearly
-/// if any two neighbouring times are less than 0.5 or more than 1.5 times the median spacing apart.
+/// Converts the rows of a step to evenly spaced data points. If any two neighbouring times are less
+/// than 0.5 or more than 1.5 times the median spacing apart, all columns are interpolated linearly.
 /// If the lid turns and the torque is mostly negative, the sign of the torque is changed.
-/// @throws InputError if the lid turns and the torque is positive in some rows and negative in
-///         other rows by more than noise. The position is the first row whose torque has the rarer
-///         sign.
+/// @throws InputError if the lid turns and the torque has both signs by more than noise. The
+///         position is the first row whose torque has the rarer sign.
 StepSeries step_series(const Recording& recording, const Step& step);
 
 /// Whether the lid turns: the mean angular velocity differs from 0 by more than 3 standard errors.
@@ -41,8 +40,8 @@ bool turns(const Mean& angular_velocity);
 
 /// Returns the number of data points at the beginning of a step that are not steady in torque or
 /// gap. If torque or gap never becomes steady, the result is empty and `why` is set to the reason.
-/// A torque or gap whose means over the last two quarters of the step differ by less than 0.1 %
-/// counts as steady in the second half of the step.
+/// A torque or gap without a steady part still counts as steady in the second half of the step if
+/// its means over the last two quarters differ by less than 0.1 %.
 std::optional<std::size_t> end_of_transient(const StepSeries& series, std::string& why);
 
 }  // namespace pendular

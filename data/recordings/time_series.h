@@ -21,11 +21,10 @@ struct Mean {
 /// Returns the mean and the standard error se of n evenly spaced, correlated values, in the unit of
 /// the values.
 ///     se^2 = (2 tau) C(0)/n (1 + 2/(nu - 1)),   2 tau = 1 + 2 sum_{t=1}^{W} C(t)/C(0)
-/// C(t) is the autocovariance at lag t, corrected for the bias of the estimated mean, and nu = n/(2
-/// tau). The window W is chosen automatically (with Wolff's parameter S = 1.5). The autocorrelation
-/// time 2 tau is at least that of the best autoregressive model; with the window alone, the errors
-/// of 100 values with 2 tau = 19 would be 30 % too small. Errors are right within 10 % if nu >= 5.
-/// The standard error of one value is infinite. The standard error of constant values is 0.
+/// C(t) is the autocovariance at lag t, corrected for the bias of the estimated mean, and
+/// nu = n/(2 tau). Wolff's method with S = 1.5 chooses the window W. The best autoregressive model
+/// gives a lower limit of 2 tau. The standard error is right within 10 % if nu >= 5, infinite for
+/// one value, and 0 for constant values.
 /// @throws std::invalid_argument if there are no values
 /// Source: Wolff, Comput. Phys. Commun. 156 (2004) 143, "Monte Carlo errors with less errors".
 Mean mean_of_correlated(std::span<const double> samples);
@@ -41,17 +40,13 @@ std::vector<double> without_line(std::span<const double> samples);
 /// @throws std::invalid_argument if the series differ in length or are empty
 double covariance_of_means(std::span<const double> first, std::span<const double> second);
 
-/// Returns the number of values at the beginning of a series that belong to the transient. The
-/// result is empty if the series does not become steady.
-///
-/// The result is the number d, from 0 to half of the n values, that minimises the squared standard
-/// error s^2(d)/(n - d) of the mean of the last n - d values, where s^2(d) is the variance of the
-/// last n - d values. The values are first averaged in batches of five (fewer for less than 200
-/// values). The series is not steady if the minimum is at d = n/2. Nor is the series steady if the
-/// two halves of the last n - d values differ by more than 4 standard errors. The standard errors
-/// are computed about the best line, so that a drift does not count as scatter. At most 1 % of
-/// steady series with an autocorrelation time 2 tau <= 3 values and at least 50 values are found
-/// not to be steady.
+/// Returns the number d of values at the beginning of a series that belong to the transient. The
+/// number d, at most half of the n values, minimises the squared standard error of the mean of the
+/// last n - d values:
+///     s^2(d)/(n - d)      s^2(d): variance of the last n - d values
+/// The result is empty if the series does not become steady: d = n/2, or the two halves of the last
+/// n - d values differ by more than 4 standard errors. At most 1 % of steady series give an empty
+/// result, if 2 tau <= 3 values (autocorrelation time) and n >= 50.
 /// Source: White, Simulation 69 (1997) 323 (MSER-5).
 std::optional<std::size_t> end_of_transient(std::span<const double> samples);
 

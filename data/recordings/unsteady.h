@@ -11,10 +11,12 @@ namespace pendular {
 /// first to the last data point.
 double strain_of(const StepSeries& series, const AnnularCell& cell);
 
-/// Describes in a few words, for the user, a step that is too short for steady shear. The
-/// descriptions are unloading or loading (the normal force changes by more than 20 %),
-/// consolidation (the gap shrinks by more than 1 %), shear to failure (the torque peaks and drops),
-/// shear that was stopped while the torque rose, and preshear (the torque levels off).
+/// Describes in a few words, for the user, a step that is too short for steady shear:
+/// - unloading or loading: the normal force changes by more than 20 %
+/// - consolidation: the gap shrinks by more than 1 %
+/// - shear to failure: the torque peaks and drops
+/// - shear that was stopped while the torque rose
+/// - preshear: the torque levels off
 std::string looks_like(const StepSeries& series);
 
 }  // namespace pendular

@@ -74,16 +74,16 @@ struct LinearYieldLocus {
 };
 
 /// Fits a straight line to the normal stresses [Pa] and shear stresses [Pa] at points of failure by
-/// ordinary least squares, and derives strengths and flow properties. With cohesion c and slope
-/// angle phi:
+/// ordinary least squares. The slope angle phi and the cohesion c of the line (0 if the intercept
+/// is negative) give strengths and flow properties:
 ///     unconfined strength = 2 c cos(phi)/(1 - sin(phi))
 ///     (s - C)^2 + t^2 = (C sin(phi) + c cos(phi))^2 = r^2
-/// The second equation determines the Mohr circle through the preshear (normal stress s, shear
-/// stress t) that is tangent to the line. The centre C of the circle is the smaller root, and r is
-/// the radius. The major principal stress is C + r, and sin(effective angle) = r/C. If the preshear
-/// is above the line, the circle touches the line at the normal stress s instead. If the intercept
-/// of the line is negative, c = 0. The class of flowability is "not flowing" below 1, "very
-/// cohesive" below 2, "cohesive" below 4, "easy-flowing" below 10, and "free-flowing" from 10 on.
+/// The second equation gives the centre C (smaller root) and the radius r of a Mohr circle. The
+/// circle passes through the preshear (normal stress s, shear stress t) and touches the line. If
+/// the preshear is above the line, the circle touches the line at the normal stress s instead. The
+/// major principal stress is C + r, and sin(effective angle) = r/C. The class of flowability is
+/// "not flowing" below 1, "very cohesive" below 2, "cohesive" below 4, "easy-flowing" below 10, and
+/// "free-flowing" from 10 on.
 /// @throws std::invalid_argument if there are fewer than two different normal stresses
 /// Source: Jenike, Bulletin 123, University of Utah (1964); Schulze, Powders and Bulk Solids
 /// (2008).

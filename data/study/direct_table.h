@@ -28,9 +28,9 @@ struct StatedDirect {
 /// @throws InputError if a table lacks a key, has an unknown key or an empty value
 std::vector<StatedDirect> read_direct(const StudyTable& root);
 
-/// Reads the tables [[rig.direct]] of study.toml, which state the direct measurements that a
-/// measuring rig can make and have the keys effect, error and, optionally, cost. Returns the
-/// measurements in the order of the file.
+/// Reads the tables [[rig.direct]] of study.toml, in the order of the file. Each table states a
+/// direct measurement that a measuring rig can make, with the keys effect, error and, optionally,
+/// cost.
 /// @param rig table [rig] of study.toml
 /// @throws InputError if a table lacks a key or has an unknown key, or if a cost is not positive
 std::vector<StatedDirect> read_direct_of_rig(const StudyTable& rig);

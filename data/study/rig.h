@@ -29,8 +29,8 @@ struct Rig {
     /// Solid volumes of the grains [m^3] with which the cell can be filled; empty: the cell is
     /// always filled with the volume in the table [cell] of the study.
     std::vector<double> bead_volumes = {};
-    int repeats = 5;  ///< largest number of further readings that the rig may take at one condition
-    /// Largest total number of further readings that the rig may take at all conditions together.
+    int repeats = 5;  ///< maximum number of further readings that the rig may take at one condition
+    /// Maximum number of further readings that the rig may take at all conditions together.
     int readings = 12;
     double wet_cost = 1;  ///< cost of a wet reading, relative to the cost of a dry reading [1]
     /// Cost of filling the cell with a different amount of grains, relative to the cost of a dry

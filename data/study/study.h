@@ -115,10 +115,10 @@ struct Study {
 /// plain numbers if dimensionless.
 /// @param study folder of the study, or path of its study.toml
 /// @throws InputError at file:line:column if a key is missing or unknown (the message suggests the
-///         nearest known key), if a unit has the wrong dimension, if a value is invalid (an inner
-///         radius above the outer radius for example), if a file is missing, belongs to two
-///         entries, or is outside of the study's folder although allow_outside is not true, or if
-///         the study has no file of measurements
+///         nearest known key), a unit has the wrong dimension, a value is invalid (an inner radius
+///         above the outer radius for example), a file is missing or belongs to two entries, or the
+///         study has no file of measurements. A file outside of the study's folder is an error
+///         unless allow_outside is true.
 Study read_study(const std::filesystem::path& study);
 
 /// Pattern of file paths in an entry [[recording]] or [[readings]] of study.toml. Files that match
@@ -131,8 +131,8 @@ struct FilePattern {
     FileFormat format = {};
 };
 
-/// Reads only the patterns of file paths from study.toml, without the files, for a study in which
-/// nothing has been measured yet.
+/// Reads only the patterns of file paths from study.toml, without the files. The study may have no
+/// measurements yet.
 /// @param study folder of the study, or path of its study.toml
 /// @throws InputError at file:line:column if study.toml cannot be read, has a syntax error or an
 ///         unknown key of the top level or of an entry, or if a key that says how files are read

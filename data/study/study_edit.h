@@ -9,7 +9,6 @@ namespace pendular {
 /// Returns the text of study.toml with an effect added at the end of the list `effects` in the
 /// table [model]. A missing table or list is added. All other text, comments and line ends are
 /// preserved.
-/// @param text text of study.toml
 /// @param file path of study.toml, for error messages
 /// @param name name of the effect
 /// @throws InputError if the text is not TOML, if the list already contains the effect, or if the
@@ -19,7 +18,6 @@ std::string with_effect(const std::string& text, const std::string& file, std::s
 
 /// Returns the text of study.toml with an effect removed from the list `effects` in the table
 /// [model]. All other text and comments are preserved.
-/// @param text text of study.toml
 /// @param file path of study.toml, for error messages
 /// @param name name of the effect
 /// @throws InputError if the text is not TOML, if the effect is not in the list, or if the layout

@@ -89,7 +89,7 @@ class StudyTable {
     double positive_quantity(std::string_view key, std::string_view unit) const;
 
     /// Returns the values of a key in SI units, in the order of the file. The result is empty if
-    /// the key is missing. The file has one value or an array of values. A value is a text with a
+    /// the key is missing. The key has one value or an array of values. Each value is a text with a
     /// unit of the dimension of `unit`, or a plain number if `unit` is dimensionless.
     /// @throws InputError if the array is empty or a value has any other form
     std::vector<double> quantities(std::string_view key, std::string_view unit) const;

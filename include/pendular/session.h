@@ -62,7 +62,8 @@ struct Fit {
 struct Verdict {
     /// Result in one word:
     /// - "nothing-missing": the model fits, and the readings would have revealed every effect that
-    ///   is large enough to matter, except effects that they cannot reveal at any size;
+    ///   is large enough to matter (effects that the readings cannot reveal at any size do not
+    ///   count);
     /// - "inconclusive": the model fits, but the readings cannot exclude some effects, or the
     ///   errors of some readings are assumed, not measured;
     /// - "missing": the model lacks the effects in `effects`;
@@ -185,7 +186,7 @@ class Session {
     std::vector<Reading> readings() const;
 
     /// Fits the parameters of the study's model, the intergranular friction among them, to the
-    /// readings. Predictions come from an emulator, which interpolates between simulation runs.
+    /// readings. An emulator, which interpolates between simulation runs, predicts the readings.
     /// Writes fit.json and fit_runs.csv to the folder for results (`Options::results`).
     /// @throws InputError if there is nothing to fit, or if a reading cannot be simulated
     /// @throws Interrupted if a stop request (`Options::stop`) ended the work
@@ -206,37 +207,41 @@ class Session {
     std::vector<Prediction> predict(const std::vector<SetPoint>& at) const;
 
     /// Tests which physical effect, if any, is missing from the study's model. Nothing is
-    /// simulated.
-    /// @throws InputError if the study has too few readings, if there are too few earlier
-    ///         simulation runs (runs that come with Pendular or are in `Options::store`), if a
+    /// simulated: the predictions are interpolated between earlier simulation runs, which come with
+    /// Pendular or are in `Options::store`.
+    /// @throws InputError if there are too few readings or too few earlier simulation runs, if a
     ///         reading is outside the range that can be simulated, or if ladder.json in the folder
     ///         for results cannot be read
     /// @throws Interrupted if a stop request (`Options::stop`) ended the work
     Verdict diagnose() const;
 
-    /// Diagnoses the study and plans its next measurement. The instrument's possible settings are
-    /// those of section [rig] of study.toml or, without this section, the range of the readings.
-    /// @throws InputError if the study cannot be diagnosed (see `diagnose`), or if none of the
-    ///         settings is near an earlier simulation run (run that comes with Pendular or is in
-    ///         `Options::store`)
+    /// Diagnoses the study and plans its next measurement. Section [rig] of study.toml states the
+    /// possible settings of the instrument. Without this section, the settings lie in the range of
+    /// the readings.
+    /// @throws InputError if the study cannot be diagnosed (see `diagnose`), or if no earlier
+    ///         simulation run is near any of the settings
     /// @throws Interrupted if a stop request (`Options::stop`) ended the work
     Suggestion next() const;
 
     /// Fits the study's model without and with a further physical effect. If the fit with the
-    /// effect converges, adds the effect to study.toml. This session keeps the study without the
-    /// effect: open another session for the changed study.
+    /// effect converges, adds the effect to study.toml and writes the fit to the folder for
+    /// results. This session keeps the study without the effect: open another session for the
+    /// changed study.
     /// @param effect name of the effect, such as "torque-offset"
     /// @throws InputError if the effect is unknown, is already in the model or does not apply to
-    ///         the study, if a fit is impossible, or if study.toml has changed since it was read
+    ///         the study, if ladder.json in the folder for results cannot be read, if a fit is
+    ///         impossible, or if study.toml has changed since it was read
     /// @throws Interrupted if a stop request (`Options::stop`) ended the work
     /// @throws std::runtime_error if a file cannot be written
     Change add(const std::string& effect) const;
     /// Fits the study's model with and without one of the effects that study.toml lists. If the fit
-    /// without the effect converges, removes the effect from study.toml. This session keeps the
-    /// study with the effect: open another session for the changed study.
+    /// without the effect converges, removes the effect from study.toml and writes the fit to the
+    /// folder for results. This session keeps the study with the effect: open another session for
+    /// the changed study.
     /// @param effect name of the effect, such as "torque-offset"
-    /// @throws InputError if the study does not list the effect, if a fit is impossible, or if
-    ///         study.toml has changed since it was read
+    /// @throws InputError if the study does not list the effect, if ladder.json in the folder for
+    ///         results cannot be read, if a fit is impossible, or if study.toml has changed since
+    ///         it was read
     /// @throws Interrupted if a stop request (`Options::stop`) ended the work
     /// @throws std::runtime_error if a file cannot be written
     Change drop(const std::string& effect) const;

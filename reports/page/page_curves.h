@@ -35,13 +35,12 @@ struct PagePanel {
     std::vector<PageSeries> series;
 };
 
-/// Divides the readings of a study into a dry and a wet panel of the study's HTML report. Dry
-/// readings are shown against the normal stress or the inertial number, whichever varies by the
-/// larger factor. Wet readings are shown against 1/P*, the inverse of the reduced pressure. A panel
-/// has one series for each value of the quantities that are not on the x axis, and separate series
-/// for points of failure. If readings with equal x have different bead masses or heights, the
-/// series is divided further by bead mass or by file, since one curve at the mean condition of the
-/// series would not describe any of these readings.
+/// Divides the readings of a study into a dry and a wet panel of the study's HTML report. The x
+/// axis of the dry panel is the normal stress or the inertial number, whichever varies by the
+/// larger factor. The x axis of the wet panel is 1/P*, with the reduced pressure P*. Each series of
+/// a panel has one value of each quantity that is not on the x axis, and either steady shear or
+/// points of failure. A series with several bead masses or heights at equal x is divided further by
+/// bead mass or by file.
 std::vector<PagePanel> page_panels(const std::vector<Reading>& readings, const Study& study);
 
 /// Returns the conditions at the points of all model curves of a study's HTML report, ordered by

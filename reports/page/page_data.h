@@ -9,20 +9,21 @@
 
 namespace pendular {
 
-/// Returns the JSON from which a study's HTML report draws its panels. The JSON contains the
-/// readings (measured states), the panels that show the readings, and a fitted model for each
-/// combination of the effects that a reader can switch on and off. The JSON contains the
-/// predictions of each model as a polynomial of second order in the shifts of the parameters from
-/// the fit. The report computes curves, residuals, chi2 and relative RMS errors from this
-/// polynomial when a reader moves the parameters.
+/// Returns the JSON from which a study's HTML report draws its panels: readings (measured states),
+/// panels, recordings, and a fitted model for each combination of the effects that a reader can
+/// switch on and off. The predictions of a model are a polynomial of second order in the shifts of
+/// the parameters from the fit, in units of the standard errors.
 ///
 /// The keys `response`, `errors`, `form` and `without` of a model contain little-endian numbers as
-/// base64 text. The key `response` begins with the predictions at all points (the readings, then
-/// the points of the curves) as 32-bit floats: first the stress ratios, second the solid fractions.
-/// Then follow the coefficients of first order, then the coefficients of second order. Each
-/// coefficient has two parts, first for the stress ratio, second for the solid fraction. Each part
-/// is a scale as a 32-bit float and one 16-bit integer per point. The coefficient at a point is
-/// integer x scale/32767, for parameter shifts in units of the standard errors.
+/// base64 text. The key `response` contains, in this order:
+/// - the predictions at all points (the readings, then the points of the curves) as 32-bit floats:
+///   first the stress ratios, second the solid fractions
+/// - the coefficients of first order
+/// - the coefficients of second order
+///
+/// Each coefficient has two parts, first for the stress ratio, second for the solid fraction. Each
+/// part is a scale as a 32-bit float and one 16-bit integer per point. The coefficient at a point
+/// is integer x scale/32767.
 /// @param panels panels of the report; `models` must have predictions at the points of the panels'
 ///        curves, in the order of `points_of_curves`
 /// @param recordings recordings of the study, which the report draws below the panels

@@ -35,26 +35,28 @@ struct PageRecording {
 };
 
 /// Returns the part of a recording that a study's HTML report shows: stresses against the number of
-/// the row, thinned to at most `most` points each, and the ranges of rows that are averaged.
+/// the row, and the ranges of rows that are averaged.
 /// @param readings readings (measured states) of the study; readings from files other than `view`
 ///        are ignored
 /// @param excluded rows that the study left out
-/// @param most largest number of points for each stress
+/// @param most maximum number of points for each stress
 PageRecording page_recording(const FileView& view, const std::vector<Reading>& readings,
                              const std::vector<Excluded>& excluded, std::size_t most);
 
-/// Returns the largest number of points that a study's HTML report contains for each stress of a
+/// Returns the maximum number of points that a study's HTML report contains for each stress of a
 /// recording: 400, or fewer (at least 20) if many recordings would make the report large.
 /// @param recordings number of recordings in the report
 std::size_t points_of_recordings(std::size_t recordings);
 
 /// Returns the JSON of recordings for a study's HTML report. Each recording has the name of its
-/// file, `parts` (stresses against the number of the row) and `windows` (ranges of rows that are
-/// averaged). A part has a label, the keys `low`, `range` and `width`, and the points as base64.
-/// Each point consists of two unsigned little-endian numbers: first the number of rows since the
-/// previous point (`width` bytes), second a 16-bit number k. The value at the point is
-/// low + range k/65535. A window has its first and last row (counted from 1), its kind as text, the
-/// index of the reading that averages the rows (null: no reading), and the mean of each part.
+/// file, `parts` and `windows`:
+/// - A part is a stress against the number of the row. It has a label, the keys `low`, `range` and
+///   `width`, and the points as base64. Each point consists of two unsigned little-endian numbers:
+///   first the number of rows since the previous point (`width` bytes), second a 16-bit number k.
+///   The value at the point is low + range k/65535.
+/// - A window is a range of rows that are averaged. It has its first and last row (counted from 1),
+///   its kind as text, the index of the reading that averages the rows (null: no reading), and the
+///   mean of each part.
 /// @param readings all readings (measured states) that the report shows
 nlohmann::ordered_json recordings_json(const std::vector<PageRecording>& recordings,
                                        const std::vector<Reading>& readings);

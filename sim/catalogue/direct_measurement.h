@@ -27,19 +27,16 @@ struct DirectMeasurement {
     double standard_error = 0;  ///< standard error of the measured value, in the parameter's unit
 };
 
-/// Converts a table [[direct]] or [[rig.direct]] of study.toml to a direct measurement of an
-/// effect's parameter (made without shearing grains). The measurement is in the SI unit of the
-/// parameter.
+/// Converts a table [[direct]] or [[rig.direct]] of study.toml to a direct measurement. Value and
+/// standard error are in the SI unit of the parameter.
 /// @param catalogue all effects available to the study
-/// @throws InputError if the effect is unknown, can only be switched on or off, or does not apply
-///         to the study, if a unit does not fit the parameter, or if the standard error is not
-///         positive
+/// @throws InputError if the effect is unknown, is only a switch, or does not apply to the study,
+///         if a unit does not fit the parameter, or if the standard error is not positive
 DirectMeasurement direct_measurement(const StatedDirect& stated, const Study& study,
                                      const EffectCatalogue& catalogue);
 
-/// Returns the direct measurements of effects' parameters (made without shearing grains) that the
-/// tables [[direct]] of study.toml state, in the order of the tables. Each measurement is in the SI
-/// unit of its parameter.
+/// Returns the direct measurements that the tables [[direct]] of study.toml state, in the order of
+/// the tables. Each measurement is in the SI unit of its parameter.
 /// @param catalogue all effects available to the study
 /// @throws InputError for a table that `direct_measurement` does not accept
 std::vector<DirectMeasurement> direct_measurements(const Study& study,

@@ -156,10 +156,9 @@ std::vector<ActiveEffect> touching(const std::vector<ActiveEffect>& effects,
                                    const Condition& condition);
 
 /// Applies effects to a condition and returns the changed condition. Effects of type
-/// `ChangeCondition` change the condition itself. Effects on grains are added to the list
-/// `grain_effects` of the condition, in SI units and sorted by name. Effects on the instrument, on
-/// closures (formulas for the strength of wet grains) and on the flow are ignored. Effects that do
-/// not act at the condition, such as effects on wet grains at a dry condition, are also ignored.
+/// `ChangeCondition` change the properties of grains and liquid. Effects on grains are added to the
+/// list `grain_effects` of the condition, in SI units. The list is sorted by name. The function
+/// ignores all other effects, and effects that cannot act at the condition (`touches`).
 /// @param liquid liquid of a wet condition that has no liquid of its own
 EffectiveCondition changed_condition(EffectiveCondition condition,
                                      const std::vector<ActiveEffect>& effects,

@@ -16,13 +16,12 @@ struct FormulaUnits {
     std::vector<std::string> variables;
 };
 
-/// Checks whether the unit of a formula's last variable makes the formula dimensionally
-/// homogeneous, so that the formula holds in every system of units of mass, length and time. Angles
-/// count as dimensionless. If the unit is wrong, the function returns the SI unit that the variable
-/// should have, or an empty text if no unit makes the formula homogeneous. The function returns an
-/// empty optional if the unit is right or nothing could be checked.
-/// @param text text of the formula; nothing is checked if it contains numbers that may have a
-///         dimension (limits in comparisons, and all numbers except 0, 1 and powers)
+/// Checks whether a formula is dimensionally homogeneous if its last variable has the stated unit.
+/// Angles count as dimensionless. Returns an empty optional if the unit is right or cannot be
+/// checked. Otherwise returns the SI unit that makes the formula homogeneous, or an empty text if
+/// no unit does.
+/// @param text text of the formula; a formula with comparisons, or with numbers other than 0, 1 and
+///         exponents, cannot be checked, since such numbers may have a dimension
 /// @param values values of the variables in SI units, one list for each of several typical states
 std::optional<std::string> better_unit(const CompiledFormula& formula, const std::string& text,
                                        const FormulaUnits& units,

@@ -30,23 +30,21 @@ class InstrumentMap {
     CellState show(CellState truth) const;
 
     /// Returns the true state of the cell if the instrument shows the state `shown`. The function
-    /// is the inverse of `show`. Newton's method solves for torque, normal force, height, angular
-    /// velocity, liquid content and volume of grains, until `show` returns the given values to a
-    /// relative accuracy of 1e-11 or better. Radii, grain properties and time do not change. If no
-    /// effect acts on the instrument, `shown` is returned bit for bit.
-    /// @throws std::domain_error if no true state with positive normal force, height and volume of
-    ///         grains is shown as `shown`; the message names the effects
+    /// is the inverse of `show` to a relative accuracy of 1e-11. Radii, grain properties and time
+    /// do not change. If no effect acts on the instrument, the function returns `shown` bit for
+    /// bit.
+    /// @throws std::domain_error if the instrument shows `shown` for no true state with positive
+    ///         normal force, height and volume of grains; the message names the effects
     CellState truth(const CellState& shown) const;
 
   private:
     std::vector<ActiveEffect> effects_;
 };
 
-/// Returns the state of the cell that the instrument showed for a reading (measured state). Shear
-/// stress and solid fraction are converted to torque and gap by the inverse of the conversion that
-/// the import of recordings applies. If the condition has no volume of grains, the volume that
-/// `cell` states is used. If the condition has no height, the height follows from the solid
-/// fraction. At inertial number 0 the lid is at rest.
+/// Returns the state of the cell that the instrument showed for a reading. The torque follows from
+/// the shear stress. The angular velocity of the lid follows from the inertial number. If the
+/// condition has no height, the height follows from the solid fraction. If the condition has no
+/// volume of grains, the function uses the volume that `cell` states.
 /// @param shown recorded condition
 /// @param shear_stress shear stress of the reading [Pa]
 /// @param solid_fraction solid fraction of the reading [1]
@@ -54,29 +52,29 @@ CellState shown_state(const Condition& shown, double shear_stress, double solid_
                       AnnularCell cell, const GrainProperties& grains);
 
 /// Returns the true condition of the grains for a recorded condition: normal stress, inertial
-/// number, liquid content, height and volume of grains. The inertial number I follows from the true
+/// number, liquid content, height and volume of grains. The inertial number I follows from the
 /// angular velocity omega of the lid, the sample height H and the normal stress s22:
 ///     I/I_shown = (omega/omega_shown) (H_shown/H) sqrt(s22_shown/s22)
-/// An inertial number of 0 stays 0. Quantities that no effect changes stay equal bit for bit.
+/// Symbols without an index are true values. An inertial number of 0 stays 0. Quantities that no
+/// effect changes stay equal bit for bit.
 /// @param shown recorded condition
 /// @param truth true state of the cell
 Condition true_condition(const Condition& shown, const CellState& truth, const InstrumentMap& map);
 
 /// Returns the reading that the instrument shows if `predicted` is the true reading. A reading is a
-/// vector of shear stress [Pa] and solid fraction [1]. The true height follows from the predicted
-/// solid fraction and the true volume of grains. The torque and the gap that the instrument shows
-/// are converted to a reading like recorded values, with the volume of grains that the instrument
-/// shows. If no effect acts, the predicted reading is returned bit for bit.
-/// @param predicted true reading: shear stress [Pa] and solid fraction [1]
-/// @param truth true state of the cell; its torque and height are replaced by the values that
+/// vector of shear stress [Pa] and solid fraction [1]. The shown solid fraction follows from the
+/// height and the volume of grains that the instrument shows. If no effect acts on the instrument,
+/// the function returns `predicted` bit for bit.
+/// @param predicted true reading
+/// @param truth true state of the cell; the function replaces torque and height by the values that
 ///         follow from `predicted`
 Eigen::Vector2d shown_reading(const Eigen::Vector2d& predicted, CellState truth,
                               const InstrumentMap& map, const AnnularCell& cell);
 
 /// Returns the true state of the cell at which the instrument shows the normal stress, inertial
-/// number, liquid content and time of a requested condition. The gap follows from the true solid
-/// fraction. The angular velocity of the lid gives the requested inertial number at the gap that
-/// the instrument shows.
+/// number, liquid content and time of a requested condition. The true height follows from the true
+/// solid fraction. The angular velocity of the lid gives the requested inertial number at the
+/// height that the instrument shows.
 /// @param asked requested condition
 /// @param flow true stress ratio [1] and true solid fraction [1] of the grains
 /// @throws std::domain_error if the instrument shows the requested values for no true state

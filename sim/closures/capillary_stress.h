@@ -15,12 +15,11 @@ namespace pendular::closures {
 /// At reduced pressures of 2 and above, they found mean forces of 0.48 to 0.6 pull-off forces.
 constexpr double usual_distant_force = 0.5;
 
-/// Returns the effective coordination number [1]: the number of bridges per grain that would exert
-/// the total attraction of all bridges if each of them had the pull-off force.
+/// Returns the effective coordination number Z* [1]: the number of bridges per grain that would
+/// exert the total attraction of all bridges if each bridge had the pull-off force F0.
 ///     Z* = Z_c + Z_d F_d/F0
-/// Z_c is the number of contacts per grain, Z_d the number of distant bridges per grain (bridges
-/// between grains that do not touch), F_d the mean force of distant bridges, and F0 the pull-off
-/// force.
+/// Z_c is the number of contacts per grain, Z_d the number of distant bridges per grain, and F_d
+/// the mean force of distant bridges. Distant bridges join grains that do not touch.
 /// Source: Badetti et al. (2018), Eq. (21).
 double effective_coordination(const State& state);
 
@@ -29,79 +28,68 @@ double effective_coordination(const State& state);
 /// al. (2018) use this approximation if the mean force of distant bridges is unknown.
 double approximate_coordination(const State& state);
 
-/// Returns the ratio P/s22 [1], where P is the mean of the three normal stresses and s22 the normal
-/// stress along the velocity gradient. P follows from the mean normal forces of contacts and of
-/// distant bridges (bridges between grains that do not touch):
-///     P = (Phi/(pi a^2)) [Z <F_N> - Z_d <F h>_d/a],   Z <F_N> = Z_c (F_contact - F0) - Z_d F_d
-/// Phi is the solid fraction, a the grain diameter, and F0 the pull-off force. Z_c is the number of
-/// contacts per grain, and F_contact the mean elastic force of contacts. Z_d is the number of
-/// distant bridges per grain, F_d the mean force of distant bridges, and <F h>_d the mean product
-/// of force F and gap h of distant bridges. Z is the number of contacts and distant bridges per
-/// grain, and <F_N> the mean normal force of contacts and distant bridges. F_d and F are
-/// attractions, given as positive numbers, and reduce P. Viscous stress, kinetic stress and the
-/// overlaps of contacts are neglected. Badetti et al. (2018) state no accuracy except that <F h>_d
-/// adds at most 2 %.
+/// Returns the ratio P/s22 [1]: mean P of the three normal stresses, divided by the normal stress
+/// s22 along the velocity gradient.
+///     P = (Phi/(pi a^2)) [Z_c (F_contact - F0) - Z_d F_d - Z_d <F h>_d/a]
+/// Phi is the solid fraction, a the grain diameter, F0 the pull-off force, Z_c the number of
+/// contacts per grain, and F_contact the mean elastic force of contacts. Distant bridges join
+/// grains that do not touch. Z_d is the number of distant bridges per grain, F_d the mean
+/// attraction F of distant bridges, and <F h>_d the mean product of attraction F and gap h. Viscous
+/// stress, kinetic stress and overlaps of contacts are neglected.
 /// Source: Badetti et al. (2018), Eq. (9).
 double mean_stress(const State& state);
 
 /// Returns the mean Pcap of the three normal stresses of the bridge forces, in units of F0/a^2 [1],
 /// with pull-off force F0 and grain diameter a. Pcap is negative, since bridges attract.
 ///     Pcap = -(Phi/(pi a^2)) [Z_c F0 + Z_d F_d + Z_d <F h>_d/a]
-/// Phi is the solid fraction, Z_c the number of contacts per grain, Z_d the number of distant
-/// bridges per grain (bridges between grains that do not touch), F_d the mean force of distant
-/// bridges, and <F h>_d the mean product of force F and gap h of distant bridges. The only
-/// approximation is that overlaps of grains in contact are neglected. The capillary normal stress
-/// along the velocity gradient differs from Pcap by at most 3 %, and by at most 2 % in most states
-/// of Badetti et al. (2018).
+/// Phi is the solid fraction and Z_c the number of contacts per grain. Distant bridges join grains
+/// that do not touch. Z_d is the number of distant bridges per grain, F_d the mean attraction F of
+/// distant bridges, and <F h>_d the mean product of attraction F and gap h. Overlaps of contacts
+/// are neglected. The capillary normal stress along the velocity gradient differs from Pcap by at
+/// most 3 %.
 /// Source: Badetti et al. (2018), Eq. (10).
 double capillary_pressure(const State& state);
 
-/// Returns an estimate of a^2 Pcap/F0 [1], where Pcap is the mean of the three normal stresses of
-/// the bridge forces, F0 the pull-off force and a the grain diameter. The estimate is negative,
-/// since bridges attract.
+/// Returns an estimate of the mean Pcap of the three normal stresses of the bridge forces, in units
+/// of F0/a^2 [1], with pull-off force F0 and grain diameter a. Pcap is negative, since bridges
+/// attract.
 ///     a^2 Pcap/F0 = -Z* Phi/pi      Phi: solid fraction, Z*: effective coordination number
-/// The gaps that bridges span are neglected. Badetti et al. (2018) call the contribution of the
-/// gaps negligible.
+/// The estimate neglects the gaps that bridges span.
 /// Source: Badetti et al. (2018), Eq. (20).
 double capillary_pressure(double solid_fraction, double effective_coordination);
 
-/// Returns the shear stress of the bridge forces between grains in contact, in units of F0/a^2 [1],
-/// with pull-off force F0 and grain diameter a. This shear stress is positive in steady shear.
+/// Returns the shear stress s12cap,c of the bridge forces between grains in contact, in units of
+/// F0/a^2 [1], with pull-off force F0 and grain diameter a. This shear stress is positive in steady
+/// shear.
 ///     a^2 s12cap,c/F0 = -(3/pi) Z_c Phi F12c
-/// Z_c is the number of contacts per grain, Phi the solid fraction, and F12c the mean of n1 n2 over
-/// contacts with direction n. Direction 1 is the flow, direction 2 the velocity gradient. The only
-/// approximation is that overlaps of grains in contact are neglected.
+/// Z_c is the number of contacts per grain and Phi the solid fraction. F12c is the mean of n1 n2
+/// over contacts. n1 and n2 are the components of the contact normal along the flow and along the
+/// velocity gradient. Overlaps of contacts are neglected.
 /// Source: Badetti et al. (2018), Eq. (28).
 double contact_capillary_shear_stress(const State& state);
 
-/// Returns the shear stress of distant bridges (bridges between grains that do not touch), in units
-/// of F0/a^2 [1], with pull-off force F0 and grain diameter a. This shear stress is negative in
-/// steady shear.
+/// Returns the shear stress s12cap,d of distant bridges (bridges between grains that do not touch),
+/// in units of F0/a^2 [1], with pull-off force F0 and grain diameter a. This shear stress is
+/// negative in steady shear.
 ///     a^2 s12cap,d/F0 = -(3/pi) Phi Z_d (F_d/F0) (l0/a) [F12d + A_force + A_length]
 /// Phi is the solid fraction, Z_d the number of distant bridges per grain, F_d the mean force of
 /// distant bridges, and l0 the mean distance of the centres that distant bridges join. F12d is the
-/// mean of n1 n2 over distant bridges with direction n. Direction 1 is the flow, direction 2 the
-/// velocity gradient. A_force and A_length are the anisotropies (component 12) of force and
-/// distance. The formula is of first order in the anisotropies. Badetti et al. (2018) call the
-/// formula "quite accurate". The contribution of the next order, -15 F12d^2 A_force in the bracket,
-/// is not small, since bridges are most frequent in directions in which their force is small.
-/// Simulations at a stiffness number of 1000 gave magnitudes 3 to 9 % larger than the formula. The
-/// difference was largest at a high friction coefficient.
+/// mean of n1 n2 over distant bridges. n1 and n2 are the components of the line of centres along
+/// the flow and along the velocity gradient. A_force and A_length are the anisotropies (component
+/// 12) of force and distance. The formula is of first order in the anisotropies. At a stiffness
+/// number of 1000, simulations gave magnitudes 3 to 9 % larger than the formula.
 /// Source: Badetti et al. (2018), Eq. (30).
 double distant_capillary_shear_stress(const State& state);
 
-/// Returns the shear stress of all bridge forces in units of F0/a^2 [1], with pull-off force F0 and
-/// grain diameter a. The anisotropy of the lengths of bridges is neglected.
+/// Returns the shear stress s12cap of all bridge forces in units of F0/a^2 [1], with pull-off force
+/// F0 and grain diameter a. The formula neglects the anisotropy of the lengths of bridges.
 ///     a^2 s12cap/F0 = -(3/pi) Phi [Z_c F12c + (l0/a) Z_d (F_d/F0) (F12d + A_force)]
 /// Phi is the solid fraction, Z_c the number of contacts per grain, and Z_d the number of distant
 /// bridges per grain (bridges between grains that do not touch). F12c and F12d are the means of n1
-/// n2 over the directions n of contacts and of distant bridges. Direction 1 is the flow, direction
-/// 2 the velocity gradient. For distant bridges, F_d is the mean force, l0 the mean distance of the
-/// centres, and A_force the force anisotropy (component 12). Badetti et al. (2018) call the formula
-/// a "very good estimate", judged on a scale from 0 to 0.1. At a large liquid content, the
-/// contributions of contacts and of distant bridges nearly cancel. Relative errors are then large,
-/// and absolute errors are more meaningful. Simulations at a stiffness number of 1000 gave values
-/// smaller than the formula by 0.001 to 0.011.
+/// n2 over contacts and over distant bridges. n1 and n2 are the components of the line of centres
+/// along the flow and along the velocity gradient. For distant bridges, F_d is the mean force, l0
+/// the mean distance of the centres, and A_force the anisotropy (component 12) of the force. At a
+/// stiffness number of 1000, simulations gave values 0.001 to 0.011 smaller than the formula.
 /// Source: Badetti et al. (2018), Eq. (31).
 double capillary_shear_stress(const State& state);
 

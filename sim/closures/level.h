@@ -4,12 +4,12 @@
 
 namespace pendular::closures {
 
-/// Levels of accuracy at which the stress ratio of wet grains is computed, from the simplest
+/// Levels of accuracy at which a model computes the stress ratio of wet grains, from the simplest
 /// formula to the simulation. Each level replaces one approximation of the level below. In the
-/// formulas of the levels, P* is the reduced pressure, mu*_0 the stress ratio of dry grains, Phi
-/// the solid fraction, Z_c the number of contacts per grain, Z_d the number of distant bridges per
-/// grain (bridges between grains that do not touch), F_d the mean force of distant bridges, and F0
-/// the pull-off force.
+/// formulas, P* is the reduced pressure, mu*_0 the stress ratio of dry grains, Phi the solid
+/// fraction, and F0 the pull-off force. Z_c is the number of contacts per grain. Distant bridges
+/// join grains that do not touch. Z_d is the number of distant bridges per grain, and F_d the mean
+/// force of distant bridges.
 /// Source: Badetti et al. (2018).
 enum class Level {
     /// Stress ratio of dry grains plus c*/P*. P* is the reduced pressure. The constant reduced

@@ -7,9 +7,8 @@
 namespace pendular::closures {
 
 /// Averages of a state of steady shear, from which the closures (analytical formulas) compute
-/// stresses. The averages are the solid fraction and properties of contacts and of distant pairs. A
-/// distant pair consists of two grains that a bridge joins but that do not touch. All averages are
-/// dimensionless. A dry state has an infinite reduced pressure and no distant pairs.
+/// stresses. All averages are dimensionless. A distant pair consists of two grains that a bridge
+/// joins without contact. A dry state has an infinite reduced pressure and no distant pairs.
 struct State {
     /// Reduced pressure a^2 s22/F0 [1], with grain diameter a, imposed normal stress s22 and
     /// pull-off force F0. For dry grains, the reduced pressure is infinite.
@@ -28,8 +27,8 @@ struct State {
     /// Mean product of force and gap of distant pairs (joined by a bridge but not touching),
     /// divided by pull-off force times grain diameter [1].
     double distant_force_gap = 0;
-    /// Mean distance between the centres of the two grains of a distant pair (joined by a bridge but
-    /// not touching), divided by the grain diameter [1].
+    /// Mean distance between the centres of the two grains of a distant pair (joined by a bridge
+    /// but not touching), divided by the grain diameter [1].
     double distant_length = 1;
     /// Mean of n1 n2 over contacts [1], where n1 and n2 are the components of the contact direction
     /// along the flow and along the velocity gradient.
@@ -38,14 +37,15 @@ struct State {
     /// are the components of the line of centres along the flow and along the velocity gradient.
     double fabric_12_distant = 0;
     /// Component 12 of the anisotropy of the force of distant pairs (joined by a bridge but not
-    /// touching) [1]. The component is negative in steady shear. For the mean force q(n) of distant
-    /// pairs with direction n, the component is the integral of q n1 n2 over the sphere, divided by
-    /// 4 pi and the mean of q. Direction 1 is the flow, direction 2 the velocity gradient.
+    /// touching) [1]: the integral of q n1 n2 over all directions n, divided by 4 pi and the mean
+    /// of q. q(n) is the mean force of distant pairs whose line of centres is n. n1 and n2 are the
+    /// components of n along the flow and along the velocity gradient. The anisotropy is negative
+    /// in steady shear.
     double force_anisotropy_12_distant = 0;
     /// Component 12 of the anisotropy of the distance between the centres of distant pairs (joined
-    /// by a bridge but not touching) [1]. For the mean distance q(n) of distant pairs with
-    /// direction n, the component is the integral of q n1 n2 over the sphere, divided by 4 pi and
-    /// the mean of q. Direction 1 is the flow, direction 2 the velocity gradient.
+    /// by a bridge but not touching) [1]: the integral of q n1 n2 over all directions n, divided by
+    /// 4 pi and the mean of q. q(n) is the mean distance of distant pairs whose line of centres is
+    /// n. n1 and n2 are the components of n along the flow and along the velocity gradient.
     double length_anisotropy_12_distant = 0;
 };
 

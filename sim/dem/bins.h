@@ -9,10 +9,10 @@
 
 namespace pendular::dem {
 
-/// Division of a periodic cell into bins, with a list of the grains in each bin, for the search of
-/// neighbours. The bins are sheared with the lattice of the cell. The thickness of a bin in every
-/// direction is at least `range` [grain diameters]. Two grains whose centres are closer than
-/// `range` are therefore in one bin or in adjacent bins.
+/// Division of a periodic cell into bins for the search of neighbours, with a list of the grains in
+/// each bin. The bins are sheared with the lattice of the cell. Each bin is at least `range` [grain
+/// diameters] thick in every direction. Two grains whose centres are closer than `range` are
+/// therefore in one bin or in adjacent bins.
 class Bins {
   public:
     Bins(const Grains& grains, const Cell& cell, double range);
@@ -48,9 +48,7 @@ class Bins {
 
 /// Returns the indices of all grains, sorted into rows along the flow. A row is one mean grain
 /// diameter wide and high. Rows are ordered along the velocity gradient, and planes of rows along
-/// the vorticity. A loop over grains in this order reads memory at a few addresses that advance
-/// together, so that the processor can prefetch the data. Simulations of samples larger than the
-/// cache are a third faster than with grains in the order of a Morton curve.
+/// the vorticity. A force loop over grains in this order reads memory nearly in sequence.
 std::vector<std::int32_t> order_in_rows(const Grains& grains, const Cell& cell);
 
 }  // namespace pendular::dem

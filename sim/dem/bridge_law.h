@@ -25,12 +25,10 @@ struct Wetting {
 /// Source: Badetti et al. (2018), section 3.1.
 constexpr double largest_pendular_volume = 8e-3;
 
-/// Typical number of liquid bridges per grain [1]. The number serves to estimate a bridge volume
-/// from a liquid content, or a liquid content from a bridge volume, before a simulation gives the
-/// true number. The number includes bridges between grains that touch and bridges between grains
-/// that do not touch. At a friction coefficient of 0.09, the number is 7 to 8 in the pendular range
-/// (separate bridges), computed from the liquid contents and bridge volumes in Badetti et al.
-/// (2018).
+/// Typical number of liquid bridges per grain [1], between touching grains and between grains that
+/// do not touch. The number serves to convert between bridge volume and liquid content before a
+/// simulation gives the true number. At a friction coefficient of 0.09, the liquid contents and
+/// bridge volumes of Badetti et al. (2018) give 7 to 8 bridges per grain.
 constexpr double typical_coordination = 7.5;
 
 /// Returns the liquid content of a sample [1]: volume of liquid divided by volume of grains.
@@ -49,11 +47,11 @@ inline double bridge_volume(double liquid_content, double coordination) {
     return std::numbers::pi * liquid_content / (3 * coordination);
 }
 
-/// Law of the attraction of two equal grains by a liquid bridge, in reduced units. Lengths are in
-/// grain diameters a, forces in a^2 s22 with the imposed normal stress s22.
+/// Law of the attraction F of two equal grains by a liquid bridge. Lengths are in grain diameters
+/// a, forces in units of a^2 s22 with the imposed normal stress s22.
 ///     F = F0 [1 - 1/sqrt(1 + c/h^2)] = F0 [1 - h/sqrt(h^2 + c)],  c = 4 V0/(pi a)
-/// The length h >= 0 is the gap between the grains, and V0 the volume of the bridge. F0 = pi a
-/// Gamma cos(theta) is the force in contact, with surface tension Gamma and contact angle theta. A
+/// The length h >= 0 is the gap between the grains, and V0 the volume of the bridge. The pull-off
+/// force F0 = pi a Gamma cos(theta) follows from surface tension Gamma and contact angle theta. A
 /// bridge forms on contact and breaks if the gap exceeds V0^(1/3).
 /// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105, with the grain radius in c; Badetti et
 /// al. (2018), Eq. (5), print half of this c (FormulaVariant::as_printed).
@@ -104,9 +102,8 @@ struct BridgeLaw {
         const double root_at_rupture = std::sqrt(rupture_distance * rupture_distance + curvature);
         return -pull_off_force * (rupture_distance - gap - (root_at_rupture - root));
     }
-    /// Returns 1 if a bridge joins two grains after a time step, else 0. A bridge exists if the
-    /// grains overlap. A bridge that existed before the step also exists if the gap does not exceed
-    /// the rupture distance.
+    /// Returns 1 if a bridge joins two grains after a time step, else 0. A bridge always joins
+    /// grains that overlap. Without overlap, a bridge persists up to the rupture distance.
     /// @param overlap overlap of the grains [grain diameters], 0 without contact
     /// @param gap gap between the grains [grain diameters], 0 in contact
     /// @param before 1 if a bridge joined the grains before the step, else 0

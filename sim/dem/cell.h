@@ -9,8 +9,7 @@ namespace pendular::dem {
 /// Periodic cell of a sheared sample (Lees-Edwards boundary conditions). Lengths are in grain
 /// diameters. The lattice vectors of the cell are (length, 0, 0), (offset, height, 0) and (0, 0,
 /// width). Direction 1 is the flow, 2 the velocity gradient, 3 the vorticity. The offset grows with
-/// the shear. The offset is reduced by whole lengths only when the neighbour list is rebuilt, so
-/// that the periodic images in the list stay valid.
+/// the shear until a rebuild of the neighbour list reduces the offset by whole lengths.
 struct Cell {
     double length = 0;
     double height = 0;

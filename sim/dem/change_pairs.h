@@ -72,11 +72,10 @@ struct ChangePairs {
     /// their places (first and second), the values change sign, like the components of the force on
     /// the second grain.
     std::size_t contact_history = 0;
-    /// Whether the first value of the contact history (values that the effect keeps per pair) is
-    /// the volume of the pair's bridge divided by V0. V0 is the mean volume of newly formed
-    /// bridges. The sign of the value is ignored. If one of the effects in a sample has such a
-    /// history, the liquid content of the sample is computed from the sum of the bridge volumes.
-    /// Otherwise each bridge has the volume V0.
+    /// Whether the first value of the effect's contact history is the volume of the pair's bridge,
+    /// divided by the mean volume V0 of newly formed bridges. The sign of the value is ignored. If
+    /// an effect in a sample sets this member, the liquid content of the sample follows from the
+    /// sum of the bridge volumes. Otherwise each bridge has the volume V0.
     bool volume_in_history = false;
     /// Function that returns the rate [1 per unit of shear strain] at which the volumes of the
     /// bridges on a grain become equal by flow of liquid (`LiquidExchange`). If the function is

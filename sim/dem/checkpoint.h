@@ -9,17 +9,16 @@
 
 namespace pendular::dem {
 
-/// Checkpoint file of a simulation run, from which a later process can resume the run. The function
-/// `write` replaces the file as a whole and returns once the new file is on the disk, so that
-/// neither a crash nor a full disk destroys the previous checkpoint. While the object exists, no
-/// other process can use the file.
+/// Checkpoint file of a simulation run, from which a later process can resume the run. Neither a
+/// crash nor a full disk destroys the previous checkpoint. While the object exists, no other
+/// process can use the file.
 ///
-/// The file begins with lines of text: format, checksum, length, the parameters of the run (one per
-/// line) and an empty line. The state of the run follows in binary.
+/// The file begins with lines of text: format, checksum and length, the parameters of the run (one
+/// per line) and an empty line. The state of the run follows in binary.
 class Checkpoint {
   public:
-    /// Locks the checkpoint file `file`, which need not exist yet. The lock is a file in the folder
-    /// of `file` whose name has the additional extension .lock.
+    /// Locks the checkpoint file `file`, which need not exist yet. The lock is a second file with
+    /// the additional extension .lock.
     /// @param every time from one checkpoint until the next checkpoint is due (`due`)
     /// @throws InputError if another process uses the file, if the path exists but is not a regular
     ///         file, or if the folder of the file cannot be written

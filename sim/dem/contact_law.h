@@ -24,16 +24,15 @@ inline double tangential_ratio(double poisson_ratio) {
     return (2 - 2 * poisson_ratio) / (2 - poisson_ratio);
 }
 
-/// Normal force and normal stiffness of a contact of two equal grains, by the laws of Hertz and
-/// Mindlin, in reduced units (grain diameter, grain mass and imposed normal stress are 1). Without
-/// contact, the overlap h and every force are zero.
+/// Normal force and normal stiffness of a contact of two equal grains, in reduced units (grain
+/// diameter, grain mass and imposed normal stress are 1).
 ///     F_N = (E~/3) h^(3/2),  K_N = dF_N/dh = (E~/2) h^(1/2),  K_T = K_N (2 - 2 nu)/(2 - nu)
 ///     F_viscous = zeta sqrt(2 m K_N) dh/dt                    (may be an attraction)
-/// F_N is the elastic normal force, K_N the normal stiffness, and K_T the tangential stiffness. E~
-/// = E/(1 - nu^2) follows from Young's modulus E and Poisson ratio nu. The symbol zeta is the
-/// fraction of critical damping, and m the mass of a grain.
-/// Source: Badetti et al. (2018), section 2.2, and the works that the section cites for the
-/// simplified Hertz-Mindlin law.
+/// F_N is the elastic normal force, h the overlap, K_N the normal stiffness, and K_T the tangential
+/// stiffness. E~ = E/(1 - nu^2) follows from Young's modulus E and Poisson ratio nu. F_viscous is
+/// the viscous normal force, with the fraction zeta of critical damping and the grain mass m.
+/// Without contact, h and all forces are zero.
+/// Source: Badetti et al. (2018), section 2.2 (simplified Hertz-Mindlin law).
 struct Hertz {
     double root;              ///< square root of (overlap divided by grain diameter) [1]
     double elastic;           ///< elastic normal force of the contact, in reduced units
@@ -84,14 +83,15 @@ inline double tangential_energy(double squared, double stiffness) {
 }
 
 /// Returns the energy that a contact loses by sliding in a time step, in units of a^3 s22, with
-/// grain diameter a and imposed normal stress s22. A tangential force p that would exceed Coulomb's
-/// limit is reduced to `allowed` times p. The energy loss is the product of a displacement and a
-/// force. The sliding displacement is (1 - allowed) p divided by the stiffness. The force is the
-/// mean of the force q before the step and the force allowed p after the step.
+/// grain diameter a and imposed normal stress s22.
+///     energy = [(1 - allowed) p/stiffness] . [(q + allowed p)/2]
+/// The first factor is the sliding displacement, the second factor the mean tangential force. q is
+/// the tangential force before the step. p is the tangential force after the step if the contact
+/// did not slide. Coulomb's limit reduces p to `allowed` times p.
 /// @param squared squared magnitude of p
 /// @param along scalar product of p and q
 /// @param allowed factor by which p is reduced [1]
-/// @param stiffness tangential stiffness of the contact
+/// @param stiffness tangential stiffness of the contact; if it is 0 (no contact), the energy is 0
 inline double sliding_loss(double squared, double along, double allowed, double stiffness) {
     return stiffness > 0 ? 0.5 * (1 - allowed) * (allowed * squared + along) / stiffness : 0.0;
 }

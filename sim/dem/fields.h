@@ -103,10 +103,11 @@ struct Bins1d {
     }
 };
 
-/// Returns the bins for a coordinate of a field, in the unit of the coordinate. The height has
-/// about one bin per grain diameter, from 0 to 1. The angle has bins of 5 degrees from 0 to 180
-/// degrees. The relative force has bins of 0.2 from 0 to 8. The gap has 30 bins from 0 to the
-/// rupture distance of bridges or, if the rupture distance is 0, from 0 to 1.
+/// Returns the bins for a coordinate of a field, in the unit of the coordinate:
+///     height          0 to 1, about one bin per grain diameter
+///     angle           0 to 180 degrees, 36 bins
+///     relative force  0 to 8, 40 bins
+///     gap             0 to `rupture_distance`, or 0 to 1 if `rupture_distance` is 0, 30 bins
 /// @param grains number of grains in the sample
 /// @param rupture_distance gap at which bridges break [grain diameters]
 Bins1d bins_of(Coordinate coordinate, int grains, double rupture_distance);

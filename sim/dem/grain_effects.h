@@ -64,9 +64,8 @@ class GrainEffects {
     /// each pair). The bridge volume is divided by the mean volume V0 of newly formed bridges. The
     /// result is empty if each bridge has the volume V0.
     std::optional<std::size_t> volume_in_history() const { return volume_in_history_; }
-    /// Returns the attraction of two grains at rest by a liquid bridge, including the changes by
-    /// all effects of the run, in units of a^2 s22, with grain diameter a and imposed normal stress
-    /// s22.
+    /// Returns the attraction of two grains at rest by a liquid bridge, with all effects of the
+    /// run, in units of a^2 s22, with grain diameter a and imposed normal stress s22.
     /// @param gap gap between the surfaces [grain diameters]; negative for an overlap
     /// @param diameter 2 d1 d2/(d1 + d2), with the grain diameters d1 and d2 divided by the mean
     ///         grain diameter [1]

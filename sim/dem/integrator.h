@@ -37,8 +37,8 @@ struct MotionSums {
     }
 };
 
-/// Advances velocities and positions of a range of grains by one leapfrog step, sets the net forces
-/// and torques on these grains to zero, and returns sums over these grains.
+/// Advances velocities, angular velocities and positions of a range of grains by one leapfrog step.
+/// Sets the net forces and torques on these grains to zero. Returns sums over these grains.
 ///     dv/dt = f/m - L v,   dx/dt = v + L x
 /// The vector x is the position of a grain, v the velocity without the imposed flow, f the net
 /// force on the grain, m the mass of the grain, t the time, and L the imposed velocity gradient.

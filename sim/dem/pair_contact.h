@@ -81,9 +81,9 @@ struct ContactKinematics {
 };
 
 /// Returns the elastic normal force and the normal stiffness of a Hertz contact between two grains
-/// of any sizes, in reduced units (grain diameter, grain mass and imposed normal stress are 1). A
-/// contact of grains of the diameters d1 and d2 has the stiffness of a contact of two equal grains
-/// of the diameter 2 d1 d2/(d1 + d2).
+/// of any sizes, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
+/// Grains of the diameters d1 and d2 have the stiffness of two equal grains of the diameter 2 d1
+/// d2/(d1 + d2).
 /// @param overlap overlap of the grains [grain diameters]
 /// @param modulus E/(1 - nu^2) divided by the imposed normal stress [1], with Young's modulus E and
 ///         Poisson ratio nu
@@ -152,10 +152,9 @@ struct NormalForces {
             .coulomb_limit = material.friction * hertz.elastic};
 }
 
-/// Adds the liquid bridge between two grains to the forces of the pair. The function sets
-/// `forces.joined` to 1 if a bridge joins the grains, else to 0. The function sets
-/// `forces.capillary` to the attraction by the bridge in units of a^2 s22, with grain diameter a
-/// and imposed normal stress s22.
+/// Adds the liquid bridge between two grains to the forces of the pair. Sets `forces.joined` to 1
+/// if a bridge joins the grains, else to 0. Sets `forces.capillary` to the attraction by the bridge
+/// in units of a^2 s22, with grain diameter a and imposed normal stress s22.
 /// @param before 1 if a bridge joined the grains before the time step, else 0
 [[gnu::always_inline]] inline void add_bridge(NormalForces& forces, double before,
                                               const PairSizes& sizes, const BridgeLaw& bridges) {
@@ -189,11 +188,10 @@ struct TangentialStep {
     double unloading;
 
     /// Returns the tangential force of a contact after one time step, with the energies of the
-    /// contact. The force rotates with the pair of grains and about the normal of the contact. The
-    /// component of the force along the new normal is removed. If the contact unloads, the force is
-    /// scaled down (`unloading_factor`). The product of tangential stiffness and sliding
-    /// displacement is then subtracted from the force. Finally, the force is limited by Coulomb's
-    /// law.
+    /// contact. The function rotates the force with the pair of grains, projects the force onto the
+    /// plane of contact, and multiplies the force by `unloading_factor`. The function then
+    /// subtracts the tangential stiffness times the sliding displacement. Finally, Coulomb's law
+    /// limits the force.
     /// @param force tangential force on the second grain before the time step
     /// @param old_root square root of the overlap before the time step
     /// @param old_stiffness tangential stiffness before the time step

@@ -17,17 +17,16 @@ struct PairNeeds {
     static PairNeeds of(const Grains& grains, const PairLaws& laws);
 };
 
-/// Adds the forces and torques of a range of pairs to the net force and torque on each grain, and
-/// advances the tangential forces of the pairs by one time step. In wet samples, contacts form
-/// bridges, and grains that a bridge joins attract each other. Returns the sums of virials and
-/// energies, and the largest overlap, of the pairs in the range.
+/// Adds the forces and torques of a range of pairs to the net force and torque on each grain.
+/// Advances the tangential forces and the bridges of the pairs by one time step. Returns the sums
+/// of virials and energies, and the largest overlap, of the pairs in the range.
 ///
-/// Pairs are processed in batches by vector instructions. The instruction set is chosen when the
-/// program runs. The result does not depend on the instruction set. The forces do not change if
-/// `needs` requests a part of the loop that the sample does not need. The energies include neither
+/// The result does not depend on the instruction set of the processor. The energies include neither
 /// the work of forces and torques that an effect adds nor the energy of bridges whose force an
 /// effect changes.
 /// @param stretch range of `pairs`, in whole batches
+/// @param needs parts of the force loop; a part that the sample does not need leaves the forces
+///         unchanged
 PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,
                      const PairNeeds& needs, std::vector<Grains::ForceAndTorque>& net_force);
 

@@ -44,17 +44,13 @@ struct PairEnergy {
 /// a pair, and r the vector from the first to the second centre. Direction 1 is the flow, 2 the
 /// velocity gradient, 3 the vorticity.
 struct PairSums {
-    /// Sum of F1 r1 over the pairs of grains, in reduced units, positive in compression. The normal
-    /// stress s11 of the forces is this sum divided by the volume. F1 is the component along the
-    /// flow of the force on the second grain. r1 is the component along the flow of the vector from
-    /// the first to the second grain.
+    /// Sum of F1 r1 over the pairs of grains, in reduced units, positive in compression. The sum
+    /// divided by the volume is the contribution of the forces to the normal stress s11.
     double virial_11 = 0;
     double virial_22 = 0;
     double virial_33 = 0;
-    /// Sum of F1 r2 over the pairs of grains, in reduced units, negative in simple shear. The shear
-    /// stress s12 of the forces is this sum divided by the volume. F1 is the component along the
-    /// flow of the force on the second grain. r2 is the component along the velocity gradient of
-    /// the vector from the first to the second grain.
+    /// Sum of F1 r2 over the pairs of grains, in reduced units, negative in simple shear. The sum
+    /// divided by the volume is the contribution of the forces to the shear stress s12.
     double virial_12 = 0;
     double largest_overlap = 0;
     PairEnergy energy;  ///< stored and lost energies of the pairs, zero without energy accounting

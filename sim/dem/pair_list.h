@@ -12,8 +12,8 @@ namespace pendular::dem {
 
 /// List of pairs of neighbouring grains. The array `first` contains the smaller of the two grain
 /// indices of each pair. Pairs are sorted by the first and then by the second index. The separation
-/// of a pair is the vector from the centre of the first grain to the centre of that periodic image
-/// of the second grain which `image` states.
+/// of a pair points from the centre of the first grain to the centre of a periodic image (`image`)
+/// of the second grain.
 struct Neighbours {
     std::vector<std::int32_t> first, second;
     /// Code of the periodic image (`image_code`) of the second grain of each pair.
@@ -84,21 +84,16 @@ struct ListWants {
 
 /// Neighbour lists of a sample. The wide list contains all pairs whose grains may come close or be
 /// joined by a bridge. The narrow list contains the pairs of the wide list whose grains touch or
-/// may touch soon, so that the force loop examines few pairs that do not touch. The distant list
-/// contains the remaining pairs of the wide list that a bridge joins.
+/// may touch soon. The distant list contains the remaining pairs of the wide list that a bridge
+/// joins. If `ListWants::all_in_reach` is true, the distant list contains all remaining pairs.
 ///
-/// A list stays valid while no pair outside the list can have come too close. When the wide or the
-/// narrow list is made, the list contains all pairs whose gap is smaller than a length, the skin of
-/// the list. Two grains whose centres were further apart than D + skin at that time stay further
-/// apart than a distance d while
+/// When the wide or the narrow list is made, the list contains all pairs whose gap is smaller than
+/// a length, the skin of the list. Two grains whose centres were further apart than D + skin at
+/// that time stay further apart than a distance d while
 ///     (D + skin - 2 u (1 + g)) (1 - g) > d,   g = e + e^2
 /// D is the largest grain diameter, and u the largest displacement of a grain without the imposed
 /// flow since the list was made. The strain e is the affine strain (shear plus changes of the
-/// cell's edges) since the list was made. The criterion also holds for periodic images, which move
-/// relative to each other during shear.
-///
-/// Whenever shear has mixed the grains, the grains are renumbered in rows along the flow
-/// (`order_in_rows`), so that the force loop reads memory in order.
+/// cell's edges) since the list was made.
 class PairList {
   public:
     /// Number of pairs that the force loop processes at once. Placeholder pairs fill the narrow and
@@ -119,8 +114,8 @@ class PairList {
     /// @param affine_strain strain of the cell in the step [1]: shear plus changes of the cell's
     ///         edges
     void update(Grains& grains, Cell& cell, double affine_strain);
-    /// Renews the neighbour lists that are no longer valid after a time step, if the largest
-    /// displacement of a grain is already known.
+    /// Renews the neighbour lists that are no longer valid after a time step. This overload takes
+    /// the largest displacement of a grain from the caller.
     /// @param affine_strain strain of the cell in the step [1]: shear plus changes of the cell's
     ///         edges
     /// @param largest_squared largest squared displacement of a grain, without the imposed flow,

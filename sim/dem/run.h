@@ -110,12 +110,12 @@ constexpr double crystal_solid_fraction = 0.645;
 constexpr double localised_above = 0.05;
 
 /// Simulates a sample in steady shear and returns the averages of the observables over the strain
-/// `parameters.strain`. The strain may be shorter if the standard errors `parameters.precision` are
-/// reached earlier. The end of the preceding transient is determined from the simulation.
+/// `parameters.strain`. The averages exclude the transient, whose end the function determines. The
+/// run ends earlier if it reaches the standard errors `parameters.precision`.
 /// @param effects the effects on grains that `parameters.effects` names
-/// @throws std::invalid_argument for parameters that `check_run_parameters` does not accept, an
-///         impossible number of threads, and an initial state that is missing or whose number of
-///         grains differs from `parameters.grains`
+/// @throws std::invalid_argument if `check_run_parameters` does not accept the parameters, if the
+///         number of threads is impossible, if the initial state is missing, or if the number of
+///         grains in the initial state differs from `parameters.grains`
 /// @throws SimulationError if the stress is not finite, an overlap exceeds half a grain diameter,
 ///         or the sample does not reach or keep its normal stress
 /// @throws Interrupted if a stop is requested
@@ -124,8 +124,8 @@ constexpr double localised_above = 0.05;
 RunResult run(const RunParameters& parameters, const GrainEffects& effects,
               const RunOptions& options = {});
 
-/// Returns the amount by which the solid fraction of a run exceeds the solid fraction of rigid
-/// grains, because grains in contact overlap [1]:
+/// Returns the amount by which the overlap of grains in contact increases the solid fraction of a
+/// run, compared with rigid grains [1]:
 ///     1.23 x 3 solid_fraction mean_overlap
 /// The factor 1.23 +- 0.15 was measured in dry samples with a friction coefficient of 0.12 at
 /// stiffness numbers between 300 and 4000.

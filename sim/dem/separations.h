@@ -26,9 +26,9 @@ void for_each_pair(const Grains& grains, const Cell& cell, const Pairs& pairs, c
     }
 }
 
-/// Returns the elastic normal force and the normal stiffness of the contact of pair k, from the
-/// overlap of the pair in the last time step, in reduced units (grain diameter, grain mass and
-/// imposed normal stress are 1). Force and stiffness are zero without contact.
+/// Returns the elastic normal force and the normal stiffness of the contact of pair k, in reduced
+/// units (grain diameter, grain mass and imposed normal stress are 1). Force and stiffness follow
+/// from the overlap in the last time step. Without contact, both are zero.
 /// @param modulus E/(1 - nu^2) divided by the imposed normal stress [1], with Young's modulus E and
 ///         Poisson ratio nu
 inline Hertz contact_of(const Grains& grains, const Pairs& pairs, std::size_t k, double modulus) {

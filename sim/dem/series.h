@@ -57,10 +57,9 @@ class OpenBlock {
     /// Whether a run should check now for stop requests and due checkpoints: every 16 steps, right
     /// after the step in which the velocities of all grains were added to the sums of the block.
     static bool pauses(const ShearCell& sample);
-    /// Ends the block and returns its averages. Stresses and solid fraction are averaged over all
-    /// steps of the block, other quantities over some steps. Profiles of solid fraction and
-    /// distributions over pairs of grains come from the last state only, since the evaluation of
-    /// more states would slow down a fast run by several per cent.
+    /// Ends the block and returns its averages. Stresses and solid fraction are averages over all
+    /// steps of the block. Profiles of solid fraction and distributions over pairs of grains come
+    /// from the last state only. All other quantities are averages over some steps of the block.
     /// @param sample state at the end of the block
     Block close(const ShearCell& sample);
 
@@ -134,16 +133,15 @@ class Series {
     std::vector<double> structure(std::size_t from, double Structure::*which) const {
         return values(from, [&](const Block& b) { return b.structure.*which; });
     }
-    /// Returns the average of the field `which` in each bin, with its standard error. A field is a
-    /// quantity as a function of one coordinate. The average is taken over the blocks from number
-    /// `from` on, counted from 0. The average is the mean of the blocks' sums divided by the mean
-    /// of the blocks' weights, or NaN if the bin has no data.
+    /// Returns the average of the field `which` (quantity as a function of one coordinate) in each
+    /// bin, with its standard error. The average is over the blocks from number `from` on, counted
+    /// from 0. The average is the mean of the blocks' sums divided by the mean of the blocks'
+    /// weights. If a bin has no data, the average is NaN.
     BinnedMeans field(std::size_t from, Field which, const Bins1d& bins) const;
-    /// Returns the number of blocks at the start of a run in which the flow is not yet steady, so
-    /// that averages must exclude these blocks. The result is empty if the flow is not steady so
-    /// far. The function examines stress ratio, solid fraction and, if `wet` is true, the number
-    /// per grain of bridges between grains that do not touch. In wet samples, this number becomes
-    /// steady last.
+    /// Returns the number of blocks at the start of a run in which the flow is not yet steady;
+    /// empty if the flow has not become steady so far. Averages must exclude these blocks. The
+    /// function examines stress ratio, solid fraction and, if `wet` is true, the number per grain
+    /// of bridges between grains that do not touch.
     std::optional<std::size_t> transient(bool wet) const;
     Trace trace() const;
 

@@ -9,13 +9,11 @@
 
 namespace pendular::dem {
 
-/// Part of the work of one thread in a time step, as ranges of indices. The range `grains` contains
-/// grains that occur in no pair of a later section. The range `near` contains pairs of the narrow
-/// neighbour list, whose grains may touch. The range `distant` contains pairs of the distant
-/// neighbour list, whose grains a bridge may join. Both ranges of pairs consist of whole batches
-/// (`PairList::batch` pairs). Pairs are sorted by their first grain, which has the lower number.
-/// The grains of a section can therefore be moved as soon as the pairs of the section are done,
-/// while the data of the grains are still in the cache.
+/// Part of the work of one thread in a time step, as ranges of indices. The range `near` contains
+/// pairs of the narrow neighbour list, the range `distant` pairs of the distant neighbour list.
+/// Both ranges of pairs consist of whole batches (`PairList::batch` pairs). The range `grains`
+/// contains grains that occur in no pair of a later section. The thread can therefore move these
+/// grains once the forces of the section's pairs are summed.
 struct Section {
     using Range = std::pair<std::size_t, std::size_t>;
     Range grains, near, distant;

@@ -44,28 +44,23 @@ struct Sample {
 Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diameters = {});
 
 /// Simulation of grains in simple shear at a constant rate, in a periodic cell with Lees-Edwards
-/// boundary conditions. A servo changes the height of the cell so that the normal stress stays at
-/// its imposed value. In reduced units, the grain diameter, the grain mass and the imposed normal
-/// stress are 1, so that the shear rate equals the inertial number.
+/// boundary conditions. In reduced units, the grain diameter, the grain mass and the imposed normal
+/// stress are 1. The shear rate in reduced units equals the inertial number.
 ///
-/// The height servo is of first order: (dH/dt)/H = (s22 - 1)/(B t0), with cell height H and normal
-/// stress s22. The inertial time t0 = sqrt(m/(a s22)) is about the time in which the normal stress
-/// moves a grain of mass m by its diameter a. B is 0.05 times the stiffness number, well below the
-/// modulus of the packing. The servo is implicit in the viscous contribution to s22, which follows
-/// dH/dt within one time step. The normal stress returns to its imposed value within a fraction of
-/// t0 at every stiffness, without tuning. Since ln H is bounded, the time average of s22 is exactly
-/// 1.
+/// A servo changes the height H of the cell with time t and thereby keeps the normal stress s22 at
+/// its imposed value. In reduced units:
+///     (dH/dt)/H = (s22 - 1)/B      B: 0.05 times the stiffness number
+/// The time average of s22 is therefore 1.
 ///
 /// The time step is a fixed fraction of sqrt(m/K_N), with grain mass m and normal stiffness K_N of
-/// the stiffest contact. The time step is updated as this stiffness changes, and is smaller if the
-/// damping is more than critical.
+/// the stiffest contact. If the damping is more than critical, the time step is smaller.
 class ShearCell {
   public:
     /// Makes a simulation that begins with `count` grains at random positions without contact
     /// (`random_gas`). Liquid bridges form only from the end of `compress` on.
     /// @param shear_rate shear rate in reduced units, equal to the inertial number
-    /// @param parts number of threads among which each time step is divided; forces are summed part
-    ///         by part, so that runs with equal `parts` agree bit for bit
+    /// @param parts number of threads among which each time step is divided; runs with equal
+    ///         `parts` agree bit for bit
     /// @throws std::invalid_argument for fewer than 64 grains
     ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
@@ -90,9 +85,8 @@ class ShearCell {
     ///         diameter
     void step(EnergyAccounting accounting = EnergyAccounting::off);
 
-    /// Compresses the initial sample. The height of the cell is lowered at a constant rate until
-    /// the normal stress first reaches its imposed value. From then on, a servo keeps this normal
-    /// stress, and liquid bridges form.
+    /// Compresses the initial sample until the normal stress first reaches its imposed value. From
+    /// then on, a servo keeps this normal stress, and liquid bridges form.
     /// @return false if the solid fraction reaches 0.8 before the normal stress is reached
     /// @throws Interrupted if a stop is requested
     /// @throws SimulationError if the stress is not finite or an overlap exceeds half a grain

@@ -55,16 +55,15 @@ std::string dump_frame(const Snapshot& snapshot);
 std::string grains_vtp(const Snapshot& snapshot);
 /// Returns the contacts and bridges of a snapshot as the text of a ParaView PolyData file (XML).
 /// Each pair is a line between the centres of two grains, with normal_force, bridge_force and
-/// touching (1 or 0). The forces are in units of a^2 s22, with grain diameter a and imposed normal
-/// stress s22. A line that crosses a face of the cell ends at the periodic image outside the cell.
+/// touching (1 or 0). Forces are in units of a^2 s22, with grain diameter a and imposed normal
+/// stress s22. A line that crosses a face of the cell ends outside the cell.
 std::string pairs_vtp(const Snapshot& snapshot);
 
 /// Writer of snapshots of a run into a folder, at shear strains 0, `every`, 2 `every` and so on.
-/// The file `beads.dump` (LAMMPS text dump) has all frames. For ParaView, `snapshots.pvd` lists
-/// `vtk/beads_NNNNN.vtp` and `vtk/pairs_NNNNN.vtp` with the strain as time. Each file is complete
-/// or absent. The dump is written as `.beads.dump.part` and renamed when the object is destroyed,
-/// whether the run is complete or was stopped. If a checkpoint resumes the run, frames made after
-/// that checkpoint are made again.
+/// The file `beads.dump` (LAMMPS text dump) contains all snapshots. Until the object is destroyed,
+/// the name of this file is `.beads.dump.part`. For ParaView, `snapshots.pvd` lists the files
+/// `vtk/beads_NNNNN.vtp` and `vtk/pairs_NNNNN.vtp` with the strain as time. If a checkpoint resumes
+/// the run, the object writes all snapshots after the checkpoint anew.
 class Snapshots {
   public:
     Snapshots(std::filesystem::path folder, double every);

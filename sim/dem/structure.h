@@ -11,12 +11,11 @@
 
 namespace pendular::dem {
 
-/// Observables of the networks of contacts and bridges in one state, or means of the observables
-/// over several states. Each STRUCTURE_OBSERVABLE of data/quantities/observables.def is a member.
-/// In reduced units, the grain diameter and the imposed normal stress are 1. Forces of bridges are
-/// divided by the pull-off force. Capillary stresses are divided by the imposed normal stress and
-/// negative for attraction. "Distant" pairs are joined by a bridge but do not touch. In dry states,
-/// the members about bridges are zero.
+/// Observables of the networks of contacts and bridges in one state, or means over several states,
+/// in reduced units (grain diameter and imposed normal stress are 1). Each STRUCTURE_OBSERVABLE of
+/// data/quantities/observables.def is a member. Forces of bridges are divided by the pull-off
+/// force. Capillary stresses are positive in compression. "Distant" pairs are joined by a bridge
+/// but do not touch. In dry states, the members about bridges are zero.
 struct Structure {
 #define STRUCTURE_OBSERVABLE(name, ...) double name = 0;
 #include "data/quantities/observables.def"
@@ -38,21 +37,21 @@ struct Structure {
 };
 
 /// Returns the observables of the networks of contacts and bridges in one state. Pairs of `near`
-/// that overlapped in the last time step are contacts. The force of bridges includes the changes by
+/// that overlapped in the last time step are contacts. The forces of bridges include the changes by
 /// `effects`.
 ///
-/// The bond order measures how regularly the directions n of contacts are ordered:
-///     Q6 = [4 pi/13 sum_m |<Y_6m(n)>|^2]^(1/2) = [<<P6(n . n')>>]^(1/2)
-/// The bond order is 0 for random directions (up to 1/sqrt(number of contacts)), 0.575 in an fcc
-/// lattice and 0.485 in an hcp lattice.
+/// The bond order Q6 measures how regularly the directions n of contacts are ordered. Q6 is 0 for
+/// random directions (up to 1/sqrt(number of contacts)), 0.575 in an fcc lattice and 0.485 in an
+/// hcp lattice.
+///     Q6 = [4 pi/13 sum_m |<Y_6m(n)>|^2]^(1/2)      Y_6m: spherical harmonics
 ///
-/// The 12 component of the anisotropy of a quantity q(n) that depends on direction is the integral
-/// of q(n) n1 n2 over the sphere, divided by 4 pi and the mean <q> (Badetti et al. (2018),
-/// Eq. (29)). The component is computed from a least-squares fit of spherical harmonics of order
-/// 0 and 2 to the q of all pairs.
+/// The anisotropy (component 12) of a quantity q(n) is the integral of q n1 n2 over all directions
+/// n, divided by 4 pi and the mean of q. The function fits spherical harmonics of order 0 and 2 to
+/// the q of all pairs. With fewer than 12 pairs, the anisotropy is 0.
 /// @param near pairs of the narrow neighbour list, which contains all contacts
 /// @param distant other pairs that a bridge may join
-/// Source: Steinhardt, Nelson, Ronchetti, Phys. Rev. B 28 (1983) 784.
+/// Source: Steinhardt, Nelson, Ronchetti, Phys. Rev. B 28 (1983) 784 (Q6); Badetti et al. (2018),
+/// Eq. (29) (anisotropy).
 Structure structure_of(const Grains& grains, const Cell& cell, const Pairs& near,
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges,
                        const GrainEffects& effects = {});

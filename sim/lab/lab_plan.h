@@ -55,32 +55,30 @@ struct PlannedRecording {
     std::vector<Condition> conditions;
 };
 
-/// Returns all recordings of a plan in the order of measurement. The recordings of dry grains come
-/// first, followed by the recordings at each liquid content. There is no pause between recordings.
-/// The time of a step of constant set points is the mean time [s] of the part of the step after the
-/// start-up transient. If an effect on the grains depends on time, its strength at this mean time
-/// is used for the whole step.
+/// Returns all recordings of a plan in the order of measurement, without pauses between recordings.
+/// The recordings of dry grains come first, followed by the recordings at each liquid content. The
+/// time of a step of constant set points is the mean time [s] of the part of the step after the
+/// start-up transient. An effect on the grains that depends on time has its strength at this mean
+/// time during the whole step.
 std::vector<PlannedRecording> recordings_of(const LabPlan& plan);
 
 /// Returns the true condition of the grains, in SI units, at which the instrument shows the
-/// requested condition. Effects on the instrument are inverted. Effects of type `ChangeCondition`,
-/// which change properties of the grains or the liquid, are applied. Effects on the grains in the
-/// simulation are listed in the member `grain_effects` of the result.
+/// requested condition. The function inverts the effects on the instrument. It applies the effects
+/// on properties of grains and liquid (`ChangeCondition`). The member `grain_effects` of the result
+/// lists the effects on grains that a simulation must contain.
 ///
-/// The height of the sample is unknown before the simulation and is therefore computed from a
-/// typical solid fraction of 0.6. True heights differ from the computed height by up to 4 %, which
-/// shifts the simulated condition by about 0.1 %. The recording is made with the simulated height
-/// (`shown_over_time`), so that the recorded set points equal the requested set points exactly.
+/// The height of the sample follows from a typical solid fraction of 0.6, since the simulated
+/// height is not known yet. The resulting error of the condition is about 0.1 %.
 /// @param asked requested condition
 /// @throws InputError if there is no true state that the instrument shows as the requested
 ///         condition
 EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked);
 
 /// Returns a function that computes the state of the cell that the instrument shows, without noise,
-/// from the time [s] since the first recording began. The true state of the cell is constant. At
-/// the time of the requested condition, the instrument shows the true state as the requested
-/// condition. At other times the instrument may show a different state, because effects on the
-/// instrument may change with time, as a wobble of the lid does.
+/// from the time [s] since the first recording began. At the time of the requested condition, the
+/// instrument shows the requested condition. At other times the instrument may show another state,
+/// since an effect on the instrument, such as a wobble of the lid, may depend on time. The true
+/// state is constant.
 /// @param asked requested condition
 /// @param flow true stress ratio [1] and true solid fraction [1] of the grains
 /// @throws InputError if there is no true state that the instrument shows as the requested

@@ -18,12 +18,10 @@ using MeasureLiquidContents = std::function<std::vector<double>(
 /// Returns the bridge volumes, divided by the cubed grain diameter [1], at which samples have the
 /// requested liquid contents, in the order of the liquid contents.
 ///     liquid content = 3 Z (V0/a^3)/pi      V0: bridge volume, a: grain diameter
-/// The number Z of bridges per grain depends on V0, friction coefficient and normal stress. A first
-/// simulation, with V0 for a typical Z, measures Z, and V0 is corrected with the measured Z. If the
-/// liquid content of the first simulation was wrong by more than 3 %, a second simulation checks
-/// the corrected V0. If the liquid content of the second simulation is also wrong by more than 3 %,
-/// a secant step in the logarithms of V0 and liquid content corrects V0 again. Since Z changes by
-/// only 5 % if V0 doubles, the final relative error of the liquid content is far below 3 %.
+/// The number Z of bridges per grain depends on V0 and must be measured by simulation. The function
+/// simulates each sample once. If the liquid content of the sample is wrong by more than 3 %, the
+/// function simulates the sample a second time with a corrected V0. The relative error of the final
+/// liquid content is far below 3 %.
 /// @param liquid_contents requested liquid contents [1]: liquid volume divided by grain volume
 /// @param measure function that simulates samples and returns the liquid contents of the samples
 /// Source: Badetti et al. (2018), Eq. (6).

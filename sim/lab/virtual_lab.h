@@ -46,12 +46,13 @@ struct LabResult {
 /// "second simulations that seek the bridge volumes" and "recordings".
 using AnnouncePhase = std::function<void(const std::string&)>;
 
-/// Simulates each step of each planned recording by a run with a seed of its own, and returns the
-/// recordings in the order of the plan. The runs have 1.5 times as many grains as `plan.fidelity`
-/// prescribes. The seeds of the runs differ from the seeds of a calibration (`SeedDomain`), even if
-/// the user states one seed for both. Short pilot runs first determine the bridge volumes that give
-/// the liquid contents. A run that fails, crystallises or is not steady is repeated with a new
-/// seed, at most three times. A pilot run need not be steady.
+/// Simulates each step of each planned recording, and returns the recordings in the order of the
+/// plan. Short pilot runs first determine the bridge volumes that give the liquid contents. Each
+/// step has a run with a seed of its own and 1.5 times as many grains as `plan.fidelity`
+/// prescribes. The seeds differ from the seeds of a calibration (`SeedDomain`).
+///
+/// A run that fails, crystallises or is not steady is repeated with a new seed, at most three
+/// times. A pilot run need not be steady.
 /// @param workers threads, store and progress callback for the runs
 /// @throws InputError if `check_plan` does not accept the plan
 /// @throws dem::SimulationError if no run of a step can be used
@@ -59,11 +60,9 @@ using AnnouncePhase = std::function<void(const std::string&)>;
 LabResult simulate_lab(const LabPlan& plan, const Workers& workers,
                        const AnnouncePhase& announce = {});
 
-/// Returns the typical relative standard error of an observable in the simulations of all steps
-/// [1]. The typical value is the median, over all steps, of standard error divided by mean. The
-/// median is used since the standard error of a single run is estimated from few independent
-/// values. The recordings use the typical values for stress ratio and solid fraction as the
-/// relative standard errors of every step.
+/// Returns the typical relative standard error of an observable in the simulations [1]: the median,
+/// over all steps, of standard error divided by mean. The recordings use the typical errors of
+/// stress ratio and solid fraction as the relative standard errors of every step.
 double typical_error(const LabResult& result, dem::Observable which);
 
 }  // namespace pendular

@@ -55,28 +55,22 @@ double time_steps(std::vector<Condition>& steps, const GrainProperties& grains,
                   const Instrument& instrument, double now);
 
 /// Returns the noisy recording that an annular cell would give for a sequence of steady states. The
-/// recording has one step for each state. Each step begins with a start-up transient.
+/// recording has one step for each state. A step lasts a strain of 20 and begins with a start-up
+/// transient.
 ///
-/// The mean torque and the mean gap of a step scatter about their values in an infinitely long
-/// step. The relative standard deviation of the mean torque is `noise` times `torque_scatter`. The
-/// relative standard deviation of the mean gap is `noise` times `solid_fraction_scatter`. The
-/// variance has three contributions. The first is the squared standard error of the simulation. The
-/// second comes from noise within the step, which contributes a quarter of the total standard
-/// deviation. The third is the remainder: all torques of the step are multiplied by one random
-/// factor, and all gaps by another.
+/// The mean torque of a step scatters about its true value with a relative standard deviation of
+/// `noise` times `torque_scatter`. The mean gap scatters with a relative standard deviation of
+/// `noise` times `solid_fraction_scatter`. The variance is the sum of three contributions. The
+/// first is the squared standard error of the simulation. The second is Gaussian noise within the
+/// step, which has a quarter of the standard deviation. The third is one random factor for all
+/// torques of the step and one random factor for all gaps.
 ///
-/// The noise within the step is Gaussian. Like the fluctuations of simulated samples, it is
-/// correlated over a strain of 0.03 for the torque and of 0.1 for the gap. The normal force has
-/// white noise about the value that the instrument shows without noise, with a relative standard
-/// deviation of `noise` times 0.2 %. If `noise` is 1, the mean normal force of a step of 400 data
-/// points therefore has a standard error of 0.01 %.
+/// The noise within the step is correlated over a strain of 0.03 for the torque and of 0.1 for the
+/// gap. The normal force has white noise with a relative standard deviation of `noise` times 0.2 %.
+/// If `TrueState::shown` is set, effects on the instrument act at the time of each data point.
 ///
-/// If the faults of the instrument change with time (`TrueState::shown`), the faults are applied at
-/// the time of each data point.
-///
-/// A step lasts a strain of 20. The torque rises over a strain of about 0.02, overshoots its steady
-/// value by 15 %, and then decays to its steady value. The gap begins 2 % below its steady value.
-/// Both deviations decay as exp(-strain/0.15), so that 4 % of them are left at a strain of 0.5.
+/// In the start-up transient, the torque overshoots its steady value by 15 %. The gap begins 2 %
+/// below its steady value. Both deviations decay as exp(-strain/0.15).
 /// @param seed seed of the instrument's random numbers
 Recording record(const std::vector<TrueState>& steps, const AnnularCell& cell,
                  const GrainProperties& grains, const Instrument& instrument, std::uint64_t seed);

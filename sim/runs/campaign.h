@@ -24,13 +24,12 @@ namespace pendular {
 ///     inertial_number = [1e-3, 0.1]
 ///     logarithmic = ["inertial_number"]
 ///
-/// Each table may have three kinds of keys: parameters of a run, effects on grains, and `repeats`.
-/// A parameter of a run is a dimensionless number or an array of numbers; the parameter
+/// Each table may contain parameters of a run, effects on grains, and the key `repeats`. A
+/// parameter of a run is a dimensionless number or an array of numbers. The parameter
 /// `reduced_pressure` makes the grains wet. An effect on grains is a table of the effect's
-/// parameters. The value of `repeats` is the number of runs with equal parameters, which differ
-/// only in their seeds. The seed of a run follows from the file's seed, the parameters of the run
-/// and the number of the repeat. Earlier runs therefore keep their seeds when a campaign is
-/// extended.
+/// parameters. The value of `repeats` is the number of runs that differ only in their seeds. The
+/// seed of a run follows from the file's seed, the parameters of the run and the number of the
+/// repeat.
 /// @throws InputError if the file cannot be read, or requests no run or too many runs; at the line
 ///         of a syntax error, an unknown key, a value out of range or a run that cannot be
 ///         simulated

@@ -44,8 +44,8 @@ struct Workers {
 /// Carries out independent simulations in parallel, one thread per simulation, the longest
 /// simulation first. Returns the results in the order of `runs`. The results do not depend on the
 /// number of threads. If a simulation fails, its result has only its parameters and
-/// `RunResult::failure`. A result that is read from a store has no profiles and no distributions.
-/// An error other than the failure of a simulation ends all runs.
+/// `RunResult::failure`, and the other simulations continue. A result that is read from a store has
+/// no profiles and no distributions.
 /// @throws std::invalid_argument for a run that cannot be simulated
 /// @throws dem::Interrupted if a stop is requested
 /// @throws InputError, std::runtime_error if the store cannot be read or written
@@ -71,10 +71,10 @@ std::vector<std::size_t> longest_first(const std::vector<dem::RunParameters>& ru
 double expected_cost(const dem::RunParameters& run);
 
 /// Returns the expected wall time [s] of `runs` on `threads` threads, one run per thread; empty if
-/// no measured run succeeded. The time of a run is its `expected_cost` times a median of wall time
-/// divided by expected cost. The median is taken over the measured runs that are wet or dry like
-/// the run and have effects or no effects like the run. If there is no measured run of this kind,
-/// the median is taken over all measured runs. The result is at least the time of the longest run.
+/// no measured run succeeded. The time of a run is its `expected_cost` times the median, over
+/// measured runs, of wall time divided by expected cost. The median is over measured runs of the
+/// same kind: dry or wet, with or without effects. If no measured run is of this kind, the median
+/// is over all measured runs. The result is at least the time of the longest run.
 /// @param measured runs that were already carried out
 std::optional<double> expected_seconds(const std::vector<dem::RunParameters>& runs,
                                        const std::vector<dem::RunResult>& measured, int threads);

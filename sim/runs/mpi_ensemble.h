@@ -27,9 +27,8 @@ class MpiProcesses {
 
     /// Distributes simulations to the processes of the other ranks, the longest simulation first,
     /// one at a time to each process. Adds each result to the store (SQLite file of runs) when the
-    /// result arrives. This function is to be called on rank 0, which alone accesses the store, so
-    /// that the machines need no shared disk. After an error, the caller must end the processes of
-    /// the other ranks with `abort`.
+    /// result arrives. Only rank 0 may call this function. After an error, the caller must end the
+    /// processes of the other ranks with `abort`.
     /// @param workers settings, of which `stop`, `report` and `store` are used; `store` must be set
     /// @throws dem::Interrupted if a stop is requested
     /// @throws std::runtime_error if a process of another rank runs another version of the program

@@ -12,13 +12,12 @@
 namespace pendular {
 
 /// Converts effects on grains into the object with which the solver applies the effects in a run.
-/// An effect is left out if all its parameters have their neutral values, at which the effect
-/// changes nothing.
+/// An effect is left out if all its parameters have their neutral values.
 /// @param effects names of the effects, with parameter values in reduced units (grain diameter,
 ///         grain mass and imposed normal stress are 1)
 /// @param wet whether the run has liquid bridges
-/// @throws std::invalid_argument for an effect that is unknown or does not act on grains, a value
-///         out of its bounds, and an effect on bridges in a dry run
+/// @throws std::invalid_argument if an effect is unknown, does not act on grains or acts on bridges
+///         in a dry run, or if a value is out of its bounds
 dem::GrainEffects grain_effects(const std::vector<EffectValues>& effects, bool wet);
 
 /// Returns effects on grains, with their parameter values in reduced units, as text such as
@@ -44,7 +43,8 @@ std::string run_description(const dem::RunParameters& run, int threads = 1);
 std::uint64_t fingerprint(std::string_view text);
 
 /// Carries out a simulation with the effects on grains in `run.effects`, and returns the averages
-/// of its observables. `options.description` is replaced by the run's `run_description`.
+/// of the observables. The function replaces `options.description` by the `run_description` of the
+/// run.
 /// @throws std::invalid_argument for a run or effect that cannot be simulated
 /// @throws dem::SimulationError if the simulation fails
 /// @throws dem::Interrupted if a stop is requested

@@ -37,8 +37,8 @@ bool needs_scale(const Effect& effect);
 /// `ChangeCondition` change the friction coefficient and the reduced pressure, or remove the liquid
 /// from the run. Effects on grains are added to `run.effects` in reduced units.
 /// @param effects effects with parameter values in SI units
-/// @param scale grains, liquid and normal stress with which SI units are converted to the reduced
-///         units of the run (grain diameter, grain mass and normal stress are 1)
+/// @param scale grains, liquid and normal stress for the conversion from SI units to reduced units
+///         (grain diameter, grain mass and normal stress are 1)
 /// @throws std::invalid_argument for an effect that cannot act on a single run, an effect on wet
 ///         grains in a dry run, and an effect on dry grains in a wet run
 dem::RunParameters changed_run(dem::RunParameters run, const std::vector<ActiveEffect>& effects,

@@ -74,7 +74,7 @@ struct FileCounts {
     std::size_t cells = 0;  ///< number of table cells read from the file: rows times columns
 };
 
-/// Largest number of intervals that are read from one file, and largest number of header cells
+/// Maximum number of intervals that are read from one file, and maximum number of header cells
 /// (intervals times columns) that are read from one file.
 constexpr std::size_t most_intervals = 10'000, most_header_cells = 1'000'000;
 
@@ -118,10 +118,9 @@ struct SourceLines {
 /// Whether all cells of a table row are empty.
 bool is_blank(const Row& row);
 
-/// Returns the delimiter (tab, semicolon or comma) that splits the lines from `begin` to `end` - 1
-/// most consistently, so that the largest number of lines have as many cells as the preceding line.
-/// At most 1000 lines are examined. If two delimiters are equally consistent, the earlier delimiter
-/// in the order tab, semicolon, comma is returned.
+/// Returns the delimiter (tab, semicolon or comma) with which most lines from `begin` to `end` - 1
+/// have as many cells as the preceding line. At most 1000 lines are examined. If two delimiters are
+/// equally consistent, the earlier delimiter in the order tab, semicolon, comma is returned.
 char consistent_delimiter(const SourceLines& source, std::size_t begin, std::size_t end);
 
 /// Returns the whole number from 1 to a billion that a cell states, such as the number of an
@@ -134,7 +133,7 @@ std::string bare_unit(std::string_view cell);
 
 /// Sets the columns and the header of an interval from the names and units in the file. If several
 /// columns contain one quantity, the column with the most specific name is used ("Time" rather than
-/// "Run time"). If the names of several columns are equally specific, the first column is used.
+/// "Run time"). The first of several equally specific columns is used.
 /// @param file file to which the interval belongs; its number of intervals is increased
 /// @param header row whose cells have the positions of the columns in the file
 /// @param details further text on each column, such as "Constant component"; the list may be
@@ -145,12 +144,13 @@ void set_columns(BlockFile& file, Block& block, Row header, const std::vector<st
                  const std::vector<std::string>& units,
                  const std::vector<std::string>& details = {});
 
-/// Adds a row to an interval. A row that ends before a used column in which the preceding row has a
-/// value is left out as cut off, and listed in `file.skipped`. Other missing cells at the end of
-/// the row, and cells such as "---" and "***", become empty.
+/// Adds a row to an interval. Missing cells at the end of the row become empty, as do cells such as
+/// "---" and "***". A row counts as cut off if it ends before a used column in which the preceding
+/// row has a value. The function leaves out a row that is cut off, and lists the row in
+/// `file.skipped`.
 /// @param file file to which the interval belongs; its number of cells is increased
-/// @throws InputError if the row has more cells than the interval has columns and the additional
-///         cells are not empty, or if the file has more than `most_cells` cells
+/// @throws InputError if a cell beyond the last column is not empty, or if the file has more than
+///         `most_cells` cells
 void add_row(BlockFile& file, Block& block, Row row);
 
 /// Adds a line of a file to `file.skipped`, the list of lines that are left out. If the preceding

@@ -14,11 +14,11 @@ struct ColumnMeaning {
     int rank = 0;
 };
 
-/// Returns the quantity that a column contains in a file that the software of a rheometer exported,
-/// given the name and unit of the column. The known names are those that RheoCompass, Rheoplus,
-/// TRIOS, rSpace and RheoWin use in English, French and German, and all names that `find_quantity`
-/// knows. If the name is not known, or if the unit neither fits the quantity nor is empty, the
-/// result has no quantity.
+/// Returns the quantity that a column contains in a file from the software of a rheometer, given
+/// the name and unit of the column. The function knows the names that RheoCompass, Rheoplus, TRIOS,
+/// rSpace and RheoWin use in English, French and German, and all names that `find_quantity` knows.
+/// The result has no quantity if the name is not known or the unit does not fit the quantity. An
+/// empty unit fits every quantity.
 ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit);
 
 /// Returns the quantity whose set points a column contains, given the name and unit of the column.

@@ -21,9 +21,9 @@ struct NamesAndUnits {
 /// Returns the names and units of the columns in the user's settings (`FileFormat::columns`).
 NamesAndUnits stated_columns(const FileFormat& format);
 
-/// Reads intervals that follow each other in one table, and adds the intervals to `file.blocks`. An
-/// interval begins after a row of two whole numbers (number of the interval and number of points of
-/// the interval), or at a row in which a counter of points in the first column restarts.
+/// Reads intervals that follow each other in one table, and adds the intervals to `file.blocks`. A
+/// row of two whole numbers (number of the interval, number of its points) announces an interval.
+/// An interval also begins at a row in which a counter of points in the first column restarts.
 /// @param begin index of the line of the first row, from 0
 /// @param header row whose cells have the positions of the columns
 void read_stacked_rows(const SourceLines& source, std::size_t begin, const Row& header,

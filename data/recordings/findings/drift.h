@@ -40,9 +40,9 @@ struct Course {
 std::optional<Course> course_of(std::span<const double> samples);
 
 /// Tests for each step whether torque or gap still approaches a steady value at the end of the
-/// step. Returns one entry for each test, significant or not. The p value of an entry is the p
-/// value of the change over the second half of the step. The p value is 1 unless the trend clearly
-/// bends towards a constant value that is at least 0.5 % away at the end of the step.
+/// step. Returns one entry for each test, significant or not. The p value tests the change over the
+/// second half of the step. The p value is 1 if the trend does not clearly bend towards a constant
+/// value, or if the constant value is less than 0.5 % away at the end of the step.
 std::vector<RecordingFinding> run_in_tests(const std::string& file,
                                            const std::vector<RecordedStep>& steps);
 
@@ -60,14 +60,13 @@ struct StepTrend {
 std::vector<StepTrend> step_trends(const std::string& file, const std::vector<RecordedStep>& steps);
 
 /// Tests whether torque or gap drifts in one direction through the steps of a study. Returns at
-/// most one test for each column, with its p value. The tested value is the weighted mean of the
-/// relative changes over the second halves of the steps. The standard error of the weighted mean is
-/// the larger of two estimates, from the scatter within steps and from the scatter between steps.
-/// At least three steps are needed. A change counts as a drift only if at least three of four steps
-/// change in one direction.
+/// most one test for each column, and none for fewer than three steps. The test compares the
+/// weighted mean of the relative changes over the second halves of the steps with the standard
+/// error of this mean. The p value is 1 if less than three of four steps change in the direction of
+/// the mean.
 /// @param trends trends of torque and gap in the steps, from `step_trends`
 /// @param unfinished findings on steps in which torque or gap still approaches its steady value;
-///         the steps are left out
+///         these steps are left out
 std::vector<RecordingFinding> drift_tests(const std::vector<StepTrend>& trends,
                                           const std::vector<RecordingFinding>& unfinished);
 

@@ -13,10 +13,10 @@ namespace pendular {
 constexpr double finding_significance = 0.005;
 
 /// Returns the findings that are significant among all tests of one kind in a study, by the
-/// procedure of Benjamini and Hochberg. The findings with the k smallest p values are significant,
-/// for the largest k whose k-th smallest p value is at most alpha k/N, with N tests and alpha =
-/// `finding_significance`. If the recordings have no fault, at least one finding is significant
-/// with the probability alpha. If many steps have one kind of fault, each step needs less evidence.
+/// procedure of Benjamini and Hochberg. The findings with the k smallest of N p values are
+/// significant. The number k is the largest for which the k-th smallest p value is at most
+/// alpha k/N, with alpha = `finding_significance`. If the recordings have no fault, at least one
+/// finding is significant with the probability alpha.
 /// @param tested one entry for each test, significant or not
 /// Source: Benjamini and Hochberg, J. R. Stat. Soc. B 57 (1995) 289.
 std::vector<RecordingFinding> significant_findings(std::vector<RecordingFinding> tested);

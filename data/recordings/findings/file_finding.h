@@ -27,13 +27,13 @@ void add_line(std::vector<std::pair<int, int>>& lines, int line);
 
 /// Returns ranges of lines as text, such as "12-15, 20". Each pair is the first and the last line
 /// of a range.
-/// @param most largest number of ranges that are written; if there are more ranges, the text ends
-///         with the number of ranges left out
+/// @param most maximum number of ranges in the text; if there are more ranges, the text ends with
+///         the number of ranges left out
 std::string text_of_lines(const std::vector<std::pair<int, int>>& lines, std::size_t most = 8);
 
 /// Returns a finding as text with the faulty lines, with what is wrong and with what is done about
 /// the fault, such as "Lines 12-15, 20: the time goes back. The rows are left out."
-/// @param most largest number of ranges of lines in the text
+/// @param most maximum number of ranges of lines in the text
 std::string text_of(const FileFinding& finding, std::size_t most = 8);
 
 }  // namespace pendular

@@ -30,8 +30,7 @@ struct RecordingFinding {
     /// Number of steps from which the fault was found. For a level change, `count` is the number of
     /// recordings that were compared.
     std::size_t count = 1;
-    /// Size of the fault, in the SI unit of the faulty column. The size depends on the kind of
-    /// fault:
+    /// Size of the fault, in the SI unit of the faulty column:
     /// - saturation: largest value of the column
     /// - level change: change of the column, negative for a decrease
     /// - wobble: amplitude
@@ -65,12 +64,11 @@ struct RecordingFinding {
 /// Returns the name of a kind of fault in JSON, such as "stick-slip".
 std::string_view to_string(RecordingFinding::Kind kind);
 
-/// Returns sentences for the user about findings, the most serious kinds first. Findings that agree
-/// in kind, quantity and, for a wobble, period are combined in a sentence. Most sentences state the
-/// number of steps and files, the first position, the median size with its unit and in per cent,
-/// and the smallest p value. The sentence on a saturation states the share of saturated rows
-/// instead of a p value. The sentence on a level change states the number of recordings.
-/// @param all true: findings are not combined, and each finding has a sentence of its own
+/// Returns sentences for the user about findings, the most serious kinds first. One sentence
+/// combines all findings that agree in kind, quantity and, for a wobble, period. A sentence states
+/// where the fault was found, its median size with the unit and in per cent, and the smallest p
+/// value. A sentence on a saturation states the share of saturated rows instead of a p value.
+/// @param all true: each finding has a sentence of its own
 std::vector<std::string> sentences(const std::vector<RecordingFinding>& findings, bool all = false);
 
 }  // namespace pendular

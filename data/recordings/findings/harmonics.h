@@ -24,14 +24,12 @@ std::vector<double> rotation_angle(const StepSeries& series);
 /// Fits the periodic parts of a series with one and two periods per turn of the lid by least
 /// squares:
 ///     a + b t + sum_q (c_q cos(q angle) + s_q sin(q angle)),   q = 1, 2,   t: time
-/// For each q, the squared amplitude c^2 + s^2 is compared with the noise at the frequency of the
-/// periodic part. The noise is the spectrum of the best autoregressive model of the residuals,
-/// times the mean ratio of the residuals' power to the spectrum at up to K = 20 neighbouring
-/// frequencies. The p value is
-///     p = (1 + F/K)^-K,   F = (c s) C^-1 (c s)'/(2 noise),
-/// with the covariance matrix C of c and s for independent noise of variance 1. Over whole turns of
-/// n values, F = n (c^2 + s^2)/(4 noise). The result is empty for less than one and a half turns,
-/// less than eight values a turn, less than 40 values, and a series without noise.
+/// The p value compares c and s of each q with the noise at the frequency of the periodic part:
+///     p = (1 + F/K)^-K,   F = (c s) C^-1 (c s)'/(2 noise)
+/// C is the covariance matrix of c and s for independent noise of variance 1. The noise is a
+/// spectrum, estimated from the residuals at up to K = 20 neighbouring frequencies. The result is
+/// empty for less than one and a half turns, less than eight values a turn, less than 40 values,
+/// and a series without noise.
 /// @param angle rotation angle of the lid at each value of the series [rad]
 std::vector<Harmonic> harmonics(std::span<const double> samples, std::span<const double> angle);
 
@@ -49,10 +47,10 @@ struct PeriodicColumn {
 /// turn, or less than 40 data points.
 std::vector<PeriodicColumn> periodic_columns(const StepSeries& series);
 
-/// Returns the number of data points to leave out at the beginning of a steady series so that a
-/// whole number of turns of the lid remains. The result is 0 unless a wobble of the lid biases the
-/// mean. A wobble biases the mean if a periodic part of torque, force or gap has p < 0.001 and an
-/// amplitude above the standard error of the mean.
+/// Returns the number of data points to leave out at the beginning of a steady series so that whole
+/// turns of the lid remain. The result is 0 unless a wobble of the lid biases the mean: a periodic
+/// part of torque, force or gap has p < 0.001 and an amplitude above the standard error of the
+/// mean.
 /// @param columns periodic parts of the series, from `periodic_columns`
 std::size_t whole_turns_begin(const StepSeries& steady, const std::vector<PeriodicColumn>& columns);
 

@@ -21,20 +21,17 @@ struct Saturation {
     double p = 1;
 };
 
-/// Finds the columns of a recording that are cut off at their largest value. Torque and normal
-/// force are examined by magnitude. Rows are saturated if they are within half the resolution or
-/// within 2e-4 of the largest value. A column counts as saturated in each of three cases, of which
-/// the first two require at least three saturated rows and p < 1e-4:
-/// - More separate runs of rows reach the largest value than reach values just below it. In
-/// ordinary noise, values become rarer towards the largest value, so that fewer runs reach the
-/// largest value. The p value is binomial.
+/// Finds the columns of a recording (torque, normal force) that are cut off at their largest
+/// magnitude, for one of three reasons:
+/// - More separate runs of rows reach the largest value than reach values just below it.
 /// - The torque stays at the largest value from row to row, while other rows of the recording
-/// differ from their neighbours.
+///   differ from their neighbours.
 /// - The torques of at least three steps with the largest forces agree within 0.5 %, while the
-/// force increases by at least 20 % from each step to the next.
+///   force increases by at least 20 % from each step to the next.
 ///
-/// In the first two cases, smooth peaks do not count: the rows beside a saturated run must be
-/// clearly lower than the run.
+/// Rows are saturated if they are within half the resolution or within 2e-4 of the largest value.
+/// The first two reasons require at least three saturated rows, p < 1e-4, and clearly lower rows
+/// beside the saturated rows.
 std::vector<Saturation> saturations(const Recording& recording,
                                     const std::vector<RecordedStep>& steps);
 

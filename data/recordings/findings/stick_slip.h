@@ -20,13 +20,10 @@ struct Slips {
 };
 
 /// Finds sudden drops of a series and tests whether drops are more frequent than sudden rises. The
-/// result is empty for less than 40 values.
-///
-/// A sudden change is a run of increments of one sign that differ from the median increment by more
-/// than three times the robust deviation of all increments and by more than 2.5 times the
-/// resolution. In noise of any correlation, rises and drops are equally frequent. The p value is
-/// that of the binomial distribution with probability 1/2. The series is examined value by value
-/// and as means of 2, 4 and 8 values, and p is multiplied by the number of these tests.
+/// result is empty for less than 40 values. A sudden change is a run of increments of one sign.
+/// Each increment differs from the median increment by more than three times the robust deviation
+/// of all increments and by more than 2.5 times the resolution. The p value is binomial with
+/// probability 1/2, since rises and drops are equally frequent in noise.
 /// @param resolution resolution of the series, in the unit of the series
 std::optional<Slips> slips(std::span<const double> samples, double resolution);
 

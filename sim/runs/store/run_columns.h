@@ -27,10 +27,10 @@ struct RunColumn {
     std::function<void(dem::RunResult&, const RunCell&)> set;
 };
 
-/// Returns all columns of a table of simulation runs. The columns are the inputs of a run, its
-/// outcome, and each observable with its standard error (NAME_stderr) and with the shear strain [1]
-/// over which the fluctuations of the observable decorrelate (NAME_correlation_strain). Observables
-/// of bridges are empty for dry runs. All observables are empty for failed runs. Profiles and
+/// Returns all columns of a table of simulation runs: inputs of a run, outcome and observables.
+/// Each observable has a column for its standard error (NAME_stderr) and a column for the shear
+/// strain [1] over which the observable decorrelates (NAME_correlation_strain). Observables of
+/// bridges are empty for dry runs. All observables are empty for failed runs. Profiles and
 /// distributions have no columns.
 const std::vector<RunColumn>& run_columns();
 

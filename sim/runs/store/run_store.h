@@ -24,11 +24,11 @@ struct StoredRun {
     dem::RunResult run;
 };
 
-/// Store: an SQLite file of simulation runs that were carried out. A run is identified by
-/// everything that determines the run (`run_description` and the version of the solver). No run is
-/// stored twice. Several processes and threads may read and write at once. Each run is added in one
-/// transaction, so that a process that is killed loses only its current run. The table `runs` has a
-/// column for each of `run_columns()`, so that any SQLite tool can query the table.
+/// Store: SQLite file of simulation runs that were carried out. The parameters of a run, its number
+/// of threads and the version of the solver identify the run. No run is stored twice. Several
+/// processes and threads may read and write at once. A process that is killed loses only its
+/// current run. Any SQLite tool can query the table `runs`, which has a column for each of
+/// `run_columns()`.
 ///
 /// All functions throw InputError for a file that is not a store, is corrupt or was written by a
 /// newer version of the program. All functions throw std::runtime_error, naming the file and the
@@ -57,13 +57,12 @@ class RunStore {
 
     /// Returns the stored run whose parameters are nearest to `parameters`, with its final state,
     /// from which a new run can start; empty if no run qualifies. A run qualifies if it succeeded,
-    /// has a stored final state, is steady and not crystallised, has as many grains as `parameters`
-    /// states, and is dry or wet like `parameters`. The squared distance between the parameters of
-    /// two runs is
+    /// is steady and not crystallised, and has a stored final state. The run must have the number
+    /// of grains that `parameters` states, and must be dry or wet like `parameters`. The squared
+    /// distance between the parameters of two runs is
     ///     (d friction/0.1)^2 + (d ln I)^2 + (d ln kappa)^2 + (d ln P*)^2 + (d ln V0)^2
-    /// with differences d, friction coefficient `friction`, inertial number I, stiffness number
-    /// kappa, reduced pressure P* and bridge volume V0. The terms of P* and V0 count for wet runs
-    /// only.
+    /// with differences d, inertial number I, stiffness number kappa, reduced pressure P* and
+    /// bridge volume V0. The terms of P* and V0 count for wet runs only.
     std::optional<StoredRun> nearest(const dem::RunParameters& parameters) const;
 
     /// Returns the number of runs in the store, including failed runs and runs of all versions of

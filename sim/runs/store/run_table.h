@@ -22,15 +22,15 @@ std::string run_fingerprint(const StoredRun& stored);
 
 /// Reads simulation runs from a CSV file that has the columns of `write_runs`, in any order.
 /// Columns of results, and the columns `effects` and `physics_version`, may be missing.
-/// @throws InputError for a file that cannot be read as a table, at a cell with an invalid value,
-///         at a run that cannot be simulated, and at the header for an unknown column or a missing
-///         input column
+/// @throws InputError if the file cannot be read as a table; at a cell with an invalid value; at a
+///         run that cannot be simulated; at the header for an unknown column or a missing input
+///         column
 std::vector<StoredRun> read_runs(const std::filesystem::path& file);
 
 /// Returns the path of the atlas, a CSV file of the simulation runs that come with the program. The
 /// path is the value of the environment variable PENDULAR_ATLAS. If this variable is not set, the
-/// path is the path of the installed file or, if no file is installed, the path of the file in the
-/// repository. The path is empty if the variable is not set and neither file exists.
+/// path is the installed file or, if no file is installed, the file in the repository. If neither
+/// file exists, the path is empty.
 std::filesystem::path atlas_file();
 
 }  // namespace pendular

@@ -24,9 +24,9 @@ constexpr const char* store_in_memory = ":memory:";
 /// written is opened for reading only.
 /// @param file absolute path, or `store_in_memory`
 /// @param must_exist whether a missing file is an error
-/// @throws InputError for a file that is missing although `must_exist` is true, is no store, or has
-///         a newer format
-/// @throws SQLite::Exception for other errors of SQLite
+/// @throws InputError if the file is missing although `must_exist` is true, or if the file is a
+///         folder, a database of another program or a store of a newer format
+/// @throws SQLite::Exception for other errors, such as a file that is not an SQLite database
 std::unique_ptr<SQLite::Database> open_store_file(const std::filesystem::path& file,
                                                   bool must_exist);
 
