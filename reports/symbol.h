@@ -9,7 +9,7 @@ namespace pendular {
 struct PaperPoint {
     double x = 0, y = 0;
 };
-/// Points of a drawing that are joined by straight lines in their order.
+/// Polyline of a drawing: consecutive points are joined by straight lines.
 using Outline = std::vector<PaperPoint>;
 
 enum class Shape { square, triangle, circle, star, downward_triangle, diamond, plus };

@@ -12,9 +12,10 @@ namespace pendular {
 /// relative RMS errors of its predictions [%].
 nlohmann::ordered_json to_json(const LadderStep& ladder_step);
 
-/// Reads a ladder (the sequence of a study's models) from a file such as ladder.json. Empty if the
-/// file does not exist.
-/// @throws InputError if the file is incomplete, has another format or contains no ladder
+/// Reads a ladder (the sequence of a study's models) from a file such as ladder.json. Returns an
+/// empty ladder if the file does not exist.
+/// @throws InputError if the file exists but is incomplete, is not in the format of a ladder, or
+///         contains no ladder
 Ladder read_ladder(const std::filesystem::path& file);
 
 /// Writes a ladder (the sequence of a study's models) to a file such as ladder.json. If writing

@@ -15,7 +15,7 @@ namespace pendular {
 struct ProposedEffects {
     /// Names of the effects of each proposal, in the order of the diagnosis.
     std::vector<std::vector<std::string>> proposals;
-    /// Definitions, by formulas, of the effects of all proposals.
+    /// Effects that occur in the proposals, each defined by formulas.
     std::vector<WrittenEffect> effects;
 };
 

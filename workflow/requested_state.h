@@ -60,11 +60,13 @@ std::string why_impossible(const dem::RunParameters& run);
 /// with the number of grains and the strain of `fidelity`, a set of simulation settings.
 std::string simulate_command(const dem::RunParameters& run, const Fidelity& fidelity);
 
-/// Returns the error message for a requested state outside the range of the earlier simulation
-/// runs. The message states the reason `why`, the nearest state within the range, and the command
-/// that predicts the nearest state. The message ends with the command that simulates the requested
-/// state, or with the reason why the simulation is impossible.
-/// @param state requested state in the coordinates of the emulator
+/// Returns the error message for a requested state that lies outside the range of the earlier
+/// simulation runs. The message states the reason `why`, the nearest state within the range, and
+/// the command that predicts stress ratio and solid fraction at that nearest state. The last line
+/// is the command that simulates the requested state or, if the simulation is impossible, the
+/// reason.
+/// @param requested state as the user specified it
+/// @param state the requested state in the coordinates of the emulator
 std::string unsupported_text(const RequestedState& requested, const FlowState& state,
                              const std::string& why, const Emulator& emulator,
                              const KnownRange& known, const Fidelity& fidelity,

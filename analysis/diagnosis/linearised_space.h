@@ -13,14 +13,15 @@ namespace pendular {
 /// predictions f are linear in the parameters theta of the bare model and in the amplitudes A_k of
 /// the candidate effects k:
 ///     f = f_0 + J (theta - theta_0) + sum over the added effects k of c_k A_k.
-/// Here theta_0 contains the values of theta in a model that a diagnosis refitted, and f_0 is the
-/// prediction of the bare model at theta_0. J contains the derivatives of f_0 with respect to
-/// theta. c_k is the change of the predictions by effect k at amplitude 1.
+/// An amplitude is 0 without the effect and 1 at the smallest size of interest.
+/// - theta_0: estimates of theta in one refitted model of a diagnosis, the reference model
+/// - f_0: predictions without effects at theta_0
+/// - J: derivatives of the reference model's predictions with respect to theta, at its estimates
+/// - c_k: change of the predictions by effect k per unit of its amplitude, a secant
 ///
-/// The candidate effects and their bounds are taken from the diagnosis. The parameters of the
-/// candidate effects are amplitudes: 0 without the effect, 1 at the smallest size of interest. The
-/// predictions equal the predictions of the diagnosis at the estimates of the refitted model and of
-/// the refits with one effect.
+/// The candidate effects and their bounds are those of the diagnosis. The linear predictions are
+/// exact at the estimates of the reference model, and at the estimates of each model that the
+/// diagnosis refitted with one effect. Elsewhere they are an approximation.
 class LinearisedSpace : public ModelSpace {
   public:
     /// Linearises the models of `space` about `about`, one of the models that `diagnosis` refitted.

@@ -105,13 +105,13 @@ struct FitEffort {
 ///     minimise r'r,  r = L^-1 (y - f(theta)),  L L' = Sigma_measurement + Sigma_simulation(start),
 /// with the predictions f of the model and the covariances Sigma of measurement and simulation.
 /// Sigma_simulation is evaluated at `start` and kept constant. The caller should repeat the fit
-/// from the fitted parameters until the parameters no longer change. If a search leaves a parameter
+/// from the fitted parameters until the parameters converge. If a search leaves a parameter
 /// undetermined, the function searches again from `start` with other settings and returns the
 /// lowest minimum.
 /// @param start starting values, in the order and units of the parameters
 /// @throws std::logic_error if the sum of both covariances is not positive definite
-/// @throws std::domain_error if the readings are impossible at `start`: no true state of the cell
-///         gives the condition that the instrument shows
+/// @throws std::domain_error if a measured condition is impossible with the parameters `start`: no
+///         actual state of the cell would make the instrument show the condition
 Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start,
         const FitEffort& effort = {});
 

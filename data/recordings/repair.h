@@ -6,10 +6,11 @@
 
 namespace pendular {
 
-/// Corrects torques of a recording that lost a decimal or thousands mark. If a torque differs by a
-/// power of ten, within 5 %, from the torque that follows from the shear stress of the row, the
-/// function replaces the torque. A message in `result.doubts` lists the corrected rows. Nothing is
-/// changed if the recording has no shear stresses, or if torque and shear stress agree in no row.
+/// Corrects torques that lost their decimal or thousands mark in a recording. The expected torque
+/// of a row follows from the row's shear stress. If the ratio of recorded to expected torque is a
+/// power of ten other than 1, within 5 %, the function replaces the torque by the expected torque.
+/// A message in `result.doubts` lists the corrected rows. Nothing is changed if the recording has
+/// no shear stresses, or if no row has a torque that agrees with its shear stress.
 void repair_torques(Recording& recording, const AnnularCell& cell, Measurements& result);
 
 }  // namespace pendular

@@ -23,7 +23,7 @@ struct ReplicateTable {
     /// Paths of the readings' files, in the order of their first readings.
     std::vector<std::string> files;
     std::vector<std::size_t> file_of;     ///< index in `files` of each reading's file
-    std::vector<std::size_t> cluster_of;  ///< index in `clusters` of each reading's cluster
+    std::vector<std::size_t> cluster_of;  ///< index of each reading's cluster in `clusters`
     std::vector<std::vector<std::size_t>> groups;  ///< indices of the readings at each condition
     /// Clusters of files that common conditions connect. Every file is in one cluster.
     std::vector<ReplicateCluster> clusters;

@@ -128,9 +128,10 @@ inline Shifts image_shifts(const Cell& cell) {
     transpose(in, out);
 }
 
-/// Computes the sizes of the pairs in a batch (`PairSizes`) from the diameters of the grains.
+/// Computes, from the grain diameters, the reduced lengths and masses (`PairSizes`) of the pairs in
+/// a batch.
 /// @param begin index in `pairs` of the first pair of the batch
-/// @param sizes receives the sizes
+/// @param sizes receives the result, one element for each pair
 [[gnu::always_inline]] inline void gather_sizes(const Grains& grains, const Pairs& pairs,
                                                 std::size_t begin, SizeLanes& sizes) {
     const std::int32_t* first = pairs.first.data() + begin;
