@@ -124,7 +124,7 @@ std::vector<std::string> others_of(const Diagnosis& d, const ModelSpace& space) 
 
 /// Sentence on weak evidence that something is missing; empty where the evidence is strong.
 std::string weak_evidence(const Diagnosis& d) {
-    constexpr double strong = 0.001;
+    constexpr double strong = 0.01;
     const double p = std::min(d.lack_of_fit_p, d.further_p);
     return p < strong
                ? ""
@@ -156,11 +156,10 @@ std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) 
     const std::string least = fmt::format("{:.2f}", std::ranges::min(left)),
                       most = fmt::format("{:.2f}", std::ranges::max(left));
     return fmt::format(
-               "Indistinguishable: something is missing, and these readings do not tell whether it "
-               "is {}. "
-               "Adding {} brings chi2/dof from {:.2f} to {}.",
-               joined(sets, "or"), sets.size() == 2 ? "either" : "any one of them",
-               chi2_per_dof(d.chi2, d.dof),
+               "Indistinguishable: something {} missing, and these readings do not tell whether it "
+               "is {}. Adding {} brings chi2/dof from {:.2f} to {}.",
+               weak_evidence(d).empty() ? "is" : "may be", joined(sets, "or"),
+               sets.size() == 2 ? "either" : "any one of them", chi2_per_dof(d.chi2, d.dof),
                least == most ? "about " + least : fmt::format("between {} and {}", least, most)) +
            weak_evidence(d);
 }

@@ -71,10 +71,12 @@ class Steps {
                           true});
     }
     void tell_apart(const std::string& what) {
-        steps_.push_back(
-            {fmt::format("Take the readings that 'pendular next {}' plans to tell {} apart.",
-                         study_, what),
-             true});
+        const bool repeated = !diagnosis_.suspects.empty();
+        steps_.push_back({.text = fmt::format("Take the readings that 'pendular next {}' plans to "
+                                              "tell {} apart.",
+                                              study_, what),
+                          .readings = true,
+                          .condition = repeated ? "If the new readings agree with the old: " : ""});
     }
     void repeat_suspects() {
         if (diagnosis_.suspects.empty()) return;
@@ -168,9 +170,11 @@ void Steps::missing() {
     }
     repeat_suspects();
     const bool direct = std::ranges::any_of(steps_, &NextStep::direct);
-    say(fmt::format("{} {} to the model: pendular add {} {}.",
+    const bool of_instrument = resolved_.catalogue().find(first).of_instrument();
+    say(fmt::format("{} {} to the model{}: pendular add {} {}.{}",
                     direct ? "If the measurement agrees, or cannot be made, add" : "Add", first,
-                    study_, first));
+                    of_instrument ? " (or correct the recordings, not both)" : "", study_, first,
+                    direct ? " If it disagrees, enter it and diagnose the study again." : ""));
     if (!diagnosis_.leaders && diagnosis_.confidence_set.size() > 1) {
         tell_apart("the further effects");
     } else if (diagnosis_.leaders || diagnosis_.effects.size() > 1) {
@@ -229,8 +233,8 @@ void Steps::inconclusive() {
                                effect.directly, to_rule_out(effect)));
     }
     steps_.push_back({fmt::format("Optional: the readings that 'pendular next {}' plans make the "
-                                  "standard errors of the fitted parameters smaller; they settle "
-                                  "none of the effects above.",
+                                  "standard errors of the fitted parameters smaller; they are not "
+                                  "planned to settle the effects above.",
                                   study_),
                       true});
 }
@@ -268,8 +272,8 @@ void Steps::unknown() {
     }
     if (several_causes(d_)) tell_apart("the causes in the beads");
     say(fmt::format(
-        "{}, add proposal 1, whose cause stays unknown, so that the error falls: "
-        "pendular add {} --proposed 1.",
+        "{}, look for a cause in the beads. Until the cause is found, proposal 1 can stand in for "
+        "it, so that the misfit falls: pendular add {} --proposed 1.",
         checked ? "If this finds no fault" : "If you find no fault of the measurement", study_));
 }
 
@@ -332,10 +336,10 @@ void Steps::suspect() {
         say(repetition_of(error));
         if (own.empty()) own = own_condition(d_.readings, error.suspect);
     }
-    say(fmt::format(
-        "If new and old readings agree, keep both: the cause is then in what these "
-        "readings have in common{}.",
-        own.empty() ? "" : " (" + own + "), and readings at values in between show it"));
+    say(
+        fmt::format("If new and old readings agree, keep both: the cause is then in what these "
+                    "readings have in common{}.",
+                    own.empty() ? "" : " (" + own + "): take readings at other values too"));
     if (!lasting) check_suspect_sensors(errors);
 }
 
@@ -352,7 +356,8 @@ std::vector<std::string> step_lines(const std::vector<NextStep>& steps,
     std::vector<std::string> lines = {"What to do, in this order:"};
     for (std::size_t k = 0; k < steps.size(); ++k) {
         const bool planned = steps[k].readings && !plan.empty();
-        lines.push_back(fmt::format("  {}. {}", k + 1, planned ? plan.front() : steps[k].text));
+        lines.push_back(fmt::format("  {}. {}", k + 1,
+                                    steps[k].condition + (planned ? plan.front() : steps[k].text)));
         for (std::size_t line = 1; planned && line < plan.size(); ++line) {
             lines.push_back("     " + plan[line]);
         }
@@ -372,7 +377,9 @@ std::string first_step(const std::vector<std::string>& lines) {
 
 std::vector<std::string> texts_of(const std::vector<NextStep>& steps) {
     std::vector<std::string> texts;
-    std::ranges::transform(steps, std::back_inserter(texts), &NextStep::text);
+    for (const NextStep& step : steps) {
+        texts.push_back(step.condition + step.text);
+    }
     return texts;
 }
 

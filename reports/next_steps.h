@@ -16,6 +16,8 @@ struct NextStep {
     /// Whether the step is to take the readings that `pendular next` plans.
     bool readings = false;
     bool direct = false;  ///< whether the step is to measure an effect's parameter directly
+    /// Condition under which the step is to be taken, as the beginning of a sentence; may be empty.
+    std::string condition = {};
 };
 
 /// Returns the steps to take after a diagnosis, in the order in which the user should take the

@@ -54,19 +54,19 @@ std::string course_of(const Profile& p) {
     const std::string where_full = fmt::format("where {} is {}", x, at(p.full_at));
     switch (p.dependence) {
         case Dependence::power:
-            return fmt::format("{}, and elsewhere {}", where_full, proportion(p.constant, x));
+            return fmt::format("{}; the difference is {}", where_full, proportion(p.constant, x));
         case Dependence::logarithm:
-            return fmt::format("{}, falling with its logarithm to 0 at {}", where_full,
+            return fmt::format("{}; the difference falls with the logarithm to 0 at {}", where_full,
                                at(p.constant));
         case Dependence::above:
             return fmt::format("where {} is above {}, and agrees elsewhere", x, at(p.constant));
         case Dependence::below:
             return fmt::format("where {} is below {}, and agrees elsewhere", x, at(p.constant));
         case Dependence::beyond:
-            return fmt::format("{}, falling linearly to 0 at {} and below", where_full,
+            return fmt::format("{}; the difference falls linearly to 0 at {} and below", where_full,
                                at(p.constant));
         case Dependence::short_of:
-            return fmt::format("{}, falling linearly to 0 at {} and above", where_full,
+            return fmt::format("{}; the difference falls linearly to 0 at {} and above", where_full,
                                at(p.constant));
         case Dependence::decay:
             return fmt::format(

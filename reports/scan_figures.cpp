@@ -21,11 +21,12 @@ constexpr std::size_t most_effects = 20, most_cosines = 10;
 std::vector<const Finding*> telling_findings(const Diagnosis& diagnosis, std::size_t most) {
     std::vector<const Finding*> findings;
     for (const Finding& finding : diagnosis.scan) {
-        if (finding.test.seen() && findings.size() < most) findings.push_back(&finding);
+        if (finding.test.seen()) findings.push_back(&finding);
     }
     std::ranges::stable_sort(findings, std::greater(), [](const Finding* finding) {
         return finding->test.predicted_reduction;
     });
+    findings.resize(std::min(findings.size(), most));
     return findings;
 }
 

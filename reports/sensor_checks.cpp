@@ -92,11 +92,11 @@ std::string sensor_check(const std::string& target, const std::vector<Reading>& 
     const SensorCheck check = check_for(target);
     const Range range = range_of(target, readings, study);
     return fmt::format(
-        "Check the {} with {}{}{}.{} If it shows wrong values, correct the recordings that were "
-        "taken with it.",
-        check.sensor, check.standard,
-        range.known() ? range.after_noun(check.unit) + " (as in the readings)" : "",
-        circumstance(change, target, readings, study), expected(check, change, too_large));
+        "Check the {} with {}{}{}.{} If it shows wrong values, correct {}.", check.sensor,
+        check.standard, range.known() ? range.after_noun(check.unit) + " (as in the readings)" : "",
+        circumstance(change, target, readings, study), expected(check, change, too_large),
+        too_large == 0 ? "the recordings that were taken with it"
+                       : "the suspect recordings, and others only if it was wrong then already");
 }
 
 }  // namespace pendular

@@ -37,10 +37,21 @@ std::string shift_by(const std::optional<ImpactTable>& impacts, const std::strin
     return change_text(by, by, impacts->errors(0), "1");
 }
 
+/// Quantities that a user sets and on which the change by an effect depends.
+std::string settings_of(const Effect& effect) {
+    // The reduced pressure is set through the normal stress.
+    std::string text = dependences(effect);
+    const std::string reduced = "reduced pressure";
+    if (const auto at = text.find(reduced); at != std::string::npos) {
+        text.replace(at, reduced.size(), "normal stress");
+    }
+    return text;
+}
+
 std::string settled_by(const Effect& effect) {
     if (!effect.directly.empty()) return effect.directly;
     return effect.acts_through.empty() ? "-"
-                                       : "readings over a wider range of " + dependences(effect);
+                                       : "readings over a wider range of " + settings_of(effect);
 }
 
 }  // namespace

@@ -225,6 +225,7 @@ std::vector<Proposal> ShapeSearch::best_of(std::vector<Proposal> found) {
         }
         return !each.fits() || !named.insert(names).second;
     });
+    found.resize(std::min(found.size(), most_proposals));
     return found;
 }
 

@@ -126,7 +126,7 @@ TEST_F(NextSteps, CheckTheSensorBeforeAProposalIsAdded) {
     ASSERT_EQ(list.size(), 2u);
     EXPECT_THAT(list[0].text,
                 AllOf(HasSubstr("torque transducer"), HasSubstr("correct the recordings")));
-    EXPECT_THAT(list[1].text, AllOf(HasSubstr("If this finds no fault, add proposal 1"),
+    EXPECT_THAT(list[1].text, AllOf(HasSubstr("If this finds no fault, look for a cause in the beads"),
                                     HasSubstr("pendular add beads --proposed 1")));
     EXPECT_TRUE(std::ranges::none_of(list, &NextStep::readings)) << "the check decides";
     EXPECT_THAT(next_command(d_, "beads"), Not(HasSubstr("--proposed")));
