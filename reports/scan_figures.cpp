@@ -71,6 +71,10 @@ Figure scan_figure(const Diagnosis& diagnosis, const ModelSpace& space) {
     constexpr double least_reach = 4;  // reduction that chance gives in one of 20 tests
     panel.x_range = {0, 1.08 * std::max(reach, least_reach)};
     panel.key = Key::bottom_right;  // beside the shortest bars
+    if (!panel.references.empty()) {
+        panel.key = Key::top_right;  // the line at chi2 would cross a key beside the bars
+        panel.headroom = 0.13;
+    }
     figure.panels = {panel};
     return figure;
 }
