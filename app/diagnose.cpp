@@ -369,7 +369,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     if (impacts) drawn.push_back(impact_figure(*impacts));
     console.json(json);  // before the figures, which need gnuplot
     console.figures(figures, draw_all(drawn, figures));
-    console.next(next_command(d, common->study_word()));
+    console.next(next_command(diagnosis, steps, common->study_word()));
     return diagnosis.fit.converged ? done : not_converged;
 }
 

@@ -76,8 +76,10 @@ int next(const std::vector<std::string>& arguments) {
     const NextMeasurement next = session->next(d);
     auto json = to_json(next);
     json["verdict"] = to_string(d.diagnosis.verdict);
-    const std::optional<ImpactTable> impacts =
-        impacts_of(d, static_cast<std::size_t>(session->options().threads));
+    std::optional<ImpactTable> impacts;  // these choose among effects that could go undetected
+    if (d.diagnosis.verdict == Verdict::inconclusive) {
+        impacts = impacts_of(d, static_cast<std::size_t>(session->options().threads));
+    }
     const std::vector<NextStep> steps =
         next_steps(d, impacts, session->resolved(), common->study_word());
     json["to_do"] = texts_of(steps);
@@ -106,7 +108,7 @@ int next(const std::vector<std::string>& arguments) {
         console.figures(common->out_folder() / "figures", {"next"});
     }
     if (d.diagnosis.verdict == Verdict::missing) {
-        console.next(next_command(d, common->study_word()));
+        console.next(next_command(d.diagnosis, steps, common->study_word()));
     } else {
         console.line(fmt::format(
             "Afterwards, list new recordings in study.toml, and run: pendular diagnose {}",

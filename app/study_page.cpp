@@ -55,6 +55,7 @@ StudyPage study_page(const Session& session, const CommonOptions& common, std::s
         .impacts = impacts,
         .ladder = read_ladder(folder / "ladder.json"),
         .steps = step_lines(steps, planned(session, d)),
+        .command = next_command(d.diagnosis, steps, common.study_word()),
         .switched = switched_models(session.resolved(), d, session.options(), switching),
         .panels = panels,
         .version = PENDULAR_VERSION,
@@ -68,7 +69,7 @@ StudyPage study_page(const Session& session, const CommonOptions& common, std::s
     return {.html = report_page(content),
             .answer = verdict_line(d.diagnosis, *d.models, content.checks),
             .verdict = std::string(to_string(d.diagnosis.verdict)),
-            .next = next_command(d, common.study_word()),
+            .next = content.command,
             .measure = first_step(content.steps),
             .switches = fits.switches,
             .models = static_cast<std::size_t>(

@@ -81,8 +81,8 @@ class Steps {
     void repeat_suspects() {
         if (diagnosis_.suspects.empty()) return;
         say(
-            fmt::format("Repeat {} with a new filling: an error there would explain the residuals "
-                        "as well.",
+            fmt::format("Repeat {} (readings with a new filling): an error there would explain the "
+                        "residuals as well.",
                         joined(diagnosis_.suspects, "and")));
     }
 
@@ -260,11 +260,6 @@ void Steps::check_sensors() {
     }
 }
 
-/// Whether readings are to tell proposed causes apart that no check of a sensor settles.
-bool several_causes(const StudyDiagnosis& d) {
-    return !d.proposals.empty() && rivals_of(d).size() > 1;
-}
-
 void Steps::unknown() {
     check_sensors();
     const bool checked = !steps_.empty();
@@ -273,7 +268,7 @@ void Steps::unknown() {
         say("If you suspect a cause, write it as a formula in a table [[effect]] of study.toml.");
         return;
     }
-    if (several_causes(d_)) tell_apart("the causes in the beads");
+    if (rivals_of(d_).size() > 1) tell_apart("the causes in the beads");
     say(fmt::format(
         "{}, look for a cause in the beads. Until the cause is found, proposal 1 can stand in for "
         "it, so that the misfit falls: pendular add {} --proposed 1.",
@@ -386,13 +381,15 @@ std::vector<std::string> texts_of(const std::vector<NextStep>& steps) {
     return texts;
 }
 
-std::string next_command(const StudyDiagnosis& d, const std::string& study) {
-    const Diagnosis& diagnosis = d.diagnosis;
+std::string next_command(const Diagnosis& diagnosis, const std::vector<NextStep>& steps,
+                         const std::string& study) {
     switch (diagnosis.verdict) {
         case Verdict::missing:
             return fmt::format("pendular add {} {}", study, diagnosis.effects.front());
         case Verdict::unknown:
-            if (several_causes(d)) return fmt::format("pendular next {}", study);
+            if (std::ranges::any_of(steps, &NextStep::readings)) {
+                return fmt::format("pendular next {}", study);
+            }
             [[fallthrough]];
         case Verdict::suspect_measurement:
             return fmt::format("pendular diagnose {}   # after these steps", study);

@@ -50,7 +50,9 @@ std::vector<std::string> texts_of(const std::vector<NextStep>& steps);
 /// Returns the `pendular` command to give next. The command only proposes to add an effect if the
 /// diagnosis found the effect missing; a proposed change of unknown cause is never added without a
 /// check.
+/// @param steps what to do after the diagnosis (`next_steps`)
 /// @param study name of the study as the user gave it
-std::string next_command(const StudyDiagnosis& diagnosis, const std::string& study);
+std::string next_command(const Diagnosis& diagnosis, const std::vector<NextStep>& steps,
+                         const std::string& study);
 
 }  // namespace pendular

@@ -238,7 +238,7 @@ PageSection next_section(const PageContent& content) {
     for (std::size_t k = 1; k < content.steps.size(); ++k) {  // the title is the heading
         section.lines.push_back(trimmed(content.steps[k]));
     }
-    section.commands = {next_command(content.diagnosis, content.study_argument)};
+    section.commands = {content.command};
     return section;
 }
 

@@ -38,6 +38,7 @@ struct PageContent {
     Ladder ladder = {};
     /// Numbered lines below a heading that say what to do next (`step_lines`).
     std::vector<std::string> steps = {};
+    std::string command = {};  ///< `pendular` command to give next (`next_command`)
     /// Fitted models, one for each combination of the leading effects. The reader of the page can
     /// switch these effects on and off.
     SwitchedModels switched;

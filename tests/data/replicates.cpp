@@ -439,7 +439,8 @@ TEST(Replicates, OfOneClusterDoNotRefuteTheErrorsOfAnother) {
         for (int i = 0; i < 2 * count; ++i) {
             const double sign = i % 2 == 0 ? 1 : -1;
             const double ratio = 0.3 * std::exp(sign * error / std::numbers::sqrt2);
-            all.readings.push_back(reading(least * std::pow(1.2, i / 2), ratio, 0.6, error));
+            all.readings.push_back(
+                reading(least * std::pow(1.2, i / 2), ratio, 0.6 * ratio / 0.3, error));
             all.readings.back().origin.file = file;
         }
     };

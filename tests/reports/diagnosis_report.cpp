@@ -18,6 +18,13 @@ Explanation refit(double standard_error, bool converged) {
     return result;
 }
 
+/// Models with two effects that change four values in different ways.
+LinearSpace drag_and_slip() {
+    return {Eigen::MatrixXd::Ones(4, 1),
+            {{.name = "drag", .values = Eigen::VectorXd::LinSpaced(4, 0, 1)},
+             {.name = "slip", .values = Eigen::VectorXd::LinSpaced(4, 1, 0)}}};
+}
+
 TEST(EstimateOfAnEffect, IsThatOfTheRefitWhereThisDeterminesIt) {
     const LinearSpace space(Eigen::MatrixXd::Ones(4, 1),
                             {{.name = "drag",
@@ -60,9 +67,7 @@ TEST(VerdictLine, NamesWhatCouldExplainALargeMisfitOfUntestedErrors) {
 }
 
 TEST(VerdictLine, SaysHowWellEachOfSeveralEffectsExplainsTheReadings) {
-    const LinearSpace space(Eigen::MatrixXd::Ones(4, 1),
-                            {{.name = "drag", .values = Eigen::VectorXd::LinSpaced(4, 0, 1)},
-                             {.name = "slip", .values = Eigen::VectorXd::LinSpaced(4, 1, 0)}});
+    const LinearSpace space = drag_and_slip();
     Diagnosis diagnosis;
     diagnosis.verdict = Verdict::indistinguishable;
     diagnosis.chi2 = 400, diagnosis.dof = 100;
@@ -75,12 +80,14 @@ TEST(VerdictLine, SaysHowWellEachOfSeveralEffectsExplainsTheReadings) {
     EXPECT_THAT(line(), testing::HasSubstr("chi2/dof from 4.00 to about 0.90"));
     diagnosis.confidence_set[1].chi2 = 95;
     EXPECT_THAT(line(), testing::HasSubstr("chi2/dof from 4.00 to between 0.90 and 0.95"));
+    EXPECT_THAT(line(), testing::HasSubstr("something is missing"));
+    diagnosis.lack_of_fit_p = 0.04, diagnosis.further_p = 0.02;
+    EXPECT_THAT(line(), testing::AllOf(testing::HasSubstr("something may be missing"),
+                                       testing::HasSubstr("is weak (p = 0.02)")));
 }
 
 TEST(DiagnosisTable, SaysWhatEachEffectLeaves) {
-    const LinearSpace space(Eigen::MatrixXd::Ones(4, 1),
-                            {{.name = "drag", .values = Eigen::VectorXd::LinSpaced(4, 0, 1)},
-                             {.name = "slip", .values = Eigen::VectorXd::LinSpaced(4, 1, 0)}});
+    const LinearSpace space = drag_and_slip();
     Diagnosis diagnosis;
     diagnosis.chi2 = 500, diagnosis.dof = 11;
     diagnosis.scan.resize(2);
@@ -96,9 +103,7 @@ TEST(DiagnosisTable, SaysWhatEachEffectLeaves) {
 }
 
 TEST(CloseEffects, AreNamedWithWhatTheyWouldLeave) {
-    const LinearSpace space(Eigen::MatrixXd::Ones(4, 1),
-                            {{.name = "drag", .values = Eigen::VectorXd::LinSpaced(4, 0, 1)},
-                             {.name = "slip", .values = Eigen::VectorXd::LinSpaced(4, 1, 0)}});
+    const LinearSpace space = drag_and_slip();
     Diagnosis diagnosis;
     diagnosis.verdict = Verdict::missing;
     diagnosis.chi2 = 1010, diagnosis.dof = 10;
@@ -111,6 +116,11 @@ TEST(CloseEffects, AreNamedWithWhatTheyWouldLeave) {
     EXPECT_THAT(close_effects_lines(diagnosis, space),
                 testing::ElementsAre(testing::AllOf(testing::HasSubstr("slip"),
                                                     testing::HasSubstr("chi2/dof at 3.00"))));
+    // An effect of a set that fits is no other effect.
+    diagnosis.confidence_set = {refit(0.1, true)};
+    diagnosis.confidence_set[0].chosen = {0, 1};
+    EXPECT_THAT(close_effects_lines(diagnosis, space), testing::IsEmpty());
+    diagnosis.confidence_set.clear();
     diagnosis.tried[1].chi2 = 300;  // more than a tenth of the misfit is left
     EXPECT_THAT(close_effects_lines(diagnosis, space), testing::IsEmpty());
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "reports/diagnosis_report.h"
+#include "reports/sensor_checks.h"
 #include "reports/suspect_report.h"
 #include "reports/undetected_effects.h"
 #include "tests/support/data_support.h"
@@ -30,6 +31,7 @@ class NextSteps : public testing::Test {
         return next_steps(d_, impacts, session_.resolved(), "beads");
     }
     std::vector<std::string> texts() const { return texts_of(steps()); }
+    std::string command() const { return next_command(d_.diagnosis, steps(), "beads"); }
     void forget(Verdict verdict) {
         d_.diagnosis.verdict = verdict;
         d_.diagnosis.effects.clear();
@@ -63,7 +65,7 @@ TEST_F(NextSteps, MeasureAMissingEffectDirectlyBeforeItIsAdded) {
     EXPECT_THAT(list[1].text, AllOf(HasSubstr("If the measurement agrees"),
                                     HasSubstr("pendular add beads wall-friction")));
     EXPECT_TRUE(list[2].readings);
-    EXPECT_EQ(next_command(d_, "beads"), "pendular add beads wall-friction");
+    EXPECT_EQ(command(), "pendular add beads wall-friction");
     const auto lines = step_lines(list, {"Take 5 readings.", "  friction: 0.1 -> 0.05"});
     ASSERT_EQ(lines.size(), 6u);
     EXPECT_EQ(first_step(lines), list[0].text);
@@ -116,7 +118,7 @@ TEST_F(NextSteps, CheckTheSensorBeforeAProposalIsAdded) {
     const auto without = texts();
     ASSERT_EQ(without.size(), 5u);  // three sensors
     EXPECT_THAT(without[1], HasSubstr("load cell with known weights, between"));
-    EXPECT_THAT(next_command(d_, "beads"), HasSubstr("pendular diagnose beads"));
+    EXPECT_THAT(command(), HasSubstr("pendular diagnose beads"));
     Proposal proposal;
     proposal.shapes = {change_of("stress_ratio")};
     proposal.alike = {change_of("torque")};
@@ -127,14 +129,15 @@ TEST_F(NextSteps, CheckTheSensorBeforeAProposalIsAdded) {
     ASSERT_EQ(list.size(), 2u);
     EXPECT_THAT(list[0].text,
                 AllOf(HasSubstr("torque transducer"), HasSubstr("correct the recordings")));
-    EXPECT_THAT(list[1].text, AllOf(HasSubstr("If this finds no fault, look for a cause in the beads"),
-                                    HasSubstr("pendular add beads --proposed 1")));
+    EXPECT_THAT(list[1].text,
+                AllOf(HasSubstr("If this finds no fault, look for a cause in the beads"),
+                      HasSubstr("pendular add beads --proposed 1")));
     EXPECT_TRUE(std::ranges::none_of(list, &NextStep::readings)) << "the check decides";
-    EXPECT_THAT(next_command(d_, "beads"), Not(HasSubstr("--proposed")));
+    EXPECT_THAT(command(), Not(HasSubstr("--proposed")));
     // A check of sensors does not decide between two causes in the beads.
     d_.proposals.push_back(proposal);
     EXPECT_TRUE(std::ranges::any_of(steps(), &NextStep::readings));
-    EXPECT_EQ(next_command(d_, "beads"), "pendular next beads");
+    EXPECT_EQ(command(), "pendular next beads");
 }
 
 TEST_F(NextSteps, RuleOutWhatWouldShiftTheFriction) {
@@ -167,7 +170,7 @@ TEST_F(NextSteps, NameAtMostThreeDirectMeasurements) {
                             "contact-angle", "normal-force-offset", "height-offset"};
     EXPECT_EQ(std::ranges::count_if(steps(), &NextStep::direct), 3);
     EXPECT_TRUE(steps().back().readings);
-    EXPECT_EQ(next_command(d_, "beads"), "pendular next beads");
+    EXPECT_EQ(command(), "pendular next beads");
 }
 
 TEST_F(NextSteps, AskForRepeatedReadingsWhereErrorsAreNotKnown) {
@@ -184,8 +187,43 @@ TEST_F(NextSteps, SayWhichConditionOnlySuspectReadingsHave) {
             .setConstant(d_.readings[k].condition.dry() ? 0 : 1);
     }
     EXPECT_EQ(own_condition(d_.readings, suspect), "liquid content 0.03");
+    // Contents that differ by less than 2 % are one content.
+    const auto wet = std::ranges::find_if(
+        d_.readings, [](const Reading& each) { return !each.condition.dry(); });
+    wet->condition.liquid_content *= 1.015;
+    EXPECT_THAT(own_condition(d_.readings, suspect), HasSubstr("liquid content"));
     suspect.columns.topRows<2>().setOnes();  // a dry one too
     EXPECT_EQ(own_condition(d_.readings, suspect), "");
+}
+
+TEST_F(NextSteps, WaitForRepeatsOfSuspectReadings) {
+    forget(Verdict::indistinguishable);
+    d_.diagnosis.effects = {"rolling-resistance", "wet-friction"};
+    d_.diagnosis.suspects = {"the readings of dry_1.csv"};
+    const auto lines = step_lines(steps(), {"Take 2 readings."});
+    EXPECT_THAT(lines.back(),
+                testing::EndsWith("If the new readings agree with the old: Take 2 readings."));
+    EXPECT_THAT(texts_of(steps()).back(), HasSubstr("agree with the old: Take the readings"));
+}
+
+TEST_F(NextSteps, NameTheLoadsAndTheErrorOfASensor) {
+    FittedShape change = change_of("torque");
+    change.change = -0.2;
+    change.standard_error = 0.01;
+    const auto check = [&](const FittedShape* of, double too_large = 0) {
+        return sensor_check("torque", d_.readings, session_.study(), of, too_large);
+    };
+    EXPECT_THAT(check(&change),
+                AllOf(HasSubstr("the shown torque is 20.0 +- 1.0 % smaller than the true value"),
+                      Not(HasSubstr("normal forces"))));
+    change.shape.profile.variable = "normal_stress";
+    EXPECT_THAT(check(&change), HasSubstr("at normal forces between 1.5 N and 15 N"));
+    EXPECT_THAT(check(nullptr, -0.1), AllOf(HasSubstr("it shows 10 % too little"),
+                                            HasSubstr("correct the suspect recordings")));
+    for (Reading& reading : d_.readings) {
+        reading.value(0) = 100;
+    }
+    EXPECT_THAT(check(nullptr), HasSubstr("a lever of about"));
 }
 
 TEST_F(NextSteps, TellCausesInTheBeadsApart) {

@@ -43,6 +43,21 @@ TEST(ScanFigures, ShowPredictedAndRefittedReductions) {
     EXPECT_THAT(panel.references, SizeIs(1));
 }
 
+TEST(ScanFigures, ShowTheLargestReductionsOfMany) {
+    std::vector<LinearSpace::Column> columns;
+    Diagnosis many;
+    many.chi2 = 100, many.dof = 10;
+    for (std::size_t k = 0; k < 25; ++k) {
+        columns.push_back({"effect-" + std::to_string(k), Eigen::Vector2d(1, 0)});
+        many.scan.push_back(finding(k, {1, 0}, static_cast<double>(k)));
+    }
+    const LinearSpace all(Eigen::MatrixXd::Ones(2, 1), columns);
+    const Panel panel = scan_figures(many, all)[0].panels.at(0);
+    ASSERT_THAT(panel.y_names, SizeIs(20));
+    EXPECT_EQ(panel.y_names.back(), "effect-24");
+    EXPECT_EQ(panel.y_names.front(), "effect-5");
+}
+
 TEST(ScanFigures, LeaveOutTheLineOfChi2ThatWouldSqueezeTheBars) {
     const auto figures = scan_figures(diagnosis(1000), space);
     EXPECT_THAT(figures[0].panels.at(0).references, IsEmpty());

@@ -1,0 +1,33 @@
+// What the errors of a study's readings rest on, in words.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/misfit/believable.h"
+#include "data/recordings/replicates.h"
+
+namespace pendular::error_basis_test {
+
+using testing::HasSubstr;
+
+/// Two readings at one condition with stated errors of 1 %, `apart` from each other.
+Measurements pair_of_readings(double apart) {
+    Measurements all;
+    for (const double factor : {1.0, 1 + apart}) {
+        Reading reading;
+        reading.condition = {1000, 0.01, 0, std::nullopt};
+        reading.value = {300 * factor, 0.6 * factor};
+        reading.covariance = (0.01 * reading.value).cwiseAbs2().asDiagonal();
+        all.readings.push_back(reading);
+    }
+    pool_replicates(all);
+    return all;
+}
+
+TEST(ErrorBasis, IsWhatTheUserStatesUnlessReplicatesRefuteIt) {
+    EXPECT_THAT(error_basis(pair_of_readings(0.01)),
+                HasSubstr("those given with the readings; 2 repeated readings agree with them"));
+    EXPECT_THAT(error_basis(pair_of_readings(0.1)),
+                HasSubstr("estimated from the scatter of 2 repeated readings"));
+}
+
+}  // namespace pendular::error_basis_test
