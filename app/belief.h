@@ -8,8 +8,8 @@
 namespace pendular::app {
 
 /// Returns a text that warns against the use of a fit and states the most serious reason in
-/// `belief`: "Do not use the fitted friction coefficient, 0.196 +- 0.005. The model does not
-/// describe ...". Returns an empty text if `belief` contains no reason against the fit.
+/// `belief`: "Do not use the fitted intergranular friction coefficient, 0.196 +- 0.005. The model
+/// does not describe ...". Returns an empty text if `belief` contains no reason against the fit.
 /// @param what result that the user should not use, with its value
 std::string warning_on(const Belief& belief, const std::string& what);
 

@@ -52,7 +52,7 @@ TEST(Tutorial, DoesWhatItSays) {
     }
     EXPECT_THAT(said["import"][0], HasSubstr("24 readings written to"));
     EXPECT_THAT(said["calibrate"][0],
-                HasSubstr("Do not use the fitted friction coefficient, 0.19"));
+                HasSubstr("Do not use the fitted intergranular friction coefficient, 0.19"));
     EXPECT_THAT(said["compare"][0], HasSubstr("residual of the shear stress (measured minus model) "
                                               "increases with the normal stress"));
     EXPECT_THAT(said["diagnose"][0], HasSubstr("Missing: wall-friction (coefficient 0.1483"));

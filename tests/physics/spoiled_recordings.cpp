@@ -285,7 +285,8 @@ TEST_P(SpoiledRecordings, AreNotBelievedInSilence) {
         value = run.output.substr(0, run.output.find('\n'));
         if (doubted) {
             fate = Fate::doubted;
-            EXPECT_THAT(value, testing::HasSubstr("Do not use the fitted friction coefficient"));
+            EXPECT_THAT(value, testing::HasSubstr(
+                                   "Do not use the fitted intergranular friction coefficient"));
         } else {
             fate = Fate::harmless;
             EXPECT_LT(off, 3) << "confident and wrong: " << value;
