@@ -54,6 +54,13 @@ edit() { OLD=$1 NEW=$2 perl -0pi -e 's/\Q$ENV{OLD}\E/$ENV{NEW}/' s/study.toml; }
 
 # store: a store with one run, the first of the atlas.
 store() { head -2 "$PENDULAR_ATLAS" >one.csv; "$program" runs import one.csv >/dev/null; }
+# read_only: makes a copy of the store, ro/s.sqlite, that the program cannot write.
+read_only() {
+  mkdir ro; cp "$PENDULAR_STORE" ro/s.sqlite; chmod 444 ro/s.sqlite; chmod 555 ro
+  [ "$(id -u)" = 0 ] || return 0
+  chmod 755 .. . ../..; cp "$program" ../p; program="setpriv --reuid=65534 --clear-groups ../p"
+  run() { (timeout -s KILL 20 $program "$@") >../out 2>../err </dev/null; echo $? >../code; }
+}
 # sql COMMAND: changes the store, or prints what it holds.
 sql() { sqlite3 "$PENDULAR_STORE" "$1"; }
 # own_effect TEXT SUMMARY: the study s with an effect of its own, whose formula and summary are given.

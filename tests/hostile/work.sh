@@ -49,3 +49,9 @@ stress_ratio = "stress_ratio*factor"
 T
 run add s --proposed 1
 E
+attack "work: a store of an older version that cannot be written" 0 "1 simulation." <<'E'
+store; sql 'ALTER TABLE runs DROP COLUMN distant_force; PRAGMA wal_checkpoint(TRUNCATE)' >/dev/null; read_only; run runs list --store ro/s.sqlite
+E
+attack "work: an empty store that cannot be written" 2 "is empty and cannot be written" <<'E'
+rm -f "$PENDULAR_STORE"*; : >"$PENDULAR_STORE"; read_only; run runs list --store ro/s.sqlite
+E

@@ -46,14 +46,16 @@ std::vector<const RunColumn*> missing_columns(SQLite::Database& database) {
     return missing;
 }
 
-/// Creates the table of runs, or adds the columns that the file lacks. Another process may be doing
-/// the same, so that the file is inspected only after this process has locked it for writing.
-void make_table(SQLite::Database& database, const std::string& name) {
-    SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-    const int id = pragma(database, "application_id"), version = pragma(database, "user_version");
-    const bool fresh = id == 0 && version == 0 &&
-                       database.execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
-    if (!fresh && id != application_id) {
+/// Whether a database has neither tables nor the marks of a program.
+bool is_empty(SQLite::Database& database) {
+    return pragma(database, "application_id") == 0 && pragma(database, "user_version") == 0 &&
+           database.execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
+}
+
+/// Refuses a database that is neither empty nor a store that this version can read.
+void check_format(SQLite::Database& database, const std::string& name) {
+    const int version = pragma(database, "user_version");
+    if (!is_empty(database) && pragma(database, "application_id") != application_id) {
         throw InputError(
             fmt::format("{} is a database of another program; name another file", name));
     }
@@ -63,6 +65,13 @@ void make_table(SQLite::Database& database, const std::string& name) {
             "pendular or name another file",
             name, version, store_format));
     }
+}
+
+/// Creates the table of runs, or adds the columns that the file lacks. Another process may be doing
+/// the same, so that the file is inspected only after this process has locked it for writing.
+void make_table(SQLite::Database& database, const std::string& name) {
+    SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+    check_format(database, name);
     database.exec(
         "CREATE TABLE IF NOT EXISTS runs (id INTEGER PRIMARY KEY AUTOINCREMENT, key TEXT NOT NULL "
         "UNIQUE, physics_version INTEGER NOT NULL, added TEXT NOT NULL DEFAULT CURRENT_TIMESTAMP, "
@@ -74,6 +83,20 @@ void make_table(SQLite::Database& database, const std::string& name) {
     database.exec(fmt::format("PRAGMA application_id = {}", application_id));
     database.exec(fmt::format("PRAGMA user_version = {}", store_format));
     transaction.commit();
+}
+
+/// Lets a file of an older format that cannot be written be read as if it had all columns: a
+/// temporary view, which SQLite keeps outside of the file, takes the place of the table of runs.
+void show_missing_columns(SQLite::Database& database, const std::string& name) {
+    check_format(database, name);
+    if (is_empty(database)) {
+        throw InputError(fmt::format("{} is empty and cannot be written; name another file", name));
+    }
+    std::string columns = "*";
+    for (const RunColumn* column : missing_columns(database)) {
+        columns += fmt::format(", CAST(NULL AS {}) AS {}", sql_type(column->type), column->name);
+    }
+    database.exec("CREATE TEMP VIEW runs AS SELECT " + columns + " FROM main.runs");
 }
 
 /// Authorizer callback of SQLite that denies recursive queries, which may never end and which no
@@ -177,7 +200,9 @@ std::unique_ptr<SQLite::Database> open_store_file(const std::filesystem::path& f
     const bool made = pragma(*database, "application_id") == application_id &&
                       pragma(*database, "user_version") == store_format &&
                       missing_columns(*database).empty();
-    if (!made) make_table(*database, fmt::format("store {}", file.string()));
+    const std::string name = fmt::format("store {}", file.string());
+    if (!made && writable) make_table(*database, name);
+    if (!made && !writable) show_missing_columns(*database, name);
     if (writable) {
         // Readers and one writer can work at the same time; a commit is on the disk before it is
         // reported.
