@@ -96,7 +96,7 @@ int next(const std::vector<std::string>& arguments) {
             "plan stays near the conditions already measured. 'pendular next --help' shows an "
             "example.");
     }
-    if (next.unsupported > 0) {
+    if (next.unsupported > 0 && !next.points.empty()) {
         console.note(
             fmt::format("The simulations in atlas and store do not cover {} of {} conditions; the "
                         "plan leaves them out.",

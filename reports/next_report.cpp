@@ -191,6 +191,12 @@ bool beside(const Condition& a, const Condition& b, const Study& study, bool sam
 }  // namespace
 
 std::vector<std::string> plan_lines(const NextMeasurement& next) {
+    if (next.points.empty()) {
+        return {
+            "No reading can be planned: the simulations in atlas and store cover none of the "
+            "conditions in section [rig] of study.toml. 'pendular campaign' makes simulations "
+            "there."};
+    }
     return next.plans.empty() ? sharpening_lines(next) : separating_lines(next);
 }
 

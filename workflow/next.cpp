@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "data/input_error.h"
 #include "workflow/rivals.h"
 
 namespace pendular {
@@ -32,11 +31,7 @@ NextMeasurement next_measurement(const ResolvedStudy& resolved, const StudyDiagn
     next.unsupported = std::erase_if(next.points, [&](const Point& point) {
         return !point.direct && !d.models->why_unsupported(friction, point.condition).empty();
     });
-    if (next.points.empty()) {
-        throw InputError({study.file.string()},
-                         "[rig]: the simulations in atlas and store cover none of its conditions; "
-                         "'pendular campaign' makes simulations there");
-    }
+    if (next.points.empty()) return next;
     const Eigen::Vector2d errors = relative_errors(d.readings);
     if (next.rivals.size() > 1) {
         next.plans = separating_plans(next.rivals, next.points, errors, rig.repeats);

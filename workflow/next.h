@@ -15,17 +15,17 @@ struct NextMeasurement {
     /// one model, the next measurement should make its parameters more precise.
     std::vector<Rival> rivals;
     /// Possible measurements that the instrument (table [rig] of study.toml) can make and whose
-    /// results can be predicted.
+    /// results can be predicted. Without such a measurement, `plans` and `sharpenings` are empty.
     std::vector<Point> points;
-    /// Plan of readings for each of `points`, sorted by how well the readings would tell the rival
-    /// models apart, the best first (`separating_plans`). Empty if there is only one model.
+    /// Plans of readings, one for each of `points`, sorted by how well the readings would tell the
+    /// rival models apart, the best first (`separating_plans`). Empty if there is only one model.
     std::vector<Plan> plans;
     /// Standard errors that the parameters of the only model would have after `most_repeats`
-    /// measurements at each of `points`, sorted by the gain in precision, the largest first. Empty
-    /// if there are several rival models.
+    /// measurements, for each of `points`. Sorted by the gain in precision for the cost of the
+    /// measurements, the largest first. Empty if there are several rival models.
     std::vector<Sharpening> sharpenings;
-    /// Readings to make in order to tell the rival models apart. The series has no steps if no
-    /// readings can tell the models apart, or if there is only one model.
+    /// Series of readings to make in order to tell the rival models apart. The series is empty if
+    /// no readings can tell the models apart, or if there is only one model.
     Series series = {};
     /// Largest number of readings that the instrument allows at one point (`most_repeats`), and in
     /// total (`most_readings`).
@@ -61,8 +61,8 @@ Eigen::VectorXd error_of(const Forecast& forecast);
 /// study.toml states which measurements the instrument can make. Without this table, the
 /// measurements lie in the range of the readings. The diagnosis and the study must outlive the
 /// result.
-/// @throws InputError if none of the instrument's conditions is near an earlier simulation run, or
-///         if [rig] lists a direct measurement of an effect that does not apply to the study
+/// @throws InputError if [rig] lists a direct measurement of an effect that does not apply to the
+///         study
 NextMeasurement next_measurement(const ResolvedStudy& study, const StudyDiagnosis& diagnosis);
 
 }  // namespace pendular

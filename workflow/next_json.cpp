@@ -91,16 +91,20 @@ Json to_json(const NextMeasurement& next) {
         json["rivals"].push_back(rival.name);
     }
     if (!next.plans.empty()) {
-        constexpr std::size_t others = 5;
+        constexpr std::size_t others = 4;
         json["separable"] = !next.series.steps.empty();
         json["series"] = series_json(next);
-        json.update(plan_json(next, shown_plan(next)));
+        const Plan& shown = shown_plan(next);
+        json.update(plan_json(next, shown));
         json["others"] = Json::array();
-        for (std::size_t k = 1; k < std::min(next.plans.size(), others); ++k) {
-            json["others"].push_back(plan_json(next, next.plans[k]));
+        for (const Plan& plan : next.plans) {
+            if (&plan != &shown && json["others"].size() < others) {
+                json["others"].push_back(plan_json(next, plan));
+            }
         }
         return json;
     }
+    if (next.sharpenings.empty()) return json;
     const Sharpening& best = next.sharpenings.front();
     json["point"] = point_json(next.points[best.point], next.study);
     json["repeats"] = next.most_repeats;

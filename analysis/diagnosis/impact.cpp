@@ -77,6 +77,13 @@ class Impacts {
     Eigen::VectorXd shift_by(const Eigen::VectorXd& change) const {
         return -residuals_.parameter_shift_of(residuals_.whiten(change));
     }
+    /// A shift of the parameters, limited to their bounds: beyond, the linear approximation
+    /// describes no model.
+    Eigen::VectorXd within_bounds(const Eigen::VectorXd& shift) const {
+        const ParameterBounds bounds = bare_->bounds();
+        return (fit_.parameters + shift).cwiseMax(bounds.lower).cwiseMin(bounds.upper) -
+               fit_.parameters;
+    }
     /// Shift of the parameters by a refit with the effect at `size`; the fit starts from `start`.
     Eigen::VectorXd refitted(const Impact& impact, double size, const Eigen::VectorXd& start) const;
 
@@ -115,8 +122,8 @@ std::vector<Impact> Impacts::impact_of(const Finding& finding) const {
     const auto shift = [&](double size) {
         const double within =
             is_switch ? std::clamp(size, 0.0, 1.0) : std::clamp(size, p.lower, p.upper);
-        return Shift{
-            within, unit * (is_switch ? within : addition.amplitude_at(within, one_sided)), {}};
+        const double amplitude = is_switch ? within : addition.amplitude_at(within, one_sided);
+        return Shift{within, within_bounds(unit * amplitude), {}};
     };
     Impact impact{.name = candidate.name,
                   .quantity = p.name,
@@ -160,7 +167,7 @@ std::vector<Impact> Impacts::impacts_of_suspect(std::size_t k) const {
     const Eigen::VectorXd errors = root.rowwise().norm();
     for (Eigen::Index column = 0; column < suspect.columns.cols(); ++column) {
         const Eigen::VectorXd unit = shift_by(suspect.columns.col(column));
-        const auto shift = [&](double size) { return Shift{size, unit * size, {}}; };
+        const auto shift = [&](double size) { return Shift{size, within_bounds(unit * size), {}}; };
         Impact impact{.name = suspect.name,
                       .unit = "1",
                       .group = suspect.group,

@@ -16,9 +16,10 @@ struct Shift {
     double size = 0;
     /// Shift of the calibrated parameters [their units] in the linear approximation:
     ///     -(J'J)^-1 J' g A,
-    /// with the derivatives J of the predictions with respect to the parameters and the change g of
-    /// the readings per unit of the amplitude, both in units of the readings' errors (whitened),
-    /// and the amplitude A at `size`.
+    /// with the derivatives J of the predictions with respect to the parameters, the change g of
+    /// the readings by the effect or error per unit of its amplitude (J and g in units of the
+    /// readings' errors, whitened), and the amplitude A at `size`. Limited to the bounds of the
+    /// parameters.
     Eigen::VectorXd linear;
     /// Shift of the calibrated parameters [their units] after a refit with the effect or error
     /// fixed at `size`. Empty if the model was not refitted.
@@ -29,16 +30,17 @@ struct Shift {
     const Eigen::VectorXd& best() const { return refitted.size() > 0 ? refitted : linear; }
 };
 
-/// Impact of one effect, or of one error of measurement, on the calibrated parameters: shifts of
-/// the parameters for several sizes of the effect or error.
+/// Impact of one physical effect, or of one error of measurement, on the calibrated parameters:
+/// shifts of the parameters for several sizes of the effect or error.
 struct Impact {
     /// Name of the effect or of the suspect measurement (part of the measurement that may be
     /// wrong), such as "the readings of dry_1.csv".
     std::string name;
-    /// Name of the effect's parameter, or of the measured quantity that is in error. Empty if
-    /// `name` names the quantity.
+    /// Name of the effect's parameter, or of the measured quantity that is in error, such as "shear
+    /// stress". Empty if `name` also names the quantity.
     std::string quantity;
-    /// Unit of all sizes of the effect or error. "1" if the sizes are relative or dimensionless.
+    /// Unit of all sizes of the effect or error; "1" for dimensionless sizes, such as relative
+    /// errors.
     std::string unit;
     /// Group to which the effect or error belongs in the table of impacts, such as "instrument" or
     /// "files".
@@ -58,7 +60,8 @@ struct Impact {
     /// error is not known.
     double error = 0;
 
-    /// Shift of the calibrated parameters at the smallest size of interest of the effect or error.
+    /// Shift of the calibrated parameters at the smallest size of the effect or error that is of
+    /// interest to the user.
     Shift at_interest;
     /// Shift of the calibrated parameters at the estimated size of the effect or error.
     Shift at_estimate;
@@ -68,17 +71,17 @@ struct Impact {
     Shift above, below;
 
     /// Returns the significance of the effect or error [1]: estimated size minus `neutral` (no
-    /// effect or error), divided by the standard error of the size. Not a number if the standard
-    /// error is not known.
+    /// effect or error), divided by the standard error of the estimated size. Not a number if the
+    /// standard error is not known.
     double pull() const;
-    /// Returns the difference between two shifts of the calibrated parameters [their units]: the
-    /// shift at a size one standard error above (`up`) or below (`down`) the estimated size of the
-    /// effect or error, minus the shift at the estimated size.
+    /// Returns the change of the shift of the calibrated parameters [their units] when the size of
+    /// the effect or error moves from the estimated size up (`up`) or down (`down`) by one standard
+    /// error.
     Eigen::VectorXd up() const { return difference(above); }
     Eigen::VectorXd down() const { return difference(below); }
-    /// Returns, for each calibrated parameter [its unit], the shift that comes from the standard
-    /// error of the size of the effect or error: the larger of the absolute values of `up` and
-    /// `down`.
+    /// Returns the uncertainty of the shift of each calibrated parameter [its unit] that comes from
+    /// the standard error of the size of the effect or error: the larger of the absolute values of
+    /// `up` and `down`.
     Eigen::VectorXd by_error() const { return up().cwiseAbs().cwiseMax(down().cwiseAbs()); }
 
   private:
@@ -89,14 +92,14 @@ struct Impact {
     }
 };
 
-/// Impact of all effects or errors of one group together on the calibrated parameters. The shifts
-/// by the single effects or errors are computed in the linear approximation. For each parameter,
-/// the shift by the group is the square root of the sum of the squares of these shifts.
+/// Impact of all effects or errors of measurement of one group together on the calibrated
+/// parameters. For each parameter, the shift by the group is the square root of the sum of the
+/// squared shifts by the single effects or errors, which are computed in the linear approximation.
 struct GroupImpact {
     std::string group;
     /// Shift of each calibrated parameter [its unit] by the group: at the smallest sizes of
     /// interest of the effects or errors (`at_interest`), at the estimated sizes (`at_estimate`),
-    /// and when each size changes by one standard error (`by_error`).
+    /// and by a change of each estimated size by one standard error (`by_error`).
     Eigen::VectorXd at_interest, at_estimate, by_error;
 };
 
@@ -108,28 +111,29 @@ struct ImpactTable {
     /// Fitted values of the calibrated parameters (`fitted`) and their standard errors (`errors`),
     /// in the order and units of `parameters`.
     Eigen::VectorXd fitted, errors;
-    /// Impacts of all effects and errors of measurement. The impacts of the effects or suspect
-    /// measurements (parts of the measurement that may be wrong) that the verdict of the diagnosis
-    /// names come first, then all other impacts. Both parts are sorted by the shift of the friction
-    /// coefficient at the smallest size of interest, the largest first.
+    /// Impacts of all effects and errors of measurement. First come the impacts of the effects or
+    /// suspect measurements (parts of the measurement that may be wrong) that the verdict of the
+    /// diagnosis names, then all other impacts. Each of the two groups is sorted by the absolute
+    /// shift of the friction coefficient at the smallest size of interest, the largest first.
     std::vector<Impact> impacts;
     /// Impacts of each group of effects or errors together.
     std::vector<GroupImpact> groups;
 };
 
-/// Computes the impacts of effects and errors of measurement on the calibrated parameters, in the
-/// linear approximation. For the first entries of the returned table, the function also refits the
-/// model with the effect or error at the estimated size and at the smallest size of interest. If
-/// the verdict of the diagnosis names the effect or error, the function also uses the sizes one
-/// standard error above and below the estimate.
+/// Computes the impacts of physical effects and errors of measurement on the calibrated parameters,
+/// in the linear approximation. For the first entries of the returned table, the function also
+/// refits the model with the effect or error at the estimated size and at the smallest size of
+/// interest. If the verdict of the diagnosis names the effect or error, the function also refits
+/// the model at the sizes one standard error above and below the estimated size.
 ///
-/// Refits of the diagnosis estimate the sizes of effects. Score tests estimate the sizes of effects
-/// without a refit and of errors of measurement. The table leaves out effects with several free
-/// parameters, and effects with which the model cannot give the conditions that the instrument
-/// shows.
+/// The size of an effect is estimated by the refit of the diagnosis with the effect alone. Without
+/// such a refit, and for a switch (effect that is on or off), the score test estimates the size.
+/// Sizes of errors of measurement are estimated by linear least squares. The table leaves out
+/// effects with several free parameters, and effects with which the model cannot give the
+/// conditions that the instrument shows.
 /// @param most_refitted number N; the function refits the first N + min(N, m) entries of the table,
 ///        which begins with the m entries that the verdict names
-/// @param threads largest number of threads; no result depends on the number
+/// @param threads largest number of threads; no result depends on the number of threads
 ImpactTable impacts(const ModelSpace& space, const Evidence& evidence, const Diagnosis& diagnosis,
                     std::size_t most_refitted = 3, std::size_t threads = 1);
 

@@ -107,6 +107,18 @@ TEST(Impact, OfASuspectConditionIsThatOfCorrectingItsReadings) {
     EXPECT_NEAR(middle.at_interest.linear(0), -1.0 / line_conditions, 1e-9);
 }
 
+TEST(Impact, LeavesNoParameterBeyondItsBounds) {
+    const LinearSpace space =
+        line_and({column("huge", [](double x) { return 1e9 * (1 + 1e-6 * x * x); })});
+    Measuring measuring(7);
+    const Evidence evidence = measuring.of(plain());
+    const Diagnosis d = diagnosed(space, evidence);
+    const ImpactTable table = impacts(space, evidence, d);
+    const Shift& shift = impact_of(table, "huge").at_interest;
+    const double lower = space.with({})->bounds().lower(0);
+    EXPECT_NEAR(d.fit.parameters(0) + shift.linear(0), lower, 1e-6 * std::abs(lower));
+}
+
 TEST(Impact, OfAGroupIsTheRootOfTheSumOfSquares) {
     const LinearSpace space = line_and();
     Measuring measuring(5);

@@ -24,7 +24,7 @@ using nlohmann::json;
 
 const std::string eight_runs =
     "[[grid]]\nfriction = [0.1, 0.3]\ninertial_number = [0.05, 0.1]\nrepeats = 2\nbeads = 100\n"
-    "strain = 2\nstiffness_number = 300\n";
+    "strain = 1\nstiffness_number = 300\n";
 
 /// Starts `pendular` with these words and goes on.
 pid_t start_pendular(const std::string& words) {

@@ -149,6 +149,24 @@ TEST_F(DiagnoseCommand, SaysWhatToMeasureNext) {
     EXPECT_THAT(run_pendular("next --help").output, HasSubstr("[rig]"));
 }
 
+TEST_F(DiagnoseCommand, ListsTheStepsWhereNoReadingCanBePlanned) {
+    const std::string path = study(
+        "300,79.1,0.8,0.6189,0.0012,0.003\n"
+        "1000,258.0,2.6,0.6198,0.0012,0.003\n"
+        "3000,774.0,7.7,0.6203,0.0012,0.003\n");
+    // No simulation has such an inertial number.
+    std::ofstream(folder_.path() / "study.toml", std::ios::app)
+        << "[rig]\nnormal_stress = \"1 kPa\"\ninertial_number = 3\n";
+    const Outcome run = run_pendular("next " + path);
+    EXPECT_EQ(run.code, 0) << run.errors;
+    EXPECT_THAT(run.output, AllOf(HasSubstr("No reading can be planned: the simulations"),
+                                  HasSubstr("What to do, in this order:")));
+    std::ifstream written(folder_.path() / "out" / "next.json");
+    const auto json = nlohmann::json::parse(written);
+    EXPECT_FALSE(json.contains("point"));
+    EXPECT_FALSE(json.at("to_do").empty());
+}
+
 TEST_F(DiagnoseCommand, RefusesARigThatCannotBe) {
     const std::string path = study("300,79.1,0.8,0.6189,0.0012,0.003\n");
     std::ofstream(folder_.path() / "study.toml", std::ios::app)

@@ -312,7 +312,11 @@ TEST(NextMeasurement, ShowsTheMostTellingPointWhereNoneTells) {
                            "and b apart"),
                        testing::HasSubstr("differ most at 900 Pa"),
                        testing::HasSubstr("after a wait of 2 h")));
-    EXPECT_EQ(to_json(next).at("point").at("wait"), 7200);
+    const auto json = to_json(next);
+    EXPECT_EQ(json.at("point").at("wait"), 7200);
+    EXPECT_EQ(json.at("others").size(), 2u);
+    for (const auto& other : json.at("others"))
+        EXPECT_NE(other.at("point"), json.at("point"));
 }
 
 TEST(NextMeasurement, SharpensAParameterByADirectOne) {

@@ -23,7 +23,8 @@ std::vector<RecordingFinding> significant_findings(std::vector<RecordingFinding>
 }
 
 double two_sided_p(double z, double freedom) {
-    if (!std::isfinite(z)) return 0;
+    if (std::isnan(z)) return 1;
+    if (std::isinf(z)) return 0;
     const boost::math::students_t law(std::max(freedom, 1.0));
     return 2 * boost::math::cdf(boost::math::complement(law, std::abs(z)));
 }
