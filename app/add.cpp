@@ -120,9 +120,8 @@ std::string on_fitted_readings(const ChangedStudy& changed, bool earlier_dry) {
             with_error(c.fit.parameters(0), c.fit.standard_error(0), c.parameters[0].unit));
     }
     return earlier_dry ? fmt::format(
-                             "Both fits, with and without {0}, use all readings, dry and wet: "
-                             "'pendular calibrate' also fits all readings if the model contains "
-                             "{0}.",
+                             "Both fits, with and without {0}, use all readings, dry and wet, "
+                             "as 'pendular calibrate' does if the model contains {0}.",
                              changed.change.effect)
                        : "";
 }

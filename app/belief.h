@@ -10,7 +10,7 @@ namespace pendular::app {
 /// Returns a text that warns against the use of a fit and states the most serious reason in
 /// `belief`: "Do not use the fitted intergranular friction coefficient, 0.196 +- 0.005. The model
 /// does not describe ...". Returns an empty text if `belief` contains no reason against the fit.
-/// @param what result that the user should not use, with its value
+/// @param what name and value of the fitted quantity, as in the example
 std::string warning_on(const Belief& belief, const std::string& what);
 
 /// Prints the reasons not to believe a fit, one reason per line.

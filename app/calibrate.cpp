@@ -156,8 +156,8 @@ int calibrate(const std::vector<std::string>& arguments) {
                        "the new simulations are kept in the store");
     options.add(
         "lowest-reduced-pressure", &fit.cohesion.lowest_reduced_pressure,
-        "fit the cohesion only to points with at least this reduced pressure P* = a^2 s22/F0 [1] "
-        "(a: grain diameter, s22: normal stress, F0: pull-off force of a bridge) (default 2.3)");
+        "fit the cohesion only to points with at least this reduced pressure P* = a^2 s22/F0 [1], "
+        "with grain diameter a, normal stress s22 and pull-off force F0 of a bridge (default 2.3)");
     options.add_switch("profile", &fit.profile,
                        "also compute the profile likelihood interval of the friction coefficient");
     const auto common = options.parse(arguments);

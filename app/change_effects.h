@@ -12,16 +12,17 @@ namespace pendular::app {
 /// the results folder: fit.json, fit_runs.csv, ladder.json and figures.
 std::vector<std::filesystem::path> outputs_of_change();
 
-/// Adds an effect to the study of a session or drops an effect, and fits the study before and after
-/// the change. The function calls `Session::add` or `Session::drop`, and passes on the exceptions
-/// of these functions.
+/// Adds an effect to the model of a session's study or drops an effect, and fits the model before
+/// and after the change. The function passes on the exceptions of `Session::add` and
+/// `Session::drop`, which it calls.
 /// @param same_fidelity whether to use the simulation settings of the fit in the results folder, if
 ///        there is a fit
 ChangedStudy change_effects(const Session& session, Action action, const std::string& effect,
                             const FitOptions& fit, bool same_fidelity);
 
-/// Returns a sentence on the result of adding or dropping an effect. The sentence states the errors
-/// of the model before and after the change or, if the fit did not converge, that the study is
+/// Returns a sentence on the result of adding an effect to a study's model or dropping an effect.
+/// The sentence states chi2 per degree of freedom and the relative RMS error of shear stress before
+/// and after the change. If the fit did not converge, the sentence says that the study is
 /// unchanged.
 std::string answer_on(const ChangedStudy& changed);
 

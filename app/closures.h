@@ -10,18 +10,20 @@
 namespace pendular::app {
 
 /// Prints the values that the closures (analytical formulas) of Badetti et al. (2018) give for a
-/// wet state, one value per line. All values are dimensionless.
-/// @param stress_ratio simulated or predicted stress ratio of the wet state [1], printed for
-///        comparison with the values from the closures
+/// flow of wet grains, one value per line. All values are dimensionless.
+/// @param stress_ratio simulated or predicted stress ratio of the flow [1], printed for comparison
+///        with the values from the closures
 void print_closures(const closures::ClosureValues& values, double stress_ratio, Console& console);
 
 /// Computes and prints the values that the closures (analytical formulas) of Badetti et al. (2018)
-/// give for a wet simulation. The closures need the stress ratio of dry grains, which is predicted
-/// from earlier simulations. If the prediction is impossible, prints a sentence that says so.
+/// give for a simulation of wet grains. The closures need the stress ratio of dry grains, which is
+/// predicted from earlier simulations. If this prediction is impossible, prints a sentence that
+/// says so.
+/// @param run result of the simulation
 /// @param store user's file of simulations; null: only the simulations supplied with Pendular are
 ///        used
-/// @return the printed values; empty if the simulation is dry or if the stress ratio of dry grains
-///         cannot be predicted
+/// @return the printed values; empty if the simulated grains are dry or if the stress ratio of dry
+///         grains cannot be predicted
 std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& run,
                                                          const CommonOptions& common,
                                                          const RunStore* store, Console& console);

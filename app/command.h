@@ -62,8 +62,9 @@ struct ProgramTexts {
 extern const ProgramTexts program_texts;
 
 /// Exit codes of the program `pendular`, equal for all its commands. `not_converged`: the fit did
-/// not converge, or the fitted parameters are meaningless (`Belief::meaningless`). `interrupted`: a
-/// signal such as Ctrl-C stopped the command.
+/// not converge, or the fitted parameters are meaningless, such as a friction coefficient at the
+/// end of its range (`Belief::meaningless`). `interrupted`: a signal such as Ctrl-C stopped the
+/// command.
 enum ExitCode {
     done = 0,
     program_failed = 1,

@@ -66,8 +66,8 @@ int compare(const std::vector<std::string>& arguments) {
     CohesionOptions cohesion;
     options.add("lowest-reduced-pressure", &cohesion.lowest_reduced_pressure,
                 "fit the cohesion only to points with at least this reduced pressure P* = a^2 "
-                "s22/F0 [1] (a: grain diameter, s22: normal stress, F0: pull-off force of a "
-                "bridge) (default: as calibrated)");
+                "s22/F0 [1], with grain diameter a, normal stress s22 and pull-off force F0 of a "
+                "bridge (default: as calibrated)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

@@ -41,8 +41,8 @@ inline ValueKind one_of(std::vector<std::string> choices) {
 /// Name and texts of one command-line option, as the help text shows them.
 struct OptionDeclaration {
     std::string name;  ///< name of the option, without the leading hyphens
-    /// Word that stands for the option's value in the help text, with the default. The text is
-    /// empty if the option has no value.
+    /// Word that stands for the option's value in the help text, such as FILE, followed by the
+    /// default. Empty if the option has no value.
     std::string argument;
     std::string description;  ///< meaning of the option, on one line
     /// Kind of value that the option accepts.
@@ -66,8 +66,8 @@ struct CommandDeclaration {
     ValueKind other_words = {ValueKind::Kind::none};
 };
 
-/// Returns the texts and options of a command, as `run` declares them when the user requests the
-/// help of the command. Does not carry out the command.
+/// Returns the texts, options and arguments that a command declares when the user requests its
+/// help. The command itself is not carried out.
 /// @param run function that carries out the command with the arguments after the command's name,
 ///        and returns the exit code
 CommandDeclaration declaration_of(int (*run)(const std::vector<std::string>& arguments));

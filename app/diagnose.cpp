@@ -218,7 +218,7 @@ void print_notes(Console& console, const StudyDiagnosis& d, const Measurements& 
                         "place of the {} readings.",
                         d.readings.size(), d.measured));
     }
-    for (const LeftAside& aside : models.left_aside()) {
+    for (const UntestableEffect& aside : models.untestable_effects()) {
         if (aside.without_runs) {
             console.note(fmt::format("The effect {} was not tested: {}", aside.effect, aside.why));
         }

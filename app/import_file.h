@@ -34,7 +34,7 @@ struct ImportFileOptions {
     void refuse_for_studies(const Options& options) const;
 };
 
-/// Draws figures to a folder and prints their names on the console.
+/// Draws figures to files in a folder, and prints the names of the figures on the console.
 void draw_all(const std::vector<Figure>& figures, const std::filesystem::path& folder,
               Console& console);
 
@@ -42,12 +42,12 @@ void draw_all(const std::vector<Figure>& figures, const std::filesystem::path& f
 /// extension is not .toml.
 bool is_bare_file(const std::filesystem::path& path);
 
-/// Runs `pendular import FILE` and returns the exit code. Prints layout, columns, intervals (steps
-/// of constant set points) and checks of a file of measurements. If the user requested a new study,
-/// makes the study from the file.
-/// @throws InputError if the file cannot be read, if the folder for the new study already contains
-///         a file of the new study, or if the file of --tidy cannot be written or is neither empty
-///         nor a table of --tidy
+/// Runs `pendular import FILE` and returns the exit code. Prints the layout, the columns, the
+/// intervals (steps of constant set points) and the faults of a file of measurements. If the user
+/// requested a new study, makes the study from the file.
+/// @throws InputError if the file cannot be read, if --layout or --decimal has an unknown value, if
+///         the folder for the new study already contains a file of the new study, or if the file of
+///         --tidy cannot be written or contains anything other than an earlier table of --tidy
 int import_file(const std::filesystem::path& path, const ImportFileOptions& options,
                 Console& console);
 

@@ -16,17 +16,21 @@
 
 namespace pendular::app {
 
-/// Returns the paths that a command writes to: the folder for results, `files` in this folder, and
-/// the file of option --json.
+/// Returns the paths to which a command writes: the folder for results, the paths `files` in this
+/// folder, and the JSON file that option --json names.
+/// @param options values of the command-line options
 OutputPlaces places_of(const CommonOptions& options, std::vector<std::filesystem::path> files);
 
-/// Sets whether new simulations check a fit, and how long these simulations may take.
-/// @param seconds longest time [s]; infinity: no limit; empty: nothing is simulated
+/// Sets in `fit` whether new simulations at the fitted parameters check a fit, and how long these
+/// simulations may take.
+/// @param seconds longest computing time of these simulations [s]; infinity: no limit; empty: no
+///        simulation checks the fit
 void set_confirmation(const std::optional<double>& seconds, FitOptions& fit);
 
-/// Session in which one command works on a study. The session opens the user's store (SQLite file
-/// that keeps simulations). Progress appears on the console, or is passed to a callback. Ctrl-C, or
-/// a stop request, ends long computations without half-written files.
+/// Session in which one command works on a study (recordings and study.toml). The session opens the
+/// user's store (SQLite file that keeps simulations). Progress of computations appears on the
+/// console, or is passed to a callback. Ctrl-C, or a stop request, ends long computations without
+/// half-written files.
 class OpenSession {
   public:
     enum class Access { reads, changes };
@@ -36,7 +40,7 @@ class OpenSession {
     /// @param access whether the command changes the study or its fit; a command with `changes`
     ///        waits until no other command is changing the study
     /// @throws InputError for a mistake in the study's files, a negative seed or an unreadable
-    ///         store, or if results would replace an input
+    ///         store, or if a result would replace a file that the study reads
     /// @throws std::runtime_error if a store that the user named cannot be written, or if the wait
     ///         takes longer than a minute or $PENDULAR_LOCK_SECONDS [s]
     /// @throws dem::Interrupted if the user stops the command while the command waits
@@ -52,7 +56,7 @@ class OpenSession {
     /// @param access whether the command changes the study or its fit; a command with `changes`
     ///        waits until no other command is changing the study
     /// @throws InputError for a mistake in the study's files, a negative seed or an unreadable
-    ///         store, or if results would replace an input
+    ///         store, or if a result would replace a file that the study reads
     /// @throws std::runtime_error if a store that the user named cannot be written, or if the wait
     ///         takes longer than a minute or $PENDULAR_LOCK_SECONDS [s]
     /// @throws dem::Interrupted if a stop is requested while the command waits

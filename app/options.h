@@ -95,7 +95,8 @@ class Options {
     /// completion in a shell, because the command makes no use of these options. `parse` still
     /// accepts the options, so that scripts can give the same options to every command.
     void leave_out(std::set<std::string> unused) { unused_ = std::move(unused); }
-    /// Sets the text on option --fidelity in the help text, for a command that makes no simulation.
+    /// Sets the text on option --fidelity (settings of simulations) in the help text, for a command
+    /// that makes no simulation.
     void set_fidelity(std::string meaning) { fidelity_meaning_ = std::move(meaning); }
     /// Sets the text on option --store, the file that keeps simulations, in the help text.
     void set_store(std::string meaning) { store_meaning_ = std::move(meaning); }
@@ -109,7 +110,7 @@ class Options {
         words_ = words, words_kind_ = std::move(kind);
     }
     /// Adds the option --NAME [MINUTES], a limit of time that `parse` stores in `seconds` [s].
-    /// Without the option, `seconds` is empty. If no number follows the option, `alone` is used.
+    /// Without the option, `seconds` is empty.
     /// @param alone limit [min] if no number follows the option; infinity: no limit
     /// @param description text for the help, which must state the default
     void add_time(const char* name, std::optional<double>* seconds, double alone,

@@ -16,14 +16,14 @@ std::string as_sentence(std::string text);
 /// @param seconds duration [s]
 std::string duration(double seconds);
 
-/// Returns a sentence on the progress of a computation, from an event that reports progress. The
-/// sentence states the stage that begins, the share of simulations done, the fitted friction
-/// coefficient at the end of a round (new simulations, then a fit), or the number of refits to do.
-/// Returns an empty text for notes and for a single refit.
+/// Returns a sentence on the progress of a computation that `event` reports: the stage that begins,
+/// the share of simulations done, the fitted friction coefficient at the end of a round (new
+/// simulations, then a fit), or the number of refits to do. Returns an empty text for a note or a
+/// single refit.
 std::string progress_sentence(const Event& event);
 
-/// Returns the share of the running computation that is done [1], from an event that reports
-/// progress. Returns nothing if the event does not state this share.
+/// Returns the finished share of a computation's simulations or refits [1], if `event` reports this
+/// share. Returns nothing for any other event.
 std::optional<double> progress_share(const Event& event);
 
 /// Returns a text on simulations in progress that states the share done, the number done and the

@@ -52,7 +52,7 @@ RunEffects::RunEffects(Options& options, const std::vector<std::string>& argumen
           return {options, arguments,
                   "Physical effects of grains and liquid (values with their unit, as in \"3 uN\"; "
                   "a number without a unit is in SI units)",
-                  why_no_run_has};
+                  why_not_in_run};
       }()) {}
 
 void RunEffects::read_scale(const dem::RunParameters& run, const Options& options) {

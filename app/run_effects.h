@@ -11,9 +11,9 @@
 
 namespace pendular::app {
 
-/// Physical effects of a single simulation, set by command-line options. Their parameters are given
-/// in SI units and made dimensionless with reference quantities (a scale): diameter and density of
-/// the grains, normal stress, and surface tension.
+/// Physical effects of a single simulation, set by command-line options. The user gives the
+/// parameters of the effects with their units. Reference quantities (the scale) make the parameters
+/// dimensionless: diameter and density of the grains, normal stress, and surface tension.
 class RunEffects {
   public:
     /// Adds the options for the effects, --EFFECT.PARAMETER, and for the scale (grains, normal
@@ -48,8 +48,10 @@ class RunEffects {
     EffectOptions options_;
     std::vector<ActiveEffect> effects_;
     RunScale scale_;
-    bool scaled_ = false;       ///< whether an effect has parameters that `scale_` converts
-    bool scale_given_ = false;  ///< whether the user gave an option for a part of `scale_`
+    /// Whether an effect has parameters in SI units, which `scale_` makes dimensionless.
+    bool scaled_ = false;
+    /// Whether the user gave an option for a quantity of `scale_`, such as the grain diameter.
+    bool scale_given_ = false;
     /// Parameters of the simulation before the effects were applied.
     dem::RunParameters without_;
 };

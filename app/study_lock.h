@@ -16,7 +16,7 @@ class StudyLock {
     /// Locks a study. If another process has the lock, prints a line that names this process and
     /// waits for at most a minute or $PENDULAR_LOCK_SECONDS [s].
     /// @param folder folder of the study
-    /// @param stop request to stop waiting
+    /// @param stop token through which a stop of the waiting is requested
     /// @throws dem::Interrupted if a stop is requested while waiting
     /// @throws std::runtime_error if another process keeps the lock for longer than the waiting
     ///         time

@@ -189,7 +189,7 @@ int virtual_lab(const std::vector<std::string>& arguments) {
                                 "Hidden effects (values with their unit, as in \"0.1 mN m\"; a "
                                 "number without a unit is in SI "
                                 "units)",
-                                why_no_lab_has);
+                                why_not_in_lab);
     options.leave_out({"out", "store"});
     const auto common = options.parse(arguments);
     if (!common) {

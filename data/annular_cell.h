@@ -25,8 +25,8 @@ struct AnnularCell {
 
 /// Returns the normal stress [Pa] under the lid, from the normal force F_N [N] on the lid.
 ///     s22 = F_N / (pi (Re^2 - Ri^2))      Ri, Re: inner and outer radius of the annulus [m]
-/// The normal stress does not include the weight of the grains, which the physical effect
-/// `grain-weight` describes.
+/// The weight of the grains is neglected. A model can include the weight as the physical effect
+/// `grain-weight`.
 /// Source: Badetti et al. (2018), Eq. (3).
 double normal_stress(double normal_force, const AnnularCell& cell);
 
@@ -49,28 +49,29 @@ double solid_fraction(double height, const AnnularCell& cell);
 /// Source: Badetti et al. (2018), Eq. (3).
 double shear_rate(double angular_velocity, double height, const AnnularCell& cell);
 
-/// Returns the normal force on the lid [N] at a normal stress under the lid [Pa]: normal stress
-/// times the area of the annulus. The function inverts `normal_stress`.
+/// Returns the normal force on the lid [N] that causes a given normal stress under the lid [Pa]:
+/// normal stress times the area of the annulus. The function inverts `normal_stress`.
 double normal_force(double normal_stress, const AnnularCell& cell);
 
-/// Returns the torque on the lid [N m] at a shear stress [Pa] that is uniform over the annulus. The
-/// function inverts `shear_stress`, with the formula that `cell.torque_formula` names.
+/// Returns the torque on the lid [N m] that causes a given shear stress [Pa], uniform over the
+/// annulus. The function inverts `shear_stress` for the same `cell.torque_formula`.
 double torque(double shear_stress, const AnnularCell& cell);
 
 /// Returns the height of the sample [m] at which the grains in the cell have a given solid fraction
 /// [1]. The function inverts `solid_fraction`.
 double height(double solid_fraction, const AnnularCell& cell);
 
-/// Returns the angular velocity of the lid [rad/s] at a shear rate at the mean radius [1/s] and a
-/// sample height [m]. The function inverts `shear_rate`.
+/// Returns the angular velocity of the lid [rad/s] that causes a given shear rate at the mean
+/// radius of the annulus [1/s] at a given sample height [m]. The function inverts `shear_rate`.
 double angular_velocity(double shear_rate, double height, const AnnularCell& cell);
 
-/// Returns the covariance matrix of the errors of a reading (mean over a step of steady shear) in
-/// shear stress [Pa] (index 0) and solid fraction [1] (index 1). The errors of torque [N m] and
-/// sample height [m] are propagated to first order, from their covariance matrix C.
+/// Returns the covariance matrix of the errors of a reading (mean over a step of steady shear):
+/// shear stress [Pa] (index 0) and solid fraction [1] (index 1). The function propagates the errors
+/// of torque and sample height, with the covariance matrix C, to first order.
 ///     J C J^T      J = diag(d(shear stress)/d(torque), d(solid fraction)/d(height))
 /// @param height sample height at which the derivatives are taken [m]
-/// @param torque_height_covariance covariance matrix C: torque (index 0), sample height (index 1)
+/// @param torque_height_covariance covariance matrix C of the errors of torque [N m] (index 0) and
+///        sample height [m] (index 1)
 Eigen::Matrix2d covariance_of_reading(double height,
                                       const Eigen::Matrix2d& torque_height_covariance,
                                       const AnnularCell& cell);

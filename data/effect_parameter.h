@@ -20,32 +20,33 @@ struct EffectParameter {
     /// Smallest difference between the parameter's value and `neutral` that is of interest to the
     /// user, in the parameter's unit. An effect with a smaller difference may be ignored.
     double smallest_of_interest = 1;
-    std::string meaning;  ///< meaning of the effect's parameter in a few words, for the user
+    /// Explanation of the effect's parameter in a few words, which is printed for the user.
+    std::string meaning;
     /// Function that returns the amplitude A of the effect at a value of the parameter; null:
-    /// A(value) = value. The effect is assumed to change results, such as the stress ratio, in
-    /// proportion to A(value) - A(neutral). A function is needed if the results do not change to
-    /// first order at the neutral value, as for A = 1 - cos(angle) at angle 0.
+    /// A(value) = value. The effect is assumed to change predicted values, such as the stress
+    /// ratio, in proportion to A(value) - A(neutral). A function is needed if the derivative of the
+    /// predicted values is 0 at the neutral value, as for A = 1 - cos(angle) at angle 0.
     double (*amplitude)(double value) = nullptr;
     /// Function that returns the effective amplitude of the effect at a value of the parameter and
     /// a friction coefficient between grains [1]; null: the function `amplitude` is used. The
-    /// emulator (Gaussian processes trained on simulations) assumes that the effect changes a
-    /// simulation in proportion to the effective amplitude. The effective amplitude is 0 at the
-    /// neutral value and largest at the upper bound of the parameter. An example is rolling
-    /// resistance, which sliding between grains limits.
+    /// emulator (Gaussian processes trained on simulations) assumes that the effect changes the
+    /// results of a simulation in proportion to the effective amplitude. The effective amplitude is
+    /// 0 at the neutral value and largest at the upper bound of the parameter. An example is
+    /// rolling resistance, whose effect is limited because grains slide before they roll.
     double (*effective_amplitude)(double value, double friction) = nullptr;
 
-    /// Whether models of studies never fit the parameter, since measured data can hardly separate
-    /// the parameter from the effect's other parameters. The parameter then keeps its neutral
-    /// value, except in simulations for which the user states another value.
+    /// Whether the parameter is never fitted to measured data, because measured data can hardly
+    /// separate the parameter from the effect's other parameters. The parameter then keeps its
+    /// neutral value, except in simulations for which the user states another value.
     bool only_simulated = false;
 
     /// Whether the effect can only be switched on or off, so that its parameter has the name "on".
     bool is_switch() const { return name == "on"; }
-    /// Whether a model of a study can fit the parameter to measured data.
+    /// Whether the parameter can be fitted to measured data.
     bool is_fitted() const { return !is_switch() && !only_simulated; }
-    /// Returns the value of the parameter, in the parameter's unit, in models that do not fit the
-    /// parameter. The value is 1 (on) for an effect that can only be switched on or off. For every
-    /// other effect, the value is the neutral value, at which the effect vanishes.
+    /// Returns the value, in the parameter's unit, that the parameter has in models that do not fit
+    /// the parameter. The value is 1 (on) for an effect that can only be switched on or off. For
+    /// every other effect, the value is the neutral value, at which the effect vanishes.
     double value_if_not_fitted() const { return is_switch() ? 1 : neutral; }
 };
 

@@ -7,13 +7,12 @@ namespace pendular {
 /// Standard acceleration of gravity [m/s^2].
 constexpr double gravity = 9.80665;
 
-/// Properties of the grains in SI units: size, density and elasticity.
+/// Properties of the grains in SI units: diameter, density and elastic constants.
 struct GrainProperties {
     double diameter = 0;  ///< mean diameter a of the grains [m]
     double density = 0;   ///< density of the grain material [kg/m^3]
-    /// Young's modulus E of the grain material [Pa]. If E is not given, grains are simulated at a
-    /// stiffness number (see `stiffness_number`) that is chosen together with the number of grains
-    /// and the strain of the simulations (`Fidelity`).
+    /// Young's modulus E of the grain material [Pa]. If E is not given, the simulations have the
+    /// stiffness number (`stiffness_number`) of the chosen simulation settings (`Fidelity`).
     std::optional<double> youngs_modulus = {};
     double poisson_ratio = 0.3;  ///< Poisson ratio nu of the grain material [1]
 

@@ -5,8 +5,8 @@
 
 namespace pendular {
 
-/// Position in a file of the user. Lines and columns are counted from 1; 0 stands for an unknown
-/// line or column.
+/// Position in an input file. Lines and columns are counted from 1; 0 stands for an unknown line or
+/// column.
 struct Position {
     std::string file;
     int line = 0;
@@ -16,9 +16,9 @@ struct Position {
 /// Returns a position as the text "file:line:column". An unknown line or column is left out.
 std::string to_string(const Position& position);
 
-/// Error in the user's input. The message that what() returns has the form "file:line:column: what
-/// is wrong; what to do". The program prints the message and ends with exit code 2. Errors of the
-/// program itself, such as a violated invariant, have types other than InputError.
+/// Error in the user's input, such as a wrong unit in a file. The message that what() returns has
+/// the form "file:line:column: what is wrong; what to do". The program prints the message and ends
+/// with exit code 2. Errors of the program itself have types other than InputError.
 class InputError : public std::runtime_error {
   public:
     InputError(const Position& position, const std::string& message);

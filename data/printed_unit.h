@@ -6,16 +6,18 @@
 
 namespace pendular {
 
-/// Unit in which values of a quantity are printed: a multiple of the quantity's SI unit.
+/// Unit in which values of a quantity are printed, with the size of the unit in the quantity's SI
+/// unit.
 struct PrintedUnit {
     std::string name;  ///< name of the printed unit, such as "mN m"; "1": dimensionless
     double si = 1;     ///< size of one printed unit in the SI unit: 0.001 for "mN m"
 };
 
-/// Returns the unit in which all values of an effect's parameter are printed. An angle is printed
-/// in degrees. Every other parameter is printed in its SI unit. The SI unit gets the prefix m
-/// (milli) if both bounds of the parameter are below 1 in magnitude, and u (micro) if both bounds
-/// are below 0.001. Numbers without dimension, and units such as "kg" and "m^2", get no prefix.
+/// Returns the unit in which all values of a parameter of a physical effect are printed. An angle
+/// is printed in degrees. Every other parameter is printed in its SI unit. The SI unit gets the
+/// prefix m (milli) if both bounds of the parameter are below 1 in magnitude, and u (micro) if both
+/// bounds are below 0.001. Numbers without dimension, and units such as "kg" and "m^2", get no
+/// prefix.
 PrintedUnit printed_unit(const EffectParameter& parameter);
 
 /// Returns a value [SI unit] of an effect's parameter as text in the printed unit (`printed_unit`),

@@ -14,9 +14,9 @@
 
 namespace pendular {
 
-/// Condition imposed on the grains in one measured or simulated state: normal stress, inertial
-/// number and liquid content, with further data that may be known. The state is either steady shear
-/// or a point of failure.
+/// Condition of the grains in one measured or simulated state: normal stress, inertial number and
+/// liquid content and, if known, sample height, grain volume and time. The state is either steady
+/// shear or a point of failure (peak of the shear stress).
 struct Condition {
     double normal_stress = 0;    ///< normal stress s22 imposed on the grains [Pa]
     double inertial_number = 0;  ///< inertial number I of the flow [1]; 0: quasi-static limit
@@ -24,7 +24,9 @@ struct Condition {
     double liquid_content = 0;
     std::optional<double> height;  ///< height of the sample at the condition [m]; empty: unknown
     std::optional<double> bead_volume;  ///< solid volume of the grains in the cell [m^3], if known
-    double time = 0;  ///< time of the state since the study's first recording began [s]
+    /// Time at which the state was measured [s], from the start of the study's first recording; 0
+    /// if unknown.
+    double time = 0;
     /// Whether the state is a point of failure (peak of the shear stress) rather than steady shear.
     bool at_failure = false;
     /// Normal stress of the preshear that consolidated the sample before a point of failure [Pa],
@@ -36,18 +38,19 @@ struct Condition {
     bool operator==(const Condition&) const = default;
 };
 
-/// Contribution to the error of a reading (measured state) that several readings have in common,
-/// such as the error of one filling of the cell.
+/// Contribution to the error of a reading (measured state) that the reading has in common with
+/// other readings: the error of one filling of the cell, or an error of rounding.
 struct SharedError {
-    /// Number that identifies the cause of the shared error, such as one filling of the cell.
-    /// Shared errors with equal numbers are fully correlated.
+    /// Number that identifies the cause of the shared error, such as a filling of the cell. Shared
+    /// errors with equal numbers are fully correlated.
     std::size_t source = 0;
     /// Standard errors of the shear stress [Pa] (index 0) and of the solid fraction [1] (index 1)
     /// that the shared error causes. The standard errors are increased if they were estimated from
     /// few fillings of the cell.
     Eigen::Vector2d size = Eigen::Vector2d::Zero();
-    /// Whether the size of the shared error is known; otherwise the size was estimated from
-    /// replicates (repeated readings at one condition).
+    /// Whether the size of the shared error is known, as for an error of rounding. Otherwise the
+    /// shared error is the error of a filling, whose variance `ReplicateScatter::filling`
+    /// describes.
     bool known = false;
 };
 
@@ -58,8 +61,8 @@ struct Reading {
     Position origin;  ///< file of the reading, with the first line that was used
     /// Last line of the file that was used for the reading; 0: equal to the line in `origin`.
     int last_line = 0;
-    /// Number, in the file, of the step of constant set points from which the reading was made,
-    /// from 1; 0: unknown.
+    /// Number of the step of constant set points from which the reading was made. The steps of a
+    /// file are counted from 1; 0: unknown.
     int step = 0;
     Condition condition;
     /// Shear rate of the reading [1/s]; 0: only the inertial number was given.
@@ -84,24 +87,24 @@ struct Reading {
     /// freedom are infinite if the covariance of the reading does not depend on an estimated
     /// scatter.
     Eigen::Vector2d scatter_freedom = Eigen::Vector2d::Constant(INFINITY);
-    /// Index in `ReplicateScatter::groups` of the group of files to which the reading's file
-    /// belongs.
+    /// Index, in `ReplicateScatter::groups`, of the group of files that contains the reading's
+    /// file.
     std::size_t scatter_group = 0;
-    /// Rounding steps of the shear stress [Pa] (index 0) and of the solid fraction [1] (index 1).
-    /// The rounding step is the unit of the last digit in the table from which the reading was
-    /// read, or 0 if the value was not rounded.
+    /// Rounding steps of the shear stress [Pa] (index 0) and of the solid fraction [1] (index 1). A
+    /// rounding step is the unit of the last digit of the value in the table of readings, or 0 if
+    /// the value was not rounded.
     Eigen::Vector2d resolution = Eigen::Vector2d::Zero();
     /// Duration of the steady shear over which the reading was averaged [s]; 0: unknown.
     double sampled_seconds = 0;
-    /// Whether the reading was made from a recording (raw time series), so that the error of the
-    /// single reading follows only from the scatter within one run of the rheometer. The scatter
-    /// between runs and between fillings of the cell must then be added (`pool_replicates`).
+    /// Whether the reading was averaged from a recording (raw time series). The average itself
+    /// yields only the error from the scatter within one step. The function `pool_replicates` adds
+    /// the scatter between repeated steps and between fillings of the cell.
     bool within_run_only = false;
     /// Whether the standard error of the reading's shear stress or solid fraction was unknown, so
     /// that a standard error of 2 % of the value was assumed.
     bool error_assumed = false;
-    /// Number of readings of the study at the condition of the reading, including the reading
-    /// itself.
+    /// Number of readings of the study at nearly equal conditions (`are_replicates`), including the
+    /// reading itself.
     int replicates = 1;
 
     /// Returns the covariance matrix of the reading's errors without the increase for few
@@ -117,8 +120,8 @@ struct Reading {
 struct Excluded {
     /// Kind of the data that were left out. `rows` are rows of a file, such as a spike or a step in
     /// which the lid rests. `beside_plateau` are rows of a step outside of the steady part of the
-    /// step, such as a transient. `step_without_plateau` is a whole step without a steady part.
-    /// `reading` is a whole reading.
+    /// step, such as a transient. `step_without_plateau` is a whole step whose steady part is
+    /// missing or too short. `reading` is a whole reading.
     enum class Kind { rows, beside_plateau, step_without_plateau, reading };
     Position origin;     ///< file and first line of the rows that were left out
     int last_line = 0;   ///< last line of the rows that were left out
@@ -132,9 +135,10 @@ struct Doubt {
     /// Message for the user about the doubtful values, with file, quantity, value, violated limit
     /// and likely cause.
     std::string what;
-    /// Name of the quantity whose values are probably wrong, such as "solid_fraction".
+    /// Name of the quantity (`Quantity::name`) whose values are probably wrong, such as
+    /// "solid_fraction".
     std::string quantity;
-    /// Positions of the readings or rows with the doubtful values in their files.
+    /// Positions, in the measured files, of the readings or rows with the doubtful values.
     std::vector<Position> origins;
     /// Whether the readings or rows with the doubtful values were moved to
     /// `Measurements::excluded`, so that they are not used.
@@ -155,15 +159,17 @@ struct ReplicateScatter {
         /// fraction.
         Eigen::Matrix2d excess = Eigen::Matrix2d::Zero();
         /// Mean squares [1] of the relative deviations between replicates (repeated readings at one
-        /// condition), including the scatter within steps, for the stress ratio (index 0) and the
-        /// solid fraction (index 1). Groups that share one estimate have equal mean squares.
+        /// condition) at the normal stress `reference_stress`, including the scatter within steps,
+        /// for the stress ratio (index 0) and the solid fraction (index 1). Groups that share one
+        /// estimate have equal mean squares.
         Eigen::Vector2d mean_square = Eigen::Vector2d::Zero();
         /// Degrees of freedom of `mean_square`, for the stress ratio (index 0) and the solid
         /// fraction (index 1). The degrees of freedom are 0 if the study has no replicates, and
         /// infinite if the user stated the scatter.
         Eigen::Vector2d freedom = Eigen::Vector2d::Zero();
     };
-    /// Groups of files that have conditions in common. Every file of the study is in one group.
+    /// Groups of files that have conditions (normal stress, inertial number and liquid content) in
+    /// common. Every file of the study is in one group.
     std::vector<Group> groups;
     /// Exponents [1] that describe how the scatter between repeated steps depends on the normal
     /// stress, for the stress ratio (index 0) and the solid fraction (index 1).
@@ -179,18 +185,20 @@ struct ReplicateScatter {
     /// `Group::excess`: geometric mean of the normal stresses of all readings.
     double reference_stress = 0;
 
-    /// Error that all steps of one filling of the cell have in common, in stress ratio or in solid
-    /// fraction. The variance of the error follows from a two-way analysis of variance (by
+    /// Error that all steps measured on one filling of the cell have in common, in stress ratio or
+    /// in solid fraction. The variance of the error follows from a two-way analysis of variance (by
     /// conditions and by files):
     ///     variance = (between - within)/steps
     struct Filling {
-        /// Variance [1] of the filling error of the stress ratio or the solid fraction, divided by
-        /// the squared value. The variance is increased if it was estimated from few fillings.
+        /// Variance of the filling error of the stress ratio or the solid fraction, divided by the
+        /// squared stress ratio or solid fraction [1]. The variance is increased if it was
+        /// estimated from few fillings.
         double variance = 0;
         /// Mean square of the relative deviations between files (fillings) [1]. The mean square
-        /// includes a prior, which counts like one difference between files.
+        /// includes a prior with one degree of freedom.
         double between = 0;
-        /// Mean square of the relative deviations between the steps of one file [1].
+        /// Residual mean square [1] of the relative deviations of single steps, after the means of
+        /// conditions and of files were removed.
         double within = 0;
         /// Degrees of freedom of the mean square `between`, including one for the prior. The
         /// degrees of freedom are 0 if no two files have a condition in common. The degrees of
@@ -198,7 +206,7 @@ struct ReplicateScatter {
         /// scatter, or the files do not differ significantly.
         double freedom_between = 0;
         double freedom_within = 0;  ///< degrees of freedom of the mean square `within`
-        /// Effective number of conditions that two files (fillings) have in common.
+        /// Effective number of conditions that two files (fillings) have in common [1].
         double steps = 1;
     };
     /// Errors of the fillings of the cell, in the stress ratio (index 0) and in the solid fraction
@@ -220,7 +228,7 @@ struct Measurements {
     ReplicateScatter scatter;
     /// Rows of files, and whole readings, that were left out, with the reasons.
     std::vector<Excluded> excluded;
-    /// Messages about measured values that are probably wrong.
+    /// Messages about measured values that are probably wrong, with the positions of the values.
     std::vector<Doubt> doubts;
     /// Faults found in the rows of the recordings, such as a wobble of the lid.
     std::vector<RecordingFinding> findings;

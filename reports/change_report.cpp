@@ -115,9 +115,9 @@ std::string reason_for(Outcome outcome, const std::string& effect, const LadderS
                        const LadderStep& with) {
     if (outcome == Outcome::by_chance) {
         return fmt::format(
-            "{} adds a parameter and lowers chi2 by {:.1f} only ({} instead of {}), no more than "
-            "chance explains.",
-            effect, without.chi2 - with.chi2, number(with.chi2), number(without.chi2));
+            "{} adds a parameter but lowers chi2 by only {:.1f} (from {} to {}): chance explains "
+            "such a reduction.",
+            effect, without.chi2 - with.chi2, number(without.chi2), number(with.chi2));
     }
     if (outcome == Outcome::left_out_worse) {
         return fmt::format(

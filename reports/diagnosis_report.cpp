@@ -1,6 +1,7 @@
 #include "reports/diagnosis_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +104,7 @@ std::string leading_line(const Diagnosis& d, const ModelSpace& space) {
     const Explanation& model = d.leaders->model;
     return fmt::format(
         "Missing: {}. Adding {} brings {}, which removes {} of the excess of chi2 over its degrees "
-        "of freedom. No known effect explains the misfit that remains.",
+        "of freedom. No effect in the catalogue explains the misfit that remains.",
         with_estimates(model, space), joined(names_of(model, space), "and"), reduction(d, model),
         percent(d.leaders->explained));
 }
@@ -244,8 +245,7 @@ std::string closest_rival_line(const Diagnosis& d, const ModelSpace& space) {
     constexpr double close = 0.9;
     if (closest == nullptr || share_explained(d.chi2, d.dof, *closest) < close) return "";
     return fmt::format(
-        "The closest other effect, {}, would leave chi2/dof at {:.2f}, which the readings rule "
-        "out.",
+        "The next-best effect, {}, would leave chi2/dof at {:.2f}; the readings rule it out.",
         with_estimates(*closest, space), chi2_per_dof(closest->chi2, closest->fit.dof));
 }
 
@@ -278,9 +278,9 @@ std::string friction_line(const StudyDiagnosis& study) {
     }
     const bool alone = values.empty();
     values.push_back(text(d.fit, alone ? "" : "in the study's present model"));
-    std::string line = fmt::format("The {} fitted to all readings is {}",
+    std::string line = fmt::format("The {} fitted to all readings{} {}",
                                    parameter_in_words(space.with({})->parameters().front().name),
-                                   joined(values, "and"));
+                                   alone ? " is" : ":", fmt::join(values, "; "));
     if (alone) line.pop_back();
     if (alone && d.complete) line += " ('pendular calibrate' gives the value to report)";
     return line + (d.complete || d.leaders ? "." : ". Do not report it before the cause is found.");
@@ -358,8 +358,8 @@ std::string discrepancy_line(double size) {
     return fmt::format(
         "If the model stays as it is, a systematic error of about {:.1f} % of its shear stress "
         "would explain the misfit. Look for the cause before you accept this error. To accept it, "
-        "write discrepancy = {:.2g} into section [model] of study.toml, which enlarges the "
-        "standard errors and corrects no value.",
+        "write discrepancy = {:.2g} into section [model] of study.toml; this enlarges the "
+        "standard errors but corrects no value.",
         100 * size, size);
 }
 

@@ -44,7 +44,8 @@ std::string estimate_of(const Diagnosis& d, const Finding& finding, const ModelS
                : fmt::format("{} (at its bound)", with_unit(finding.value, unit));
 }
 
-std::string left_text(const Diagnosis& d, const Finding& finding, const ModelSpace& space) {
+std::string remaining_chi2_text(const Diagnosis& d, const Finding& finding,
+                                const ModelSpace& space) {
     const double reduction = finding.refitted_reduction.value_or(finding.test.predicted_reduction);
     const auto added = static_cast<int>(space.candidates()[finding.candidate].free_parameters());
     return fmt::format("{}{:.2f}", finding.refitted_reduction ? "" : "~",
@@ -76,7 +77,7 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
         const Candidate& candidate = space.candidates()[finding.candidate];
         const bool seen = finding.test.seen();
         lines.push_back(row(candidate.name, seen ? estimate_of(d, finding, space) : "-",
-                            seen ? left_text(d, finding, space) : "-",
+                            seen ? remaining_chi2_text(d, finding, space) : "-",
                             fmt::format("{:.0f} %", 100 * finding.test.share_imitated),
                             seen ? power_text(finding) : "-", seen ? p_text(finding.p, "") : "-",
                             finding.decision));

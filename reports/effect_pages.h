@@ -30,19 +30,20 @@ struct EffectEntry {
     std::optional<EffectStatus> status = {};
 };
 
-/// Returns the names of the quantities on which the change of the readings by an effect depends, as
-/// a list for a sentence: "normal stress (largest at small values), height".
+/// Returns the names of the quantities on which the change of the shear stress and the solid
+/// fraction by an effect depends, as a list for a sentence: "normal stress (largest at small
+/// values), height".
 std::string dependences(const Effect& effect);
 
 /// Returns a table of physical effects as lines of text, one line per parameter of an effect. The
-/// effects are grouped by the part of the experiment that they change.
+/// effects are grouped by the part of the experiment that they change, such as the instrument.
 std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries);
 
 /// Returns the full description of one physical effect as lines of text, with the settings in
 /// study.toml and the command-line options that switch the effect on.
 std::vector<std::string> effect_page(const EffectEntry& entry);
 
-/// Returns the page of the manual on one physical effect, in Markdown.
+/// Returns the page of the manual of effects on one physical effect, in Markdown.
 /// @param figure Markdown of the figure that shows how the effect changes the readings, or the
 ///        reason why this figure does not exist
 std::string manual_page(const EffectEntry& entry, const std::string& figure);

@@ -11,9 +11,10 @@
 namespace pendular {
 
 /// Returns the study for which the figures of effects' signatures are drawn. The signature of an
-/// effect is the change of the readings that it causes. Grains, liquid and cell are the defaults of
-/// `pendular virtual-lab`. The study lists `effects`, so that the emulator of the study (which
-/// interpolates between simulations) also uses simulations with these effects.
+/// effect is the change of shear stress and solid fraction that the effect causes. Grains, liquid
+/// and cell are the defaults of `pendular virtual-lab`. The study lists `effects`, so that the
+/// emulator of the study (which interpolates between simulations) also uses simulations with these
+/// effects.
 Study signature_study(const std::vector<Effect>& effects);
 
 /// Returns the dry and the wet condition (normal stress, inertial number, liquid content) of the

@@ -93,7 +93,7 @@ std::string deviating_line(std::vector<std::pair<std::string, double>> measureme
 std::vector<std::string> failure_table(const WhereItFails& where) {
     std::vector<std::string> lines = checks_table(where.checks);
     std::vector<std::pair<std::string, double>> measurements;
-    for (const Offending& offending : where.offending) {
+    for (const DeviatingGroup& offending : where.offending) {
         measurements.emplace_back(offending.readings, offending.p);
     }
     if (const std::string line = deviating_line(std::move(measurements)); !line.empty())

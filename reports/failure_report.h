@@ -14,18 +14,18 @@ namespace pendular {
 std::string p_text(double p, const char* equals = "= ");
 
 /// Returns the tests of a model's residuals that are each significant by themselves (p < 0.05), the
-/// test with the smallest p first. The pointers point into `checks`.
+/// test with the smallest p first. Returns pointers to elements of `checks`.
 std::vector<const Check*> significant_checks(const Checks& checks);
 
-/// Returns lines of text that say where a model fails. The first line states the p value of all
-/// tests of the residuals together. One line follows for each test with p < 0.05. All tests of the
+/// Returns lines of text that say where a model fails. The first line states the combined p value
+/// of all tests of the residuals. One line follows for each test with p < 0.05. All tests of the
 /// correlation between residuals of neighbouring conditions share one line.
 std::vector<std::string> checks_table(const Checks& checks);
 
-/// Returns a sentence on measurements that a model fits badly. The sentence names up to three
-/// measurements with the smallest p values, and states how many more there are. Returns an empty
-/// text for no measurement, and for more than eight measurements, since the model then fails as a
-/// whole.
+/// Returns a sentence on measurements that a model fits badly. The sentence names the (at most
+/// three) measurements with the smallest p values, and states the number of further measurements.
+/// Returns an empty text for no measurement, and for more than eight measurements, since the model
+/// then fails as a whole.
 /// @param measurements names of measurements, each with a p value [1]: probability that chance
 ///        alone causes at least the observed deviation from the model
 std::string deviating_line(std::vector<std::pair<std::string, double>> measurements);

@@ -27,10 +27,10 @@ struct Curve {
     /// `cells` draws a text inside each cell. `bars_across` draws a text only in a bar that the
     /// edge of the panel cuts off, inside the end of the bar.
     std::vector<std::string> names = {};
-    /// Value y at which each bar of the curve begins. If the list is empty, the bars begin at the x
-    /// axis.
+    /// Values y at which the bars of the curve begin, one for each bar, in the unit of the y axis.
+    /// If the list is empty, the bars begin at the x axis.
     std::vector<double> from = {};
-    /// Strength of the colour of each cell of the curve, from 0 to 1.
+    /// Strength of the colour of each cell of the curve, from 0 (invisible) to 1 (strongest).
     std::vector<double> shade = {};
     std::string colour = "#000000";
     Symbol symbol = {};
@@ -44,8 +44,9 @@ struct Curve {
     bool in_table = true;
 };
 
-/// Straight line across a panel of a figure, with a band of one standard error. The line is
-/// horizontal at y = `value`, or vertical at x = `value`.
+/// Straight line across a panel of a figure: horizontal at y = `value` or, if `vertical` is true,
+/// vertical at x = `value`. A band of the half-width `error` (standard error of `value`) surrounds
+/// the line.
 struct Reference {
     std::string label;
     double value = 0;
@@ -69,7 +70,8 @@ struct Panel {
     /// Whether the panel has the line y = 0. The y axis then includes zero.
     bool zero_line = false;
     Key key = Key::none;
-    /// Share of the panel's height that is kept free above the data, for the key (legend) [1].
+    /// Share of the height of the panel's axes that is kept free above the data, for the key
+    /// (legend) [1].
     double headroom = 0;
     std::optional<std::pair<double, double>> x_range = {};
     /// Names below the x axis at x = 1, 2, ... in place of numbers. Each name is a list of lines of
@@ -81,11 +83,11 @@ struct Panel {
     std::vector<std::string> y_names = {};
     /// Whether the y axis of the panel includes zero. A logarithmic axis never includes zero.
     bool y_from_zero = false;
-    /// Value, in the unit of the y axis, such that the axis extends at least from -`y_least` to
-    /// `y_least`; 0: no limit.
+    /// Half-width of a range that the y axis always includes: the axis extends at least from
+    /// -`y_least` to `y_least`, in the unit of the axis; 0: no such range.
     double y_least = 0;
-    /// Least and greatest value on the y axis, without the headroom. If empty, the range follows
-    /// from the data.
+    /// Least and greatest value on the y axis, without the headroom, in the unit of the axis. If
+    /// empty, the range follows from the data.
     std::optional<std::pair<double, double>> y_range = {};
 };
 

@@ -24,8 +24,8 @@ inline const std::string measured_colour = "#1b1b1b", model_colour = "#0b62a4",
 struct Shown {
     std::array<double, 2> value, error;
 };
-/// Returns the measured stress ratio [1] and solid fraction [1] of a reading (measured state at one
-/// condition), with their standard errors.
+/// Returns the measured stress ratio [1] and solid fraction [1] of a reading (averages over one
+/// step of steady shear, or a point of failure), with their standard errors.
 Shown shown(const Reading& reading);
 
 /// Returns the predicted stress ratio [1] and solid fraction [1] at the condition of one reading,
@@ -34,8 +34,9 @@ Shown shown(const Reading& reading);
 /// @param normal_stress normal stress of the reading [Pa], by which the shear stress is divided
 Shown shown(const Prediction& predicted, Eigen::Index place, double normal_stress);
 
-/// Returns the means of several stress ratios and solid fractions, weighted by 1/(standard
-/// error)^2. The standard errors of the means hold if the errors of the values are independent.
+/// Returns the weighted mean of several stress ratios [1] and of several solid fractions [1], with
+/// the weights 1/(standard error)^2. The standard errors of the means hold if the errors of the
+/// averaged values are independent.
 Shown mean_of(const std::vector<Shown>& all);
 
 /// Means of the stress ratio [1] and the solid fraction [1] over some readings: means of the
@@ -46,14 +47,14 @@ struct MeasuredAndModel {
 /// Returns the means of the measured and of the predicted stress ratio [1] and solid fraction [1]
 /// over some readings of a calibration. The weight of a reading in all means is 1/(standard error
 /// of the measured value)^2.
-/// @param places indices of the readings in the calibration
+/// @param places indices of these readings in `calibration.readings`
 MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibration& calibration);
 
 /// Whether a figure may draw one point, the mean prediction, in place of the predictions of several
 /// readings. True if the predicted stress ratio and solid fraction of each reading differ from the
 /// mean predictions for these readings by at most `same_point` standard errors of the measured
 /// values.
-/// @param places indices of the readings in the calibration
+/// @param places indices of these readings in `calibration.readings`
 bool mean_suffices(const std::vector<std::size_t>& places, const Calibration& calibration);
 
 /// Largest allowed difference between the prediction of a reading and the mean or curve that a

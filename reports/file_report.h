@@ -7,8 +7,9 @@
 
 namespace pendular {
 
-/// Returns a sentence on the layout of a file of measurements, with the numbers of intervals (steps
-/// of constant set points) and rows in the file.
+/// Returns a sentence that names the layout (arrangement of header, columns and rows) by which a
+/// file of measurements is read, and states the numbers of intervals (steps of constant set points)
+/// and rows in the file.
 std::string file_sentence(const FileView& view);
 
 /// Returns a sentence that states the character encoding, the delimiter of cells and the decimal
@@ -22,9 +23,9 @@ std::string encoding_sentence(const FileView& view);
 std::vector<std::string> columns_table(const FileView& view);
 
 /// Returns a table of the intervals (steps of constant set points) of a file of measurements, one
-/// line per interval below a heading. The line states number, role, number of rows, line numbers in
-/// the file, median normal stress [Pa] (or normal force [N]), largest shear stress [Pa] (or torque
-/// [N m]), and the reason for the role.
+/// line per interval below a heading. The line states number, role in the test (such as preshear),
+/// number of rows, line numbers in the file, median normal stress [Pa] (or normal force [N]),
+/// largest shear stress [Pa] (or torque [N m]), and the reason for the role.
 std::vector<std::string> intervals_table(const FileView& view);
 
 /// Returns a heading and sentences on the checks of a file of measurements. One sentence for each
@@ -42,10 +43,11 @@ std::vector<std::string> checks_lines(const FileView& view, bool all);
 /// strength [Pa].
 std::vector<std::string> yield_locus_lines(const FileView& view);
 
-/// Returns sentences on the quantities of steady shear that a file of measurements lacks. The last
-/// sentence asks the user to export these quantities too. For a file with yield loci, the last
-/// sentence says instead that points of failure need only the stresses. Returns an empty text if
-/// the file lacks no quantity, or if the file is a report of yield loci.
+/// Returns sentences on the quantities that readings of steady shear need but a file of
+/// measurements lacks, such as the gap height. The last sentence asks the user to export these
+/// quantities too. For a file with yield loci, the last sentence says instead that points of
+/// failure need only the stresses. Returns an empty text if the file lacks no quantity, or if the
+/// file is a report of yield loci.
 std::string missing_sentence(const FileView& view);
 
 }  // namespace pendular

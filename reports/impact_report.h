@@ -7,10 +7,10 @@
 
 namespace pendular {
 
-/// Returns names of effects from a verdict, sorted by the shift that each effect causes in the
-/// fitted friction coefficient at its smallest size of interest, the largest shift first. Effects
-/// that `table` does not list come last, in the order of `effects`.
-/// @param effects names of effects that the verdict of the diagnosis names
+/// Returns `effects`, sorted by the shift that each effect causes in the fitted friction
+/// coefficient at its smallest size of interest, the largest shift first. Effects that `table` does
+/// not list come last, in the order of `effects`.
+/// @param effects names of effects that the verdict of a diagnosis names
 std::vector<std::string> by_impact(const ImpactTable& table,
                                    const std::vector<std::string>& effects);
 

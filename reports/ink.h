@@ -45,8 +45,8 @@ class Ink {
     std::string script(double width, double height) const;
 
   private:
-    /// Shapes of the figure that have the same style. One element of a gnuplot `plot` command draws
-    /// these shapes.
+    /// Shapes of the figure that have one plot style, drawn by one element of a gnuplot `plot`
+    /// command.
     struct Layer {
         /// Plot style of the layer's shapes, with options, in gnuplot's syntax.
         std::string style;

@@ -20,8 +20,9 @@ struct PanelPlace {
     AxisRange x, y;
     bool log_x = false, log_y = false;
 
-    /// Returns the point on the page [inch] at which the figure shows the data point with these
-    /// values on the axes.
+    /// Returns the point on the page [inch] at which the figure shows a data point.
+    /// @param value_x value of the data point on the x axis, in the unit of the axis
+    /// @param value_y value of the data point on the y axis, in the unit of the axis
     PaperPoint at(double value_x, double value_y) const;
 };
 
@@ -37,7 +38,8 @@ struct Page {
     std::string title;
     std::vector<PanelPlace> panels;
 };
-/// Returns the layout of a figure's page: its size, the wrapped title and the place of each panel.
+/// Returns the layout of a figure's page: the size of the page, the title with line ends, and the
+/// place of each panel.
 Page page_of(const Figure& figure);
 
 }  // namespace pendular

@@ -17,18 +17,19 @@ namespace pendular {
 /// Quantity of a condition (normal stress, inertial number and liquid content) along which a figure
 /// draws the curve of a model, such as the inertial number.
 struct Coordinate {
-    /// Function that returns the value of the quantity at a condition.
+    /// Function that returns the value of the quantity at a condition, in the unit of the quantity.
     double (*of)(const Condition&);
-    /// Function that sets the quantity of a condition to a value.
+    /// Function that sets the quantity of a condition to a value, in the unit of the quantity.
     void (*set)(Condition&, double);
 };
 extern const Coordinate along_inertial_number;        ///< inertial number of a condition [1]
 extern const Coordinate along_inverse_normal_stress;  ///< 1/(normal stress) of a condition [1/Pa]
 
-/// Sequence of conditions along which a model curve is computed. The path leads through the
-/// conditions of some readings in the order of one quantity, the coordinate. Nodes of the path are
-/// means of conditions whose coordinates agree within 5 %. All other quantities are interpolated
-/// linearly between nodes, and are constant beyond the first and the last node.
+/// Sequence of conditions (normal stress, inertial number, liquid content and others) along which a
+/// model curve is computed. The path leads through the conditions of some readings in the order of
+/// one quantity, the coordinate. Nodes of the path are means of conditions whose coordinates agree
+/// within 5 %. All other quantities are interpolated linearly between nodes, and are constant
+/// beyond the first and the last node.
 class ConditionPath {
   public:
     /// Makes a path through the conditions of readings.
@@ -45,7 +46,8 @@ class ConditionPath {
     std::vector<Condition> nodes_;
 };
 
-/// Quantity by which readings are divided into groups. Each group has a model curve of its own.
+/// Quantity by which a figure divides readings into groups, each with a model curve of its own:
+/// normal stress, volume of beads, or file.
 enum class Apart { normal_stress, bead_volume, file };
 
 /// Group of readings that a figure draws as one series, with a model curve if `curve` is true.
@@ -56,9 +58,8 @@ struct CurveGroup {
     /// = 300 Pa" with gnuplot markup. The text is empty for a group that needs no name, such as the
     /// only group of all readings.
     std::string name = {};
-    /// Whether one model curve represents the group. If true, the curve at interpolated conditions
-    /// differs from the prediction of each reading by at most a quarter of the standard error of
-    /// the reading.
+    /// Whether one model curve represents the group. If true, the curve differs from the prediction
+    /// of each reading by at most a quarter of the standard error of the reading.
     bool curve = false;
 
     /// Returns the path through the conditions of the group's readings, along which a model curve
@@ -84,13 +85,13 @@ struct ModelCurve {
     std::vector<double> x;
     std::vector<Shown> y;
 
-    /// Makes the curve from predicted shear stresses [Pa] and solid fractions [1].
+    /// Makes the curve from shear stresses [Pa] and solid fractions [1] that the model predicts.
     /// @param at value on the x axis for each condition
-    /// @param predicted predictions at `conditions`, in their order
+    /// @param predicted predictions at `conditions`, in the order of `conditions`
     ModelCurve(std::vector<double> at, const Prediction& predicted,
                const std::vector<Condition>& conditions);
     /// Adds the curve to a panel, with a band of one standard error.
-    /// @param o quantity that is drawn: 0 for the stress ratio, 1 for the solid fraction
+    /// @param o quantity that is drawn as y: 0 for the stress ratio, 1 for the solid fraction
     /// @param look colour and label of the line; also states whether the key (legend) shows the
     ///        line
     /// @param band_label name of the band in the CSV file of the figure

@@ -13,16 +13,18 @@ namespace pendular {
 ///   and after the next readings.
 /// - If several models fit, the lines list the measurements that tell the models apart, with the
 ///   prediction of each model.
-/// - If several models fit and no plan tells them apart, the lines say so, and state the
-///   predictions for the measurement for which the predictions differ most.
+/// - If several models fit and no possible series of readings tells the models apart, the lines say
+///   so. The lines then state the predictions for the measurement for which the predictions differ
+///   most.
 std::vector<std::string> plan_lines(const NextMeasurement& next);
 
 /// Returns a figure of the predicted stress ratio and solid fraction against the normal stress,
 /// with a curve and a band of one standard error for each of up to five models that fit the
-/// readings. All other quantities have the values of the first suggested reading. Vertical lines
-/// mark the normal stresses of the suggested readings or, without suggested readings, the normal
-/// stress at which the predictions differ most. The figure has no panels if only one model fits, or
-/// if all possible measurements are direct measurements of an effect's parameter.
+/// readings. All other quantities have the values of the first suggested reading or, without
+/// suggested readings, of the reading for which the predictions differ most. Vertical lines mark
+/// the normal stresses of the suggested readings. If no measurement is suggested, a line marks the
+/// normal stress at which the predictions differ most. The figure has no panels if only one model
+/// fits, or if all possible measurements are direct measurements of an effect's parameter.
 Figure next_figure(const NextMeasurement& next);
 
 }  // namespace pendular

@@ -13,7 +13,8 @@ namespace pendular {
 /// show the deviations of shear stress and of solid fraction from the study's model [%], as
 /// measured and as predicted with the change. The x axis is the quantity with which the change
 /// varies, or the normal stress if the change is constant.
-/// @param model prediction of the readings by the study's model without the change
+/// @param model shear stresses and solid fractions that the study's model predicts without the
+///        change
 Figure proposal_figure(const Proposal& proposal, const std::vector<Reading>& readings,
                        const Prediction& model);
 

@@ -12,7 +12,7 @@
 namespace pendular {
 
 /// Range of rows of a recording that are averaged. `kind` states whether the mean of the rows is
-/// used as a reading (measured state of a study).
+/// used as a reading (shear stress and solid fraction of one steady part).
 struct AveragedWindow {
     enum class Kind { used, no_plateau, set_aside };
     /// First row of the range in the recording, counted from 0 (`begin`), and the row after the
@@ -32,15 +32,14 @@ const char* text_of(AveragedWindow::Kind kind);
 /// ranges are the steady parts whose means are readings, readings that were set aside, and steps
 /// that reach no plateau. If both `readings` and `excluded` are empty, the ranges are the ends of
 /// preshears and the smoothed peaks of intervals that were sheared to failure.
-/// @param readings readings (measured states) of a study; readings from files other than `view` are
-///        ignored
-/// @param excluded rows that a study left out
+/// @param readings readings of a study; readings from files other than `view` are ignored
+/// @param excluded rows that the study left out, with reasons
 std::vector<AveragedWindow> windows_of(const FileView& view, const std::vector<Reading>& readings,
                                        const std::vector<Excluded>& excluded);
 
 /// Shear stress or normal stress [Pa] of a recording against the number of the row, over all
-/// intervals. If the file has no stresses, torque [N m] or normal force [N] takes the place of the
-/// stress.
+/// intervals (steps of constant set points). If the file has no stresses, torque [N m] or normal
+/// force [N] takes the place of the stress.
 class RecordingCourse {
   public:
     /// Reads the shear stress or the normal stress from a file of measurements.
@@ -60,7 +59,7 @@ class RecordingCourse {
     std::vector<std::pair<std::size_t, double>> points(std::size_t most) const;
 
     /// Returns the mean of the known values in a range of rows, in the unit of the quantity.
-    /// Returns nothing if no value is known.
+    /// Returns nothing if no value in the range is known.
     std::optional<double> mean(const AveragedWindow& window) const;
 
   private:

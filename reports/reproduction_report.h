@@ -8,12 +8,12 @@
 namespace pendular {
 
 /// Returns a sentence that says how many of the numbers published by Badetti et al. (2018) the
-/// simulations reproduce, and which simulations were used.
+/// simulations reproduce, and how many simulated states were used.
 std::string verdict_of(const Reproduction& reproduction);
 
-/// Returns a table of published and simulated numbers, one line per number below a heading. The
-/// line states the meaning of the number, the published and the simulated value, and whether the
-/// two values agree.
+/// Returns a table of numbers published by Badetti et al. (2018) and their simulated values, one
+/// line per number below a heading. The line states the meaning of the number, the published and
+/// the simulated value, and whether the two values agree.
 /// @param all whether numbers that agree are shown too
 std::vector<std::string> scoreboard_table(const std::vector<ScoreboardRow>& rows, bool all);
 

@@ -20,22 +20,23 @@ std::vector<std::string> readings_table(const Measurements& measurements);
 /// for each range of rows.
 std::vector<std::string> excluded_table(const Measurements& measurements);
 
-/// Returns a text that counts the ranges of rows that import left out, by kind: "44 transients, 6
-/// readings". The text is empty if no rows were left out.
+/// Returns a text that counts the ranges of rows that import left out, by kind, such as "44
+/// transients, 6 readings". The text is empty if no rows were left out.
 std::string excluded_text(const Measurements& measurements);
 
-/// Whether import left out rows other than transients, the rows of a step outside of the steady
-/// part of the step.
+/// Whether import left out rows of measured files other than transients (rows of a step outside of
+/// its steady part).
 bool beyond_transients(const Measurements& measurements);
 
 /// Returns a table of the scatter of shear stress and solid fraction between repeated readings [%
 /// of the value]: first the scatter that is independent in each step of a recording, second the
 /// scatter that all steps of one filling of the cell share. Returns an empty list if the scatter is
-/// neither estimated nor stated.
+/// neither estimated from the readings nor stated in study.toml.
 std::vector<std::string> scatter_table(const Measurements& measurements);
 
 /// Returns a table of measured and predicted shear stresses [Pa] and solid fractions [1], one line
-/// per reading (measured state), then one line per direct measurement of an effect's parameter.
+/// per reading, then one line per direct measurement of an effect's parameter (without shearing
+/// grains).
 /// @param worst_first true: the reading with the largest contribution to chi2 comes first; false:
 ///        the lines are in the order of the readings
 std::vector<std::string> predictions_table(const Comparison& comparison, bool worst_first = false);
@@ -44,8 +45,8 @@ std::vector<std::string> predictions_table(const Comparison& comparison, bool wo
 /// freedom".
 std::string freedom_text(int degrees_of_freedom);
 /// Returns a text on a misfit for use in a sentence: "chi2 = 45.7 for 46 degrees of freedom (p =
-/// 0.51)". If the p value allows for standard errors that are estimated from few repetitions, and
-/// is much larger for this reason, the text says so.
+/// 0.51)". If the p value is much larger because the standard errors are estimated from few
+/// repetitions, the text says so.
 std::string misfit_text(const Misfit& misfit);
 
 /// Returns a table of the contributions to chi2 [1] in three parts: shear stress and solid

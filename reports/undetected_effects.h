@@ -11,7 +11,8 @@
 
 namespace pendular {
 
-/// Number of effects that could go undetected that are shown without --all.
+/// Largest number of rows of `undetected_table` (effects that could go undetected) that are printed
+/// if the user does not give --all.
 inline constexpr std::size_t shown_undetected = 5;
 
 /// Returns a table of the effects that the study's readings cannot exclude: an effect of the
@@ -32,7 +33,7 @@ std::vector<std::string> undetected_table(const StudyDiagnosis& diagnosis,
 
 /// Returns a sentence that names the effects that the study's readings could not detect at any size
 /// within the bounds of the effect's parameter. Returns an empty text if there is no such effect,
-/// or if the verdict of the diagnosis is not inconclusive.
+/// or unless the verdict of the diagnosis is inconclusive.
 std::string undetectable_line(const Diagnosis& diagnosis, const ModelSpace& space);
 
 }  // namespace pendular

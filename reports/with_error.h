@@ -25,8 +25,8 @@ std::string with_error(double value, double error, const std::string& unit);
 /// @param unit SI unit of the change, the value and the standard error
 std::string change_text(double change, double value, double error, const std::string& unit);
 
-/// Returns the text of a value with `digits` significant digits and the unit. The SI prefix follows
-/// the rules of `with_error`: "5.6 uN" for 5.6e-6 and "N", "0.12" for 0.12 and "1".
+/// Returns the text of a value with `digits` significant digits and the unit. The unit has an SI
+/// prefix if `with_error` would give it one: "5.6 uN" for 5.6e-6 and "N", "0.12" for 0.12 and "1".
 /// @param unit SI unit of the value
 std::string with_unit(double value, const std::string& unit, int digits = 2);
 

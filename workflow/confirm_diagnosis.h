@@ -8,9 +8,9 @@
 namespace pendular {
 
 /// Finds which physical effect is missing from a study's model, and tests this verdict by rounds of
-/// new simulations. Each round simulates states of steady shear that reduce the standard errors of
-/// the best models' parameters, and repeats the diagnosis. The rounds end when the verdict is firm
-/// (`Confirmation::settled`) or when `seconds` have passed. The user's file of simulations
+/// new simulations. Each round makes simulations that reduce the standard errors of the best
+/// models' parameters, and then repeats the diagnosis. The rounds end when the verdict is firm
+/// (`Confirmation::settled`) or when the time `seconds` is used up. The user's file of simulations
 /// (`SessionOptions::store`) keeps the runs. A repeated call continues with the stored runs.
 /// @param seconds maximum time for simulations and diagnoses together [s]; the first diagnosis is
 ///        made in any case

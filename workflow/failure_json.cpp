@@ -19,7 +19,7 @@ nlohmann::ordered_json to_json(const Checks& checks) {
 nlohmann::ordered_json to_json(const WhereItFails& where) {
     nlohmann::ordered_json json = to_json(where.checks);
     json["offending"] = nlohmann::ordered_json::array();
-    for (const Offending& offending : where.offending) {
+    for (const DeviatingGroup& offending : where.offending) {
         json["offending"].push_back({{"readings", offending.readings}, {"p", offending.p}});
     }
     return json;

@@ -9,9 +9,9 @@
 
 namespace pendular {
 
-/// Returns the JSON of a calibration and of the comparison of the readings with its predictions.
-/// This JSON is the content of out/fit.json, except the judgement whether the fit can be believed
-/// (`Belief`).
+/// Returns the JSON of a calibration, with the comparison of the readings with the predictions of
+/// the calibration. This JSON is the content of out/fit.json, except the judgement whether the fit
+/// can be believed (`Belief`).
 nlohmann::ordered_json to_json(const Calibration& calibration, const Comparison& comparison);
 
 /// Writes the result of a fit to FOLDER/fit.json, and returns the JSON. Also writes

@@ -27,7 +27,7 @@ CalibrationRequest request_for(std::optional<KnownRuns> known, const SessionOpti
         return request;
     }
     request.known = std::move(*known);
-    request.known.orders_more = options.confirm;
+    request.known.may_simulate = options.confirm;
     request.options.fewest_rounds = 2;
     if (!options.confirm) request.options.fewest_rounds = request.options.most_rounds = 1;
     return request;

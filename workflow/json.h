@@ -10,10 +10,10 @@
 
 namespace pendular {
 
-/// Returns the JSON of a study's measurements, as `pendular import STUDY --json` writes it: every
-/// reading, every excluded range of rows with the reason, the scatter between replicates (readings
-/// at the same condition), reasons to doubt readings, faults of files and recordings, and notes.
-/// Readings are in SI units.
+/// Returns the JSON of a study's measurements, as `pendular import STUDY --json` writes it:
+/// readings (shear stress and solid fraction, in SI units), rows of files that were left out with
+/// the reason, scatter between replicates (readings at the same condition), doubtful values, faults
+/// of files and recordings, and notes.
 nlohmann::ordered_json to_json(const Measurements& measurements);
 
 /// Returns the JSON of the comparison of the readings with the predictions of a fitted model, as

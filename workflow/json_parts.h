@@ -47,7 +47,7 @@ nlohmann::ordered_json findings_json(const std::vector<RecordingFinding>& findin
 
 /// Returns a JSON array of cohesion lines, with one object for each line. A cohesion line is a
 /// Mohr-Coulomb line fitted to the measured or the predicted stress ratios of wet readings of one
-/// liquid content.
+/// liquid content and one inertial number.
 nlohmann::ordered_json cohesion_lines_json(const std::vector<CohesionLine>& lines);
 
 }  // namespace pendular

@@ -21,9 +21,9 @@ namespace pendular {
 std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,
                                     const RunStore* store, const Listener& listener = {});
 
-/// Returns the hyperparameters (amplitudes and lengths) of the emulator's Gaussian processes from
-/// the file beside the atlas (the simulations supplied with Pendular). Empty if the file does not
-/// exist.
+/// Returns the hyperparameters (amplitudes, correlation lengths and noise) of the emulator's
+/// Gaussian processes from the file beside the atlas (the simulations supplied with Pendular).
+/// Empty if the file does not exist.
 EmulatorHyperparameters atlas_hyperparameters();
 
 /// Largest number of runs on which an emulator (which interpolates simulations) is trained. The

@@ -13,7 +13,9 @@ namespace pendular {
 /// diagnosis.
 struct RefittedRival {
     Rival model;
-    double chi2 = 0;  ///< chi2 [1] of all readings and direct measurements
+    /// chi2 [1] of the rival model, for all readings and all direct measurements of effects'
+    /// parameters.
+    double chi2 = 0;
 
     /// Returns Akaike's criterion [1]: chi2 + 2 (number of parameters).
     double akaike() const { return akaike_of(chi2, model.parameters.size()); }
@@ -23,14 +25,15 @@ struct RefittedRival {
     }
 };
 
-/// Smallest difference of Akaike's criterion [1] to the best model at which the readings rule a
-/// model out.
+/// Excess of Akaike's criterion [1] at which the readings rule a model out: the criterion of the
+/// model exceeds the criterion of the best model by this value or more.
 /// Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002), section 2.6.
-inline constexpr double little_support = 7;
+inline constexpr double akaike_limit = 7;
 
-/// Fits a rival model to the readings and direct measurements of a diagnosis. Parameters need not
-/// be more accurate than a small share of their errors.
+/// Fits a rival model to the readings and direct measurements of a diagnosis. The fit ends as soon
+/// as the parameters are accurate to a small fraction of their standard errors.
 /// @param name name of the rival model
+/// @param predictor rival model as a predictor of readings
 /// @param start starting values of the parameters; empty: Parameter::start
 /// @throws std::domain_error if the readings are impossible with the model
 RefittedRival refit_rival(const StudyDiagnosis& diagnosis, std::string name,

@@ -15,8 +15,10 @@ namespace pendular {
 /// give.
 class Reproduction {
   public:
-    /// Compares the published numbers with the runs of the atlas (the simulations supplied with
-    /// Pendular) and of a store (the user's file of simulations).
+    /// Compares the published numbers with numbers from the runs of the atlas (the simulations
+    /// supplied with Pendular) and of a store (the user's file of simulations).
+    /// @param fidelity simulation settings: they set the smallest number of grains (at most 1000)
+    ///        of the runs that are used, and the settings of `missing_runs`
     /// @param store user's file of simulations; null: only the atlas is used
     /// @throws InputError if there are too few runs
     Reproduction(const Fidelity& fidelity, const RunStore* store);
@@ -40,7 +42,8 @@ class Reproduction {
 };
 
 /// Returns the JSON of a reproduction, as `pendular reproduce --json` writes it: each number or
-/// range that Badetti et al. (2018) publish, with the simulated numbers, and whether both agree.
+/// range that Badetti et al. (2018) publish, the simulated numbers, and whether the simulated
+/// numbers agree with the published number or range.
 nlohmann::ordered_json to_json(const Reproduction& reproduction);
 
 }  // namespace pendular

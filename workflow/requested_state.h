@@ -49,6 +49,7 @@ struct RequestedState {
 /// Returns the parameters of the run that simulates a state of steady shear, with the number of
 /// grains and the strain of `fidelity`, a set of simulation settings. An inertial number below the
 /// lowest inertial number of `fidelity` is raised to that lowest inertial number.
+/// @param stiffness_number stiffness number of the grains [1]
 dem::RunParameters run_of(const FlowState& state, const Fidelity& fidelity,
                           double stiffness_number);
 
@@ -63,8 +64,8 @@ std::string simulate_command(const dem::RunParameters& run, const Fidelity& fide
 /// Returns the error message for a requested state that lies outside the range of the earlier
 /// simulation runs. The message states the reason `why`, the nearest state within the range, and
 /// the command that predicts stress ratio and solid fraction at that nearest state. The last line
-/// is the command that simulates the requested state or, if the simulation is impossible, the
-/// reason.
+/// is the command that simulates the requested state, or the reason why this simulation is
+/// impossible.
 /// @param requested state as the user specified it
 /// @param state the requested state in the coordinates of the emulator
 std::string unsupported_text(const RequestedState& requested, const FlowState& state,

@@ -61,12 +61,12 @@ std::vector<Effects> rivals_in(const std::filesystem::path& file, const Study& s
     }
 }
 
-std::vector<RivalModel> rivals_alive(const StudyDiagnosis& d, const ResolvedStudy& study,
-                                     const Ladder& ladder) {
+std::vector<RivalModel> rivals_not_ruled_out(const StudyDiagnosis& d, const ResolvedStudy& study,
+                                             const Ladder& ladder) {
     const Effects listed = names_of(study.study().model.effects);
     const double limit =
         RefittedRival::akaike_of(d.diagnosis.chi2, d.diagnosis.fit.parameters.size()) +
-        little_support;
+        akaike_limit;
     std::vector<RivalModel> alive;
     std::set<std::pair<std::string, Effects>> seen;
     for (const LadderStep& step : ladder) {

@@ -31,8 +31,8 @@ std::vector<std::vector<std::string>> rivals_in(const std::filesystem::path& fil
 /// @param diagnosis diagnosis of the study, whose readings and emulator are used
 /// @param ladder sequence of the study's models, with the alternatives to each added effect
 /// Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002), section 2.6.
-std::vector<RivalModel> rivals_alive(const StudyDiagnosis& diagnosis, const ResolvedStudy& study,
-                                     const Ladder& ladder);
+std::vector<RivalModel> rivals_not_ruled_out(const StudyDiagnosis& diagnosis,
+                                             const ResolvedStudy& study, const Ladder& ladder);
 
 /// Returns a text for the user on rival models. In a rival model, other effects replace one effect
 /// that the study lists. The text states the effects and the chi2 [1] of each rival model, and how

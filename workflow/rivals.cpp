@@ -89,7 +89,7 @@ std::vector<Rival> proposal_rivals(const StudyDiagnosis& d) {
     if (models.empty()) return rivals;
     const double least = std::ranges::min(models, {}, &RefittedRival::akaike).akaike();
     for (RefittedRival& each : models) {
-        if (each.akaike() < least + little_support) rivals.push_back(std::move(each.model));
+        if (each.akaike() < least + akaike_limit) rivals.push_back(std::move(each.model));
     }
     return rivals;
 }

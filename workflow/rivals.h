@@ -6,12 +6,15 @@
 
 namespace pendular {
 
-/// Returns rival models with changes of unknown cause. The next measurement should tell these
-/// models apart. The list contains one model for each proposal of the diagnosis, then one refitted
-/// model for each change that would alter the readings in nearly the same way as the first proposal
-/// (`Proposal::alike`). Models with a change of what a sensor shows are left out, since a check of
-/// the sensor settles such a change. A model is also left out if its Akaike criterion exceeds the
-/// smallest Akaike criterion by `little_support` or more. Empty if no model is left.
+/// Returns the rival models in which a quantity, such as the stress ratio, changes by an unknown
+/// cause. The next measurement should tell these models apart. First comes one model for each
+/// proposal of the diagnosis (one or two changes that would explain the misfit). Then follows one
+/// refitted model for each change that would alter the readings in nearly the same way as the first
+/// proposal (`Proposal::alike`).
+///
+/// The list leaves out models with a change of a quantity that a sensor shows, since a check of the
+/// sensor settles such a change. A model is also left out if its Akaike criterion exceeds the
+/// smallest Akaike criterion in the list by `akaike_limit` or more. Empty if no model is left.
 std::vector<Rival> proposal_rivals(const StudyDiagnosis& diagnosis);
 
 /// Returns the rival models, which the next measurement should tell apart: the models that fit the

@@ -17,10 +17,10 @@ nlohmann::ordered_json uncertain(double value, double error);
 /// key has the form "EFFECT.PARAMETER", such as "torque-offset.torque".
 nlohmann::ordered_json effects_json(const std::vector<ActiveEffect>& effects);
 
-/// Returns the JSON of a simulation run: each observable as {"value", "stderr"}, and all parameters
-/// that are needed to repeat the run. Observables of liquid bridges are zero in a run of dry
-/// grains. Parameters of effects on grains are under the key `effects_in_run_units`, in units in
-/// which grain diameter, grain mass and normal stress are 1.
+/// Returns the JSON of a simulation run: each observable (such as the stress ratio) as {"value",
+/// "stderr"}, and all parameters that are needed to repeat the run. Observables of liquid bridges
+/// are zero in a run of dry grains. Parameters of effects on grains are under the key
+/// `effects_in_run_units`, in units in which grain diameter, grain mass and normal stress are 1.
 nlohmann::ordered_json to_json(const dem::RunResult& run);
 
 /// Returns the JSON of the values that the closures (analytical formulas) of Badetti et al. (2018)

@@ -79,7 +79,7 @@ StudyDiagnosis Session::diagnose(std::optional<double> confirming_seconds,
         confirming_seconds
             ? confirm_diagnosis(input_.study, measurements(), options_, *confirming_seconds)
             : diagnose_study(input_.study, measurements(), options_);
-    diagnosis.rivals = rivals_alive(diagnosis, input_.study, ladder);
+    diagnosis.rivals = rivals_not_ruled_out(diagnosis, input_.study, ladder);
     diagnosis.repeated = repeat_diagnosis(diagnosis, options_, repetitions);
     return diagnosis;
 }

@@ -13,19 +13,19 @@
 
 namespace pendular {
 
-/// Observables predicted at one state of steady shear by an emulator, which interpolates
-/// simulations. The emulator is trained on the runs of the atlas (the simulations supplied with
-/// Pendular) and of the store (the user's file of simulations).
+/// Observables, such as the stress ratio, that an emulator (which interpolates simulations)
+/// predicts at one state of steady shear. The emulator is trained on the runs of the atlas (the
+/// simulations supplied with Pendular) and of the store (the user's file of simulations).
 struct StatePrediction {
     FlowState state;
     /// Predicted values of the observables at the state, with their standard errors.
     std::vector<EmulatedObservable> observables;
     /// Stiffness number of the grains for which the predictions hold [1].
     double stiffness_number = 1000;
-    /// Text that names the quantities of the state (friction coefficient, inertial number, reduced
-    /// pressure, bridge volume) that are outside their ranges in the simulation runs on which the
-    /// emulator is trained, such as "friction 0.9 is above 0.6". Empty if all quantities are within
-    /// their ranges.
+    /// Text on the quantities of the state that lie outside their ranges in the emulator's training
+    /// runs, such as "friction 0.9 is above 0.6". The quantities are friction coefficient, inertial
+    /// number and, for a wet state, reduced pressure and bridge volume. Empty if no quantity is
+    /// outside its range. An inertial number below its range counts as inside.
     std::string beyond;
     /// Number of simulation runs on which the emulator is trained.
     std::size_t runs = 0;
@@ -68,8 +68,8 @@ struct PredictionCurve {
     std::vector<FlowState> states;
     /// Predicted observables of each state, in the order of `states`.
     std::vector<std::vector<EmulatedObservable>> observables;
-    /// Values of the closures (analytical formulas) of Badetti et al. (2018) at each state,
-    /// computed from the predicted observables. Empty for dry states.
+    /// Values of the closures (analytical formulas) of Badetti et al. (2018), computed from the
+    /// predicted observables, in the order of `states`. Empty for dry states.
     std::vector<closures::ClosureValues> closures;
     /// Stiffness number of the grains for which the predictions hold [1].
     double stiffness_number = 1000;
@@ -88,7 +88,8 @@ class StatePredictor {
     /// Trains an emulator (which interpolates simulations) on the earlier runs of the atlas (the
     /// simulations supplied with Pendular) and of `store`.
     /// @param fidelity simulation settings of the runs that messages and `run_for` suggest for
-    ///        states that cannot be predicted
+    ///        states that cannot be predicted; they also set the smallest number of grains (at most
+    ///        1000) of the training runs
     /// @param store user's file of simulations; null: only the atlas is used
     /// @param stiffness_number stiffness number of the grains to predict [1]
     /// @throws InputError if there are too few earlier runs to train an emulator, or if the
@@ -115,13 +116,13 @@ class StatePredictor {
     /// a requested state of steady shear.
     /// @throws InputError if the state is outside the range of the earlier simulation runs (the
     ///         message names the nearest state within the range), or if the predicted solid
-    ///         fraction is not that of a dense flow
+    ///         fraction is not that of a dense flow (0.4 to 0.74)
     StatePrediction at(const RequestedState& requested) const;
-    /// Predicts all observables along a curve of states: the state `requested`, with the varied
-    /// quantity set to each of its values. States outside the range of the earlier simulation runs
-    /// are left out.
+    /// Predicts all observables, such as the stress ratio, along a curve of states: the state
+    /// `requested`, with the varied quantity set to each of its values. States outside the range of
+    /// the earlier simulation runs are left out.
     /// @throws InputError if fewer than two states of the curve can be predicted, or if a predicted
-    ///         solid fraction is not that of a dense flow
+    ///         solid fraction is not that of a dense flow (0.4 to 0.74)
     PredictionCurve along(RequestedState requested, const VariedQuantity& varied) const;
 
     /// Returns the values of the closures (analytical formulas) of Badetti et al. (2018) for a wet
@@ -138,7 +139,8 @@ class StatePredictor {
     dem::RunParameters run_for(const RequestedState& requested) const;
 
   private:
-    /// Returns the requested state in the coordinates of the emulator, for grains of the stiffness
+    /// Returns the requested state in the coordinates of the emulator (friction coefficient,
+    /// inertial number, inverse reduced pressure, bridge volume), for grains of the stiffness
     /// number `stiffness_number_`.
     FlowState state_of(RequestedState requested) const;
     std::vector<EmulatedObservable> observables_at(const FlowState& state) const;

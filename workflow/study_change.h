@@ -27,8 +27,9 @@ struct StudyChange {
 
 /// Checks a change of the effects that a study lists, and prepares the changed study. Nothing is
 /// written.
-/// @param proposed effects that can be added although the study's catalogue lacks them; the new
-///        text of study.toml then contains the table [[effect]] that defines the added effect
+/// @param proposed effects that can be added although the study's catalogue (list of known effects)
+///        lacks them; the new text of study.toml then contains the table [[effect]] that defines
+///        the added effect
 /// @throws InputError if an effect to add is unknown (the message names the nearest known effect),
 ///         does not apply to the study or is listed already, or if an effect to drop is not listed
 StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect,
@@ -44,8 +45,9 @@ struct Fitted {
     /// Judgement whether the fit can be believed. Only the fit after the change is judged. For the
     /// fit before the change, the judgement is empty.
     Belief belief = {};
-    /// Number of conditions in the cross-validation, each predicted by a fit to the other
-    /// conditions. 0 if no cross-validation was made.
+    /// Number of conditions (normal stress, inertial number and liquid content) in the
+    /// cross-validation, each predicted by a fit to the other conditions. 0 if no cross-validation
+    /// was made.
     std::size_t left_out = 0;
     /// Number of conditions that the cross-validation cannot predict reliably: the readings of the
     /// other conditions do not determine every parameter of the model, or the fit to these readings
@@ -61,8 +63,9 @@ struct Fitted {
 Fitted fitted(const ResolvedStudy& study, Calibration calibration, bool cross_validated = true);
 
 /// Returns the JSON of a change of the effects that a study lists, as `pendular add --json` and
-/// `pendular drop --json` write it: the effect, the alternatives to an added effect, and the
-/// parameters and errors of the model before and after the change.
+/// `pendular drop --json` write it: the effect, the alternatives to an added effect (other sets of
+/// effects that explain the readings equally well), and the parameters and errors of the model
+/// before and after the change.
 /// @param written whether study.toml was changed
 nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before,
                                const LadderStep& after, bool written);
@@ -113,9 +116,10 @@ struct ChangeOptions {
 };
 
 /// Adds an effect to a study or drops an effect, and fits the study before and after the change.
-/// The fit in the results folder serves as the fit before the change if its settings are
-/// comparable. If the fit after the change converges, the function writes fit.json and ladder.json
-/// to the results folder and, last, study.toml. Otherwise the function writes nothing.
+/// The fit in the results folder serves as the fit before the change if its simulation settings and
+/// its choice of readings (dry or all) are comparable. If the fit after the change converges, the
+/// function writes fit.json and ladder.json to the results folder and, last, study.toml. Otherwise
+/// the function writes nothing.
 /// @param effect name of the effect; an effect to add may be defined in proposed.toml of the
 ///        results folder
 /// @throws InputError if the effect cannot be added or dropped, if ladder.json cannot be read, if a

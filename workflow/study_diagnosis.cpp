@@ -55,9 +55,9 @@ void suspect_measurement(StudyDiagnosis& result, const Study& study,
     result.diagnosis.suspects.assign(suspects.begin(), suspects.end());
 }
 
-/// Amount by which the description of a proposal must be shorter than chi2 of the model with the
-/// leading effects for these effects to be given up [chi2].
-constexpr double clearly_shorter = 10;
+/// Amount by which the penalised chi2 of a proposal must be lower than chi2 of the model with the
+/// leading effects for these effects to be given up [1].
+constexpr double clearly_lower = 10;
 
 /// Decides between leading effects, which leave a misfit, and proposals. Proposals that explain the
 /// readings with as few changes make the verdict `unknown`; else the leading effects come first,
@@ -68,7 +68,7 @@ void weigh_proposals(StudyDiagnosis& result) {
     const Explanation& model = diagnosis.leaders->model;
     const bool better = std::ranges::any_of(result.proposals, [&](const Proposal& each) {
         return each.fits() && each.shapes.size() <= model.chosen.size() &&
-               each.description() + clearly_shorter < model.chi2;
+               each.penalised_chi2() + clearly_lower < model.chi2;
     });
     if (!better) {
         result.proposals.clear();

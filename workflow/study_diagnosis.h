@@ -20,71 +20,77 @@
 
 namespace pendular {
 
-/// Rival model: the study's model with other effects in place of one effect that the study lists,
-/// fitted to the readings.
+/// Rival model: the study's model in which other physical effects replace one effect that the study
+/// lists, fitted to the readings of the study.
 struct RivalModel {
     /// Name of the effect that the study lists and that the rival model lacks.
     std::string in_place_of;
-    /// Names of the effects that the rival model has instead.
+    /// Names of the effects that the rival model has in place of the effect `in_place_of`.
     std::vector<std::string> effects;
-    /// Rival model as a predictor of readings, with its fitted parameters.
+    /// Rival model as a predictor of readings, with its fitted parameters and their covariance.
     Rival fitted;
     /// chi2 [1] of the rival model, for all readings and all direct measurements of effects'
     /// parameters.
     double chi2 = 0;
 };
 
-/// Simulations that tested the verdict of a diagnosis, and whether the verdict is firm.
+/// Result of the simulations that tested the verdict of a diagnosis (which physical effect a
+/// study's model lacks): whether the verdict is firm, and the effort of the test.
 struct Confirmation {
     /// Number of simulation runs that were made to test the verdict.
     std::size_t runs = 0;
     double seconds = 0;  ///< time that the simulations and the diagnoses took together [s]
-    /// Whether the verdict is firm: the last runs did not change the verdict and agreed with the
-    /// emulator's predictions, and the noise of all runs hardly enlarges the standard errors of
-    /// fitted parameters and predicted readings.
+    /// Whether the verdict is firm. The last simulation runs must leave the verdict unchanged and
+    /// agree with the predictions of the emulator, which interpolates simulations. The noise of all
+    /// runs must increase no standard error, of a fitted parameter or of a difference between
+    /// measured and predicted value, by more than 20 %.
     bool settled = false;
     /// Reason why the verdict is not firm. Empty if the verdict is firm.
     std::string open = {};
 };
 
-/// Largest number of readings that a diagnosis tests one by one. If there are more readings, the
-/// diagnosis divides the readings into bins of similar readings, as a rule `most_tested` bins, and
-/// tests the mean of each bin (`binned_readings`). The time of the tests is proportional to the
-/// third power of the number of readings.
+/// Largest number of readings that a diagnosis tests one by one. If a study has more readings, the
+/// diagnosis averages readings at similar conditions, as a rule in `most_tested` bins, and tests
+/// the means (`binned_readings`). The time of the tests is proportional to the cube of the number
+/// of tested readings.
 inline constexpr std::size_t most_tested = 200;
 
-/// Diagnosis of a study (search for effects that its model lacks), with the readings, models and
-/// errors on which the diagnosis is based.
+/// Diagnosis of a study: search for physical effects that the study's model lacks, with the
+/// readings, models and errors on which the search is based.
 struct StudyDiagnosis {
-    /// Readings that are tested, dry readings first: the readings of the study or, if there are
-    /// more than `most_tested` readings, means of readings at similar conditions.
+    /// Readings (shear stress and solid fraction) that are tested, dry readings first: the readings
+    /// of the study or, if there are more than `most_tested` readings, means of readings at similar
+    /// conditions.
     std::vector<Reading> readings;
     /// Number of readings of the study, before readings are averaged in bins.
     std::size_t measured = 0;
-    /// Models that were tested: the study's model with any set of candidate effects added.
+    /// Models that were tested: the study's model, alone and with any set of candidate effects
+    /// (effects that may be added).
     std::unique_ptr<StudyModels> models;
     /// Tested readings and direct measurements of effects' parameters, as one vector of values with
-    /// its covariance.
+    /// its covariance, and the parts of the measurement that may be wrong.
     Evidence evidence;
     Diagnosis diagnosis;  ///< result of the diagnosis: verdict, tests and refitted models
-    /// Column of the recordings that was probably read in a wrong unit, which would explain the
-    /// misfit. Empty if no column was found.
+    /// Column of the recordings that was probably read in a wrong unit. The wrong unit would
+    /// explain the misfit. Empty if no such column was found.
     std::optional<UnitMistake> mistake = {};
-    /// Whether the verdict is `suspect_measurement` regardless of the statistical tests, because a
-    /// column may be in a wrong unit or because implausible readings were kept.
+    /// Whether the verdict is `suspect_measurement` regardless of the statistical tests. The reason
+    /// is a column that may be in a wrong unit, or implausible readings that the import kept at the
+    /// user's request.
     bool overruled = false;
-    /// Rival models that the readings do not rule out, with other effects in place of one effect
-    /// that the study lists.
+    /// Rival models that the readings do not rule out: the study's model with other effects in
+    /// place of one effect that the study lists.
     std::vector<RivalModel> rivals = {};
-    /// Proposed changes of unknown cause that would explain the readings, defined by formulas.
-    /// Empty if known effects explain all of the misfit, or if the known effects that explain most
-    /// of the misfit are nearly as good as the best proposal.
+    /// Proposed changes of quantities, such as the torque, by an unknown cause. Each proposal is
+    /// defined by formulas and would explain at least half of the misfit. Empty if a model with
+    /// known effects fits, if `overruled` is true, or if no proposal is clearly better than the
+    /// leading effects (known effects that explain most of the misfit).
     std::vector<Proposal> proposals = {};
-    /// Simulations that tested the verdict. Empty if no simulations were requested.
+    /// Result of the simulations that tested the verdict. Empty if no simulations were requested.
     std::optional<Confirmation> confirmed = {};
-    /// Counts of the simulated repetitions of the experiment, and of the repetitions that give the
-    /// same verdict as the readings. Empty if no repetitions were simulated, or if no model fits
-    /// the readings.
+    /// Number of simulated repetitions of the experiment (readings with new random errors), and
+    /// number of repetitions with the same verdict as the readings. Empty if no repetitions were
+    /// simulated, if no model fits the readings, or if `overruled` is true.
     std::optional<Repeated> repeated = {};
     /// Judgement whether the fit of the study's model, without further effects, can be believed.
     Belief belief = {};
@@ -109,9 +115,10 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session, KnownRuns known);
 
-/// Returns the earlier simulation runs on which the emulator for a diagnosis of a study is trained,
-/// from the atlas (the simulations supplied with Pendular) and the store (the user's file of
-/// simulations). A run may have any effect, listed in the study or not.
+/// Returns the earlier simulation runs on which a diagnosis of the study trains its emulator, which
+/// interpolates simulations. The runs come from the atlas (the simulations supplied with Pendular)
+/// and from the store (the user's file of simulations). A run may have any effect, listed in the
+/// study or not.
 /// @throws InputError if there are fewer than 20 runs that can train the emulator
 KnownRuns runs_for_diagnosis(const ResolvedStudy& study, const SessionOptions& session);
 
@@ -126,9 +133,9 @@ Checks checks_of(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 /// @param seed seed of the random errors from which the p values are computed
 std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
-/// Computes by how much each effect and each error of measurement shifts the fitted parameters of a
-/// study's model. Empty if a column is in a wrong unit, since the fitted numbers are then
-/// meaningless.
+/// Computes by how much each effect that the model may lack, and each error of measurement, would
+/// shift the fitted parameters of a study's model. Empty if a column was probably read in a wrong
+/// unit (`StudyDiagnosis::mistake`), since the fitted parameters are then meaningless.
 /// @param threads largest number of threads
 std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size_t threads);
 
@@ -140,11 +147,11 @@ std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size
 std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& diagnosis,
                                          const SessionOptions& session, std::size_t count);
 
-/// Returns the standard deviation [1] of a discrepancy that would account for the remaining misfit
-/// if study.toml stated the discrepancy. A discrepancy is an error of the predicted shear stress,
-/// relative to the shear stress, that varies smoothly between conditions. The remaining misfit is
-/// the misfit of the model with the leading effects (effects that explain most of the misfit) or,
-/// without leading effects, of the best refitted model. Returns 0 if a model fits, if no
+/// Returns the size of the discrepancy that study.toml would have to state so that no misfit
+/// remains: the standard deviation [1] of an error of the predicted shear stress, relative to the
+/// shear stress, that varies smoothly between conditions. The remaining misfit is the misfit of the
+/// model with the leading effects (effects that explain most of the misfit) or, without leading
+/// effects, of the refitted model with the smallest chi2. Returns 0 if a model fits, if no
 /// discrepancy is significant, or if the misfit varies too quickly with the conditions.
 /// @param stated standard deviation of the discrepancy that study.toml already states [1]; the
 ///        result includes this discrepancy (root of the sum of squares)

@@ -54,9 +54,9 @@ bool would_replace(const fs::path& output, const fs::path& input) {
 /// @throws InputError where one of the outputs is a link that leads out of its folder
 void protect_other_folders(const Study& study, const OutputPlaces& outputs) {
     if (outputs.folder.lexically_normal() == (study.folder / "out").lexically_normal())
-        refuse_link_out(outputs.folder);
+        refuse_link_outside(outputs.folder);
     for (const fs::path& output : outputs.files) {
-        refuse_link_out(outputs.folder / output);
+        refuse_link_outside(outputs.folder / output);
     }
 }
 

@@ -21,23 +21,27 @@ namespace pendular {
 struct SwitchedModel {
     /// Predictor of readings with the effects that are switched on.
     std::shared_ptr<const EffectModel> predictor;
-    /// Fit of the model, with the readings. The list of training runs is empty.
+    /// Fit of the model, with the readings of the diagnosis (`StudyDiagnosis::readings`). The list
+    /// of simulation runs (`Calibration::runs`) is empty.
     Calibration calibration;
-    /// Comparison of all readings of the study with the predictions of the fitted model.
+    /// Comparison of all readings of the diagnosis, fitted or not, with the predictions of the
+    /// fitted model.
     Comparison comparison;
     /// Second-order expansions of the predictions about the fitted parameters: `response` for all
-    /// readings and direct measurements of effects' parameters, `along` for the conditions of
-    /// `SwitchOptions::along`.
+    /// readings of the diagnosis and direct measurements of effects' parameters, `along` for the
+    /// conditions of `SwitchOptions::along`.
     Response response, along;
     /// Range of each parameter around its fitted value in which `response` differs from the model's
     /// predictions by at most a tenth of the standard error of each reading.
     ParameterBounds trusted;
     /// Matrix that gives chi2 of all readings and direct measurements of effects' parameters
-    /// quickly at shifted parameters: the coefficients of chi2 as a polynomial in the shifts of the
-    /// parameters from their fitted values (see `chi2_form`).
+    /// quickly at shifted parameters: the coefficients of chi2 as a quadratic form in 1, the shifts
+    /// of the parameters from their fitted values, and the products of two shifts (see
+    /// `chi2_form`).
     Eigen::MatrixXd chi2_form;
-    /// Change of the fit when one fitted reading is left out: a row for each fitted reading, with
-    /// the reduction of chi2 [1], then the shift of each parameter [its unit].
+    /// Change of the fit when one reading is left out: a row for each fitted reading, with the
+    /// reduction of chi2 [1] in the first column and the shift of each parameter [its unit] in the
+    /// following columns.
     Eigen::MatrixXd without_each;
 };
 
@@ -76,7 +80,8 @@ struct SwitchedModels {
 /// - effects that the study lists;
 /// - effects that the verdict names, unless the verdict is inconclusive;
 /// - effects of all models that fit the readings;
-/// - refitted candidate effects, the largest reduction of chi2 first;
+/// - candidate effects (effects that may be added) with which the diagnosis refitted the model, the
+///   largest reduction of chi2 first;
 /// - all other candidate effects, in the order of their score tests.
 /// @throws dem::Interrupted if the user requests a stop
 SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis& diagnosis,

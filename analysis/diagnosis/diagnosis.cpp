@@ -95,7 +95,7 @@ class Diagnostician {
 void Diagnostician::fit_base() {
     const std::shared_ptr<const Model> model = space_.with({});
     const auto entries = evidence_.measured.value.size();
-    const auto fitted = std::ssize(model->parameters()) + space_.fitted_beforehand();
+    const auto fitted = std::ssize(model->parameters()) + space_.internally_fitted_values();
     if (entries <= fitted) {
         throw InputError(
             fmt::format("{} measured values and {} fitted values leave no degree of "

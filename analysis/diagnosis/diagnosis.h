@@ -17,12 +17,13 @@ enum class Verdict {
     /// The model fits, but the readings cannot exclude some effects, or the errors of some readings
     /// are assumed, not measured.
     inconclusive,
-    missing,  ///< the model lacks the effects in `Diagnosis::effects`
+    missing,  ///< the study's model lacks the effects in `Diagnosis::effects`
     /// Several models fit that add different effects to the study's model, and no added effect is
     /// common to all of these models.
     indistinguishable,
     unknown,  ///< the model does not fit, and no known effect explains why
-    /// No effect explains the misfit, but an error of one part of the measurement would.
+    /// No effect explains the misfit, but an error of one part of the measurement would, such as an
+    /// error of all readings of one file.
     suspect_measurement
 };
 /// Returns the name of a verdict for output, such as "nothing-missing".
@@ -32,60 +33,66 @@ std::string_view to_string(Verdict verdict);
 /// explain the residuals.
 struct Diagnosis {
     Verdict verdict = Verdict::inconclusive;
-    /// Names of the effects that, according to the verdict, are missing or may be missing. If the
-    /// verdict is `inconclusive`, names of the effects that the readings cannot exclude at their
-    /// smallest sizes of interest.
+    /// Names of the effects that, according to the verdict, are missing from the study's model or
+    /// may be missing. If the verdict is `inconclusive`, names of the effects that the readings
+    /// cannot exclude at the effects' smallest sizes of interest.
     std::vector<std::string> effects;
-    /// Whether the study's model or a refitted model fits the readings.
+    /// Whether a model fits the readings: the study's model, or a model that was refitted with
+    /// further effects or with an error of measurement.
     bool complete = true;
-    /// Leading effects, which explain most of the misfit but not all of it, with the study's model
-    /// refitted with these effects. Empty unless the verdict is `missing` and `complete` is false.
+    /// Leading effects, which explain most of the misfit but not all of it, and the study's model
+    /// refitted with the leading effects. Empty unless the verdict is `missing` and `complete` is
+    /// false.
     std::optional<Leaders> leaders;
     /// Names of the suspect measurements (parts of the measurement) whose error alone would explain
     /// the misfit, such as "the readings of dry_1.csv". If effects explain the misfit too, the list
     /// contains only suspect measurements that explain the readings at least as well as the best
-    /// model with effects, by Akaike's criterion (`Explanations::akaike`).
+    /// model with further effects, by Akaike's criterion (`Explanations::akaike`).
     std::vector<std::string> suspects;
     /// Models that fit the readings and between which the readings cannot decide. If the study's
-    /// model fits, the set contains this model alone. Otherwise, the set contains the refitted
-    /// models with one or two further effects that fit. Models with two further effects must be
-    /// needed or fit clearly better. If no effects explain the misfit, the set contains the
-    /// refitted models with an error of one suspect measurement (part of the measurement that may
-    /// be wrong) that fit.
+    /// model fits, the set contains this model alone. Otherwise, the set contains the models with
+    /// one further effect that fit after a refit, and the models with two further effects that fit
+    /// clearly better or are needed since no single effect suffices. If no effects explain the
+    /// misfit, the set contains the models that fit with an error of one suspect measurement (part
+    /// of the measurement that may be wrong).
     std::vector<Explanation> confidence_set;
-    /// All models that were refitted, whether they fit the readings or not.
+    /// All models that the diagnosis refitted with further effects or with an error of a suspect
+    /// measurement, whether they fit the readings or not.
     std::vector<Explanation> tried;
     /// Result of the score test (test without a refit) of each candidate effect (not in the model),
-    /// sorted by the reduction of chi2, the largest first. The reduction is measured by a refit
-    /// with the effect alone or, if there was no refit, predicted by the score test.
+    /// sorted by the reduction of chi2 by the effect, the largest first. A refit with the effect
+    /// alone gives the reduction or, if there was no refit, the score test predicts the reduction.
     std::vector<Finding> scan;
     /// p value [1] of the score test of each suspect measurement (part of the measurement that may
     /// be wrong), corrected for the number of tests, in the order of `Evidence::suspects`.
     std::vector<double> suspect_p;
-    /// Absolute cosine [1] of the angle between the signatures of each pair of `effects`. The
-    /// signature of an effect is the change of the readings that the effect causes, in units of
-    /// their standard errors and orthogonal to all changes by the calibrated parameters. At 1, the
-    /// readings cannot tell the two effects apart. Empty unless the verdict is `indistinguishable`.
+    /// Absolute cosines [1] of the angles between the signatures of two effects: a row and a column
+    /// for each of `effects`. The signature is the change of the readings by the effect, whitened
+    /// (in units of the readings' errors), without the part that the calibrated parameters can
+    /// imitate. If the cosine is 1, the readings cannot tell both effects apart. Empty unless the
+    /// verdict is `indistinguishable`.
     Eigen::MatrixXd cosines;
-    Fit fit;  ///< fit of the model without further effects
-    /// chi2 [1] of all measured values in the fit of the model without further effects.
+    Fit fit;  ///< fit of the study's model, without further effects, to the readings
+    /// chi2 [1] of all measured values in the fit of the study's model without further effects.
     double chi2 = 0;
-    /// Degrees of freedom of `chi2`: number of measured values minus number of fitted values.
+    /// Degrees of freedom of `chi2`: number of measured values minus number of fitted parameters
+    /// and fitted constant cohesions.
     int dof = 0;
-    /// p values [1] of the tests of the model without further effects. `lack_of_fit_p` is the p
-    /// value of the test for lack of fit of the conditions' means. `further_p` is the p value of
-    /// the most significant candidate effect (not in the model) or suspect measurement (part of the
-    /// measurement that may be wrong), corrected for the number of tests.
+    /// p values [1] of two tests of the study's model without further effects. `lack_of_fit_p` is
+    /// the p value of the test whether the model misses the mean of the readings at a condition.
+    /// `further_p` is the p value of the most significant candidate effect (not in the model) or
+    /// suspect measurement (part of the measurement that may be wrong), corrected for the number of
+    /// tests.
     double lack_of_fit_p = 0, further_p = 0;
-    /// Errors of the predicted change of the readings by each candidate effect (not in the model),
-    /// as covariances in products of the units of the readings. The change is predicted by the
-    /// emulator (which interpolates simulations) and divided by the amplitude of the effect (1 at
-    /// the smallest size of interest). The list has the order of ModelSpace::candidates().
+    /// Covariances of the errors of the predicted change of the readings by each candidate effect
+    /// (not in the model), in products of the units of the readings and in the order of
+    /// ModelSpace::candidates(). The emulator (which interpolates simulations) predicts the change,
+    /// which is divided by the amplitude of the effect (1 at the smallest size of interest).
     std::vector<ModelSpace::ChangeErrors> change_errors;
     bool errors_assumed = false;  ///< whether the errors of some readings are assumed, not measured
 
-    /// Returns the whitened residuals (in units of their errors) of the readings from the model
-    /// without further effects.
+    /// Returns the whitened residuals (in units of their errors) of the readings from the fitted
+    /// study's model without further effects.
     /// @param evidence readings that were diagnosed
     WeightedResiduals residuals(const Evidence& evidence) const {
         return {evidence.measured, fit.prediction};
@@ -95,16 +102,19 @@ struct Diagnosis {
 /// Tests whether a study's model is complete and, if not, which physical effects explain the
 /// residuals. The diagnosis fits the model and tests the residuals for each candidate effect (not
 /// in the model) and each suspect measurement. Then the diagnosis refits the model with each
-/// significant effect or measurement error, and keeps the models that fit
+/// significant effect or error of a suspect measurement, and keeps the models that fit
 /// (`Diagnosis::confidence_set`). If no model fits, the diagnosis names the effects that explain
 /// most of the misfit, if there are any.
 ///
-/// A model fits if it passes two tests, each at half of `options.significance`: the test for lack
-/// of fit, and the test for the most significant effect or suspect measurement that the model does
-/// not contain. All p values come from one set of random draws of errors.
+/// A model fits if it passes two tests, each at half of `options.significance`: the test whether
+/// the model misses the mean of a condition (lack of fit), and the test of the most significant
+/// effect or suspect measurement that the model does not contain. All p values come from one set of
+/// random draws of errors.
 /// @param space study's model and the candidate effects
-/// @param evidence readings with their errors and with parts of the measurement that may be wrong
-/// @throws InputError if the number of measured values does not exceed the number of fitted values
+/// @param evidence readings with their errors, and suspect measurements (parts of the measurement
+///        that may be wrong)
+/// @throws InputError if the number of measured values does not exceed the number of fitted
+///         parameters and fitted constant cohesions
 Diagnosis diagnose(const ModelSpace& space, const Evidence& evidence,
                    const DiagnosisOptions& options = {});
 

@@ -28,7 +28,7 @@ struct SuspectMeasurement {
     /// Name of the quantity that each kind of error changes, such as "shear stress". The list is
     /// empty if `name` names the quantity.
     std::vector<std::string> quantities = {};
-    /// Smallest amplitude [1] that is of interest to the user, for every kind of error.
+    /// Smallest amplitude [1] of an error that is of interest to the user, for each kind of error.
     double smallest_of_interest = 1;
     /// Group to which the suspect measurement belongs in tables, such as "files". May be empty.
     std::string group = {};
@@ -64,23 +64,26 @@ struct Explanation {
     /// together with the parameters of the model, as index into Evidence::suspects. Empty if the
     /// model contains no error of measurement.
     std::optional<std::size_t> suspect;
-    /// Fit of the refitted model to the readings.
+    /// Fitted parameters and predictions of the refitted model, with their errors.
     Fit fit;
     /// chi2 [1] of all measured values in the fit of the refitted model.
     double chi2 = 0;
-    double lack_of_fit_p = 0;  ///< p value [1] of the test for lack of fit of the conditions' means
+    /// p value [1] of the test whether the refitted model misses the mean of the readings at a
+    /// condition (lack of fit).
+    double lack_of_fit_p = 0;
     /// p value [1] of the most significant effect or suspect measurement (part of the measurement
-    /// that may be wrong) that the model does not contain, corrected for the number of tests. 1 if
-    /// no further effect was tested.
+    /// that may be wrong) that the refitted model does not contain, corrected for the number of
+    /// tests. 1 if no such effect or measurement was tested.
     double further_p = 1;
-    /// Whether the model passes its own tests and so may belong to the confidence set: the fit
-    /// converged, and neither `lack_of_fit_p` nor `further_p` is significant. A model with one
-    /// further effect may also be accepted if p() is at least DiagnosisOptions::least_p
+    /// Whether the refitted model counts as fitting the readings: the fit converged, and p() is at
+    /// least DiagnosisOptions::significance. A model with one further effect may also be accepted
+    /// if p() is at least DiagnosisOptions::least_p and no better model fits
     /// (`search_explanations`).
     bool accepted = false;
 
-    /// Returns the p value [1] of the test for lack of fit and the test for further effects
-    /// together, by Bonferroni's inequality: 2 min(lack_of_fit_p, further_p), at most 1.
+    /// Returns the p value [1] of both tests of the refitted model together (for lack of fit and
+    /// for further effects), by Bonferroni's inequality: 2 min(lack_of_fit_p, further_p), at most
+    /// 1.
     double p() const { return std::min(1.0, 2 * std::min(lack_of_fit_p, further_p)); }
 };
 
@@ -93,8 +96,9 @@ struct Finding {
     /// Score test (test without a refit) of the candidate effect on the residuals of the study's
     /// model.
     ScoreTest test;
-    /// Value of the candidate effect's parameter that the score test estimates [its unit]. For a
-    /// switch (effect that is on or off), the amplitude [1].
+    /// Value of the candidate effect's parameter that the score test estimates [unit of the
+    /// parameter]. For a switch (effect that is on or off), the estimated amplitude [1], which is 1
+    /// if the effect is on.
     double value = 0;
     /// Standard error of `value` [unit of `value`].
     double standard_error = 0;
@@ -103,11 +107,12 @@ struct Finding {
     /// Power of the score test [1]: probability that the test finds the effect if the effect's
     /// parameter differs from its neutral value (no effect) by the smallest amount of interest.
     double power = 0;
-    /// Smallest difference of the effect's parameter from its neutral value (no effect) that the
-    /// score test finds with the probability DiagnosisOptions::wanted_power [unit of `value`].
+    /// Smallest difference [unit of `value`] between the effect's parameter and its neutral value
+    /// (no effect) that the score test finds with the probability DiagnosisOptions::wanted_power.
+    /// For a switch, the smallest amplitude [1].
     double detectable = 0;
-    /// Reduction of chi2 [1] by a refit of the study's model with the candidate effect alone added.
-    /// Empty if the model was not refitted.
+    /// Reduction of chi2 [1] by a refit of the study's model to which the candidate effect alone is
+    /// added. Empty if the model was not refitted with the effect.
     std::optional<double> refitted_reduction;
     std::string decision;  ///< conclusion about the candidate effect, such as "missing"
     /// Whether the readings can reveal the effect. For an effect with a parameter, the score test
@@ -119,14 +124,16 @@ struct Finding {
 
 /// Options of a diagnosis, which tests whether a study's model lacks physical effects.
 struct DiagnosisOptions {
-    /// Significance level [1]: probability that a complete model is called incomplete.
+    /// Significance level [1]: probability that a complete model (a model that lacks no effect) is
+    /// called incomplete.
     double significance = 0.05;
     /// Smallest p value [1] at which a model with one further effect may be accepted if all such
     /// models have p values below `significance`. A test at the 5 % level rejects one true model in
     /// twenty. Without `least_p`, the diagnosis would then name an effect that is not needed.
     double least_p = 0.01;
     /// Smallest power [1] of a score test (test without a refit) at which an effect that the test
-    /// does not find counts as excluded.
+    /// does not find counts as excluded. Power: probability that the test finds an effect of the
+    /// smallest size of interest.
     double wanted_power = 0.8;
     /// Number of random draws of the readings' errors, from which all p values follow. With 6000
     /// draws, a p value of 0.025 has a standard error of 0.002.
@@ -142,8 +149,8 @@ struct DiagnosisOptions {
     /// Starting values for the fit of the model without further effects, in the order of the
     /// model's parameters. Empty: the fit starts from Parameter::start.
     std::optional<Eigen::VectorXd> start = {};
-    /// Function that is called with the progress of the diagnosis. The arguments say that `done` of
-    /// `of` steps of the work named `what` are finished. May be empty.
+    /// Function that is called with the progress of the diagnosis: `done` of `of` pieces of the
+    /// work `what`, such as "refits", are finished. May be empty.
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
     /// Largest number of threads for score tests (tests without a refit) and refits of models. No
     /// result depends on the number of threads.

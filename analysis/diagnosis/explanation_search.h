@@ -19,7 +19,7 @@ struct Scanned {
     /// Predictions of `base` with one effect added, as a function of the effect's amplitude, for
     /// each candidate effect (not in the model).
     const std::vector<Addition>& additions;
-    /// Change of the readings by an effect per unit of the effect's amplitude, for each candidate
+    /// Change of the readings by the effect per unit of the effect's amplitude, for each candidate
     /// effect (not in the model).
     const std::vector<Signature>& signatures;
     const std::vector<Finding>& findings;  ///< result of the score test of each candidate effect
@@ -28,34 +28,34 @@ struct Scanned {
 
 /// Models that a diagnosis refitted in order to explain the residuals of a study's model.
 struct Found {
-    /// All models that were refitted to explain the residuals, whether the models fit the readings
-    /// or not.
+    /// All models that the search refitted, whether they fit the readings or not.
     std::vector<Explanation> tried;
-    /// Refitted models with further effects that fit the readings: models with one further effect,
-    /// and models with a pair of further effects that are clearly better (Akaike's criterion) or
-    /// that are needed because no single effect suffices.
+    /// Refitted models that fit the readings: models with one further effect, and models with two
+    /// further effects if these are clearly better than the models with one (Akaike's criterion) or
+    /// if no model with one further effect fits.
     std::vector<Explanation> fitting;
     /// Refitted models without further effects that fit the readings once an error of one suspect
     /// measurement (part of the measurement that may be wrong) is fitted too.
     std::vector<Explanation> fitting_suspects;
 };
 
-/// Whether the score test (test without a refit) of an effect is significant enough for a refit of
-/// the model with the effect: the p value of the test, not corrected for the number of tests, is
-/// below 0.05.
+/// Whether the score test (test without a refit) of a candidate effect is significant enough for a
+/// refit of the model with the effect: the p value, not corrected for the number of tests, is below
+/// 0.05.
 bool looks_missing(const Finding& finding);
 
-/// Searches for models that explain the readings. Returns all refitted models and the models that
-/// fit. The search refits a study's model with each candidate effect (not in the model) whose score
-/// test is significant, and with an error of each significant suspect measurement (part of the
-/// measurement that may be wrong). Pairs of candidate effects follow if no refitted model fits the
-/// readings, or if a pair promises to be clearly better. A model is not refitted if its predicted
-/// reduction of chi2 is clearly too small.
+/// Searches for models that explain the readings, and returns all refitted models and the models
+/// that fit. The search refits a study's model with each candidate effect (not in the model) whose
+/// score test (test without a refit) is significant, and with an error of each significant suspect
+/// measurement (part of the measurement that may be wrong). Then the search refits pairs of
+/// candidate effects if no refitted model fits the readings, or if a pair promises to fit clearly
+/// better. A model is not refitted if its predicted reduction of chi2 is clearly smaller than the
+/// reduction by a model that was refitted and rejected.
 ///
-/// A model fits if its p value is at least DiagnosisOptions::significance. If no model with one
-/// effect fits, models with one effect and a p value of at least DiagnosisOptions::least_p are
-/// accepted too. However, a better model with a suspect measurement, or a clearly better pair of
-/// effects, excludes these models.
+/// A model fits if Explanation::p() is at least DiagnosisOptions::significance. If no model with
+/// one effect fits, models with one effect and p() of at least DiagnosisOptions::least_p are
+/// accepted too, unless a model with a suspect measurement explains the readings better or a pair
+/// of effects clearly better.
 /// @param scanned fitted model without further effects, with its score tests
 Found search_explanations(const ModelSpace& space, const Evidence& evidence,
                           const DiagnosisOptions& options, const Explanations& explanations,

@@ -7,22 +7,23 @@
 
 namespace pendular {
 
-/// Accuracy and limits of the refits of a diagnosis. A refit ends within seconds, at parameters
-/// that differ from the optimum by far less than a standard error. A refit with the accuracy of a
-/// study's final fit would take minutes.
+/// Accuracy and limits of the refits (fits with a changed model) of a diagnosis. A refit ends
+/// within seconds, at parameters that differ from the best fit by far less than a standard error. A
+/// refit with the accuracy of a study's final fit would take minutes.
 inline constexpr FitEffort refit_effort{
     .most_steps = 12, .tolerance = 1e-6, .settled = 1e-4, .elsewhere = false};
 
 /// Returns the whitened residuals (in units of their errors) of the readings from a fitted model.
-/// Derivatives with respect to parameters at a bound are set to zero, since these parameters cannot
-/// move to imitate a change of the readings.
-/// @param fit fit of the model; amplitudes of an error of measurement may follow the model's
+/// Derivatives with respect to parameters at a bound of their range are set to zero, since these
+/// parameters cannot change to imitate an effect.
+/// @param fit fit of the model; fitted amplitudes of an error of measurement may follow the model's
 ///        parameters
 WeightedResiduals residuals_of(const Model& model, const Measured& measured, const Fit& fit);
 
-/// Returns the factor by which all variances of errors are probably larger than stated [1]:
-/// chi2/dof of the best refitted model, at least 1. A misfit that even the best model leaves is
-/// taken as a sign of larger errors, so that differences of chi2 between models are not overrated.
+/// Returns the factor [1] by which the variances of all errors are probably larger than stated: the
+/// smallest chi2/dof of the refitted models `tried`, at least 1. A misfit that even the best model
+/// leaves is taken as a sign of larger errors, so that differences of chi2 between models are not
+/// overrated.
 double factor_on_variance(const std::vector<Explanation>& tried);
 
 /// Refits a study's model with further effects to readings, and tests whether the refitted models
@@ -30,52 +31,54 @@ double factor_on_variance(const std::vector<Explanation>& tried);
 /// member functions at once.
 class Explanations {
   public:
-    /// Draws the random errors of the readings for all tests. The arguments must outlive this
-    /// object.
+    /// Draws the random errors of readings and predictions for all tests. The arguments must
+    /// outlive this object.
     /// @param space study's model and the candidates (effects that may be added to the model)
     Explanations(const ModelSpace& space, const Evidence& evidence,
                  const DiagnosisOptions& options);
-    /// Uses the readings and the random draws of errors of `other` for tests of the models of
-    /// `space`. `space` and the arguments from which `other` was made must outlive this object.
+    /// Takes the readings and the random draws of errors from `other`, for tests of the models of
+    /// `space`. `space` and the arguments with which `other` was made must outlive this object.
     /// @param space study's model and the candidates (effects that may be added to the model)
     /// @param other tests of other models against the readings
     Explanations(const ModelSpace& space, const Explanations& other);
 
-    /// Fits the model with the effects `chosen` and, if given, with an error of the suspect
-    /// measurement `suspect`, to the readings. Does not test whether the model fits.
+    /// Fits the study's model with the effects `chosen` and, if given, with an error of the suspect
+    /// measurement `suspect`, to the readings. The function does not test whether the refitted
+    /// model fits (`judge`).
     /// @param chosen effects to add, as indices into ModelSpace::candidates()
     /// @param suspect part of the measurement that may be wrong, as index into Evidence::suspects
     /// @param start starting values: first the parameters of the model, then the amplitudes of the
     ///        errors of `suspect`
-    /// @throws std::domain_error if the readings are impossible at `start`: no true state of the
-    ///         cell gives the condition that the instrument shows
+    /// @throws std::domain_error if the readings are impossible with the parameters `start`: no
+    ///         true state of the cell gives the conditions that the instrument shows
     Explanation refit(const EffectSet& chosen, std::optional<std::size_t> suspect,
                       const Eigen::VectorXd& start) const;
     /// Tests whether a refitted model fits the readings, and sets the p values and `accepted` of
     /// `explanation`. Further effects are not tested if the fit did not converge, or if the p value
-    /// of the lack of fit is below half of DiagnosisOptions::least_p.
+    /// of the test for lack of fit is below half of DiagnosisOptions::least_p.
     void judge(Explanation& explanation) const;
 
     /// Returns the whitened residuals (in units of their errors) of the readings from a refitted
-    /// model. Derivatives with respect to parameters at a bound are set to zero, since a parameter
-    /// at its bound cannot move to imitate a change.
+    /// model. Derivatives with respect to parameters at a bound of their range are set to zero,
+    /// since these parameters cannot change to imitate an effect.
     WeightedResiduals residuals_of(const Explanation& explanation) const;
-    /// Returns Akaike's criterion [1] of a refitted model, up to a constant that all models of the
-    /// readings share:
+    /// Returns Akaike's criterion [1] of a refitted model, up to a constant that is equal for all
+    /// models of the readings:
     ///     chi2/variance_factor + ln det Sigma + 2 (number of parameters),
-    /// with the covariance Sigma of measurement and prediction in the units of the readings. A
-    /// model with a smaller value explains the readings better.
+    /// with the covariance Sigma of the errors of measurement and prediction, in products of the
+    /// units of the readings. The model with the smallest criterion explains the readings best.
     /// @param variance_factor factor by which all variances of errors are larger than stated
     ///        (`factor_on_variance`)
     double akaike(const Explanation& explanation, double variance_factor = 1) const;
     /// Returns the p value [1] of the test for lack of fit: probability that errors of readings and
     /// predictions alone make the mean residuals of the conditions at least as large as observed.
-    /// @param roughly whether to use only the first 600 random draws of errors if the residuals are
-    ///        far larger than in all 600 draws
+    /// @param roughly whether to use only the first 600 random draws of errors if the mean
+    ///        residuals are far larger than in each of these draws
     double lack_of_fit_p(const WeightedResiduals& residuals, bool roughly = false) const;
     /// Returns the score tests (tests without a refit) of all suspect measurements (parts of the
     /// measurement that may be wrong), in the order of Evidence::suspects.
-    /// @param but index of one suspect measurement to leave out; empty: none is left out
+    /// @param but index in Evidence::suspects of one suspect measurement to leave out; empty: none
+    ///        is left out
     std::vector<ScoreTest> suspect_tests(const WeightedResiduals& residuals,
                                          std::optional<std::size_t> but = {}) const;
     /// Returns the predictions of a refitted model to which one further effect is added, as a
@@ -94,7 +97,7 @@ class Explanations {
     /// (not in the study's model), in products of the units of the readings and in the order of
     /// ModelSpace::candidates(). The emulator predicts the change, which is divided by the
     /// amplitude of the effect (1 at the smallest size of interest). The caller sets the
-    /// covariances once, before the tests of refitted models.
+    /// covariances once, before the first test of a refitted model.
     std::vector<ModelSpace::ChangeErrors> errors;
 
   private:

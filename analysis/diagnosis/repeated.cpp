@@ -31,7 +31,7 @@ Eigen::MatrixXd repeated_readings(const Evidence& evidence, const Explanation& t
 
 }  // namespace
 
-bool comes_again(const Diagnosis& verdict, const Diagnosis& repetition) {
+bool confirms_verdict(const Diagnosis& verdict, const Diagnosis& repetition) {
     if (finds_nothing(verdict.verdict)) return finds_nothing(repetition.verdict);
     return verdict.verdict == repetition.verdict && verdict.complete == repetition.complete &&
            same_names(verdict.effects, repetition.effects) &&
@@ -61,7 +61,7 @@ std::optional<Repeated> repeat(const ModelSpace& space, const Evidence& evidence
             [&](std::size_t k) {
                 Evidence again = evidence;
                 again.measured.value = readings.col(static_cast<Eigen::Index>(k));
-                same[k] = comes_again(diagnosis, diagnose(linear, again, quick)) ? 1 : 0;
+                same[k] = confirms_verdict(diagnosis, diagnose(linear, again, quick)) ? 1 : 0;
             });
         result.same += static_cast<std::size_t>(std::ranges::count(same, 1));
     }

@@ -10,9 +10,9 @@
 
 namespace pendular {
 
-/// Reproducibility of the verdict of a diagnosis: number of all simulated repetitions of an
-/// experiment, and number of the repetitions for which the diagnosis gives the same verdict as for
-/// the readings.
+/// Reproducibility of the verdict of a diagnosis (whether a model lacks a physical effect): number
+/// of simulated repetitions of the experiment, and number of repetitions for which the diagnosis
+/// gives the same verdict as for the readings.
 struct Repeated {
     /// Number of simulated repetitions for which the diagnosis gives the same verdict as for the
     /// readings.
@@ -27,31 +27,32 @@ struct RepetitionOptions {
     std::size_t count = 20;
     /// Number of random draws of errors from which the p values of each repetition follow. With
     /// 2000 draws, a p value of 0.025 has a standard error of 0.0035. With fewer draws, the share
-    /// of equal verdicts depends on the seed.
+    /// of repetitions with the same verdict depends on the seed.
     Eigen::Index draws = 2000;
-    /// Seed of the random errors of the simulated readings and of the random draws.
+    /// Seed of the random errors of the simulated readings and of the random draws of errors for
+    /// the p values.
     std::uint64_t seed = 1;
     /// Largest number of threads for the diagnoses of repetitions. No result depends on the number
     /// of threads.
     std::size_t threads = 1;
-    /// Function that is called with the progress of the diagnoses. The arguments say that `done` of
-    /// `of` steps of the work named `what` are finished. May be empty, and may throw to end the
+    /// Function that is called with the progress of the diagnoses: `done` of `of` pieces of the
+    /// work `what`, such as "repetitions", are finished. May be empty, and may throw to end the
     /// work.
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
 };
 
 /// Whether `repetition`, the diagnosis of a repeated experiment, confirms `verdict`, the diagnosis
 /// of the readings. Both diagnoses must have the same verdict, name the same effects and suspect
-/// measurements, and agree on whether a model fits (`Diagnosis::complete`). However,
-/// `nothing_missing` and `inconclusive` count as one verdict, whatever effects the diagnoses name.
-bool comes_again(const Diagnosis& verdict, const Diagnosis& repetition);
+/// measurements, and agree on whether a model fits (`Diagnosis::complete`). However, the verdicts
+/// `nothing_missing` and `inconclusive` count as equal, whatever effects the diagnoses name.
+bool confirms_verdict(const Diagnosis& verdict, const Diagnosis& repetition);
 
 /// Repeats an experiment by simulation (parametric bootstrap), and counts the repetitions for which
 /// the diagnosis gives the same verdict as for the readings. The readings of a repetition are the
-/// predictions of a model that fits the readings, at the model's estimates, plus new random errors.
-/// If several models fit, each model gives an equal part of the repetitions. Linearised models
-/// (`LinearisedSpace`) are used for the diagnoses. The result is empty if no model fits the
-/// readings, or if `options.count` is 0.
+/// predictions of a model that fits the readings, at the model's fitted parameters, plus new random
+/// errors. If several models fit, the repetitions are divided equally among these models.
+/// Linearised models (`LinearisedSpace`) are used for the diagnoses. The result is empty if no
+/// model fits the readings (`Diagnosis::confidence_set`), or if `options.count` is 0.
 /// Source: Efron and Tibshirani (1993), An Introduction to the Bootstrap, section 6.5.
 std::optional<Repeated> repeat(const ModelSpace& space, const Evidence& evidence,
                                const Diagnosis& diagnosis, const RepetitionOptions& options = {});

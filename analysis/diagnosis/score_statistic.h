@@ -11,7 +11,8 @@ namespace pendular {
 
 /// Score test of one effect that a model lacks: a test, without a refit, whether the residuals r of
 /// the model contain the change g of the readings that the effect causes. r and g are in units of
-/// the readings' errors (whitened). With the projection P (`WeightedResiduals`),
+/// the readings' errors (whitened). With the projection P, which removes what the calibrated
+/// parameters can imitate (`WeightedResiduals`),
 ///     U = g' P r,   v = g' P g,
 ///     b = -tr(P Cov(e_f, e_g)),   v_c = v - tr(P Cov(e_g)),
 /// the estimated amplitude is (U - b)/v_c, and the predicted reduction of chi2 is (U - b)^2/v. The
@@ -20,28 +21,28 @@ namespace pendular {
 /// Sources: score tests (Rao 1948; modification indices, Soerbom 1989; power, Saris, Satorra and
 /// van der Veld 2009), with errors in the derivatives.
 struct ScoreTest {
-    /// Orthonormal basis of the columns of P g. P g is the change g of the readings by the effect,
-    /// in units of the readings' errors (whitened), without the part that the calibrated parameters
-    /// imitate. The basis has no column if the parameters imitate the change completely, or if the
-    /// change is not larger than its error.
+    /// Orthonormal basis of the columns of P g, with a row for each measured value. P g is the
+    /// change g of the readings by the effect, in units of the readings' errors (whitened), without
+    /// the part that the calibrated parameters imitate. The basis has no column if the parameters
+    /// imitate the change completely, or if the change is not larger than its error.
     Eigen::MatrixXd basis;
-    /// Estimated amplitude of the effect or error of measurement (`Signature`) [1]: an entry for
-    /// each column of the change of the readings by the effect.
+    /// Estimated amplitude [1] (`Signature`) of the effect or of the error of measurement, with an
+    /// entry for each parameter of the effect or each kind of error.
     Eigen::VectorXd estimate;
     double standard_error = 0;  ///< standard error of the first entry of `estimate` [1]
     /// Statistic of the score test [1]. If the model lacks nothing, the statistic has a chi2
-    /// distribution with `basis.cols()` degrees of freedom. If `one_sided`, the statistic of a
-    /// negative amplitude is 0.
+    /// distribution with `basis.cols()` degrees of freedom. If the amplitude cannot be negative
+    /// (`one_sided`), the statistic is 0 for a negative estimate.
     double statistic = 0;
     /// Reduction of chi2 [1] that is predicted for a refit of the model with the effect.
     double predicted_reduction = 0;
     /// Squared length [1] of the change of the readings by the effect, in units of the readings'
-    /// errors (whitened), without the part that the calibrated parameters imitate. For a change
-    /// with several columns, the squared length of the first column.
+    /// errors (whitened), without the part that the calibrated parameters imitate. For an effect
+    /// with several parameters, the squared length of the change by the first parameter.
     double length = 0;
-    /// Squared length v (`length`) of the change of the readings [1], minus the part that comes
-    /// from the emulator's error of the change. An effect of the true amplitude A gives the
-    /// statistic the noncentrality A^2 v_c^2/v, with v_c = `information`.
+    /// Squared length v of the change of the readings (`length`) [1], minus the part that comes
+    /// from the error of the emulator (which interpolates simulations). An effect of the true
+    /// amplitude A gives the statistic the noncentrality A^2 v_c^2/v, with v_c = `information`.
     double information = 0;
     /// Share [1] of the squared length of the change of the readings by the effect, in units of the
     /// readings' errors (whitened), that the calibrated parameters imitate.
@@ -60,22 +61,22 @@ struct ScoreTest {
     /// Returns the critical value of `statistic` [1]: the value at which the p value of the score
     /// test, not corrected for the number of tests, equals `p` [1].
     double critical(double p) const;
-    /// Returns the statistic of the score test for each random draw of errors, with the drawn
-    /// errors in place of the residuals.
-    /// @param residuals residuals that were tested
+    /// Returns the statistic of the score test [1] for each random draw of errors, computed from
+    /// the drawn errors in place of the residuals.
+    /// @param residuals residuals to which the score test was applied
     Eigen::VectorXd drawn(const WeightedResiduals& residuals, const NullDraws& draws) const;
-    /// Returns the power of the score test [1]: probability that its p value falls below `limit`
-    /// [1] if the effect has the true amplitude `amplitude` [1].
+    /// Returns the power of the score test [1]: probability that the p value of the test falls
+    /// below `limit` [1] if the effect has the true amplitude `amplitude` [1].
     double power(double amplitude, double limit) const;
-    /// Returns the amplitude of the effect [1] at which the p value falls below `limit` [1] with
-    /// the probability `wanted` [1]. Infinite if the readings carry no information on the
-    /// amplitude.
+    /// Returns the true amplitude of the effect [1] at which the p value of the score test falls
+    /// below `limit` [1] with the probability `wanted` [1]. Infinite if the readings carry no
+    /// information on the amplitude.
     double detectable(double wanted, double limit) const;
 };
 
-/// Tests, without a refit, whether the residuals of a fit contain the change of the readings that
-/// one effect or one suspect measurement (part of the measurement that may be wrong) makes.
-/// @param signature change of the readings per unit of amplitude, with its errors
+/// Tests, without a refit, whether the residuals of a fit contain the change of the readings by one
+/// effect, or by an error of one suspect measurement (part of the measurement that may be wrong).
+/// @param signature change of the readings per unit of amplitude, with the errors of the change
 /// @param is_switch whether the effect is a switch (on or off, without a parameter)
 ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signature,
                      bool is_switch);
@@ -85,24 +86,26 @@ ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signat
 /// number of tests by means of random draws of errors.
 class FamilyOfTests {
   public:
-    /// Computes the statistics of all score tests of one fit for randomly drawn errors. The drawn
-    /// errors give the distribution of the statistics if the fitted model is right.
+    /// Computes the statistics of all score tests of one fit for random draws of errors, and so the
+    /// distribution of the statistics if the fitted model is right.
     /// @param tests score tests of one fit
-    /// @param residuals residuals of that fit
+    /// @param residuals residuals of the fit to which the score tests belong
     /// @param draws random draws of errors
     FamilyOfTests(const std::vector<ScoreTest>& tests, const WeightedResiduals& residuals,
                   const NullDraws& draws);
 
-    /// Returns the p value corrected for the number of tests [1]: probability that at least one of
-    /// the score tests has a p value of at most `smallest` if the model lacks nothing.
+    /// Returns the p value corrected for the number of tests [1]: probability, if the model lacks
+    /// nothing, that at least one of the score tests has an uncorrected p value of at most
+    /// `smallest`.
     double p(double smallest) const;
-    /// Returns the limit [1] on the p values of the single tests. If the model lacks nothing, at
-    /// least one of the tests has a p value below the limit with the probability `probability`. The
-    /// function is the inverse of p().
+    /// Returns the limit [1] for the uncorrected p values of the score tests. If the model lacks
+    /// nothing, at least one of the tests has a p value below the limit with the probability
+    /// `probability`. The function is the inverse of p().
     double limit(double probability) const;
 
   private:
-    /// Score tests of the family for which the readings carry information on the amplitude.
+    /// Score tests for which the readings carry information on the amplitude; all others are left
+    /// out.
     std::vector<ScoreTest> tests_;
     /// Statistics of the score tests in the random draws of errors: a row for each draw, a column
     /// for each test.

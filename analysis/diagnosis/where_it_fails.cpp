@@ -10,21 +10,22 @@ namespace {
 
 constexpr double significant_p = 0.05;
 
-std::vector<Offending> offending_of(const Evidence& evidence, const WeightedResiduals& residuals,
-                                    const NullDraws& draws) {
+std::vector<DeviatingGroup> offending_of(const Evidence& evidence,
+                                         const WeightedResiduals& residuals,
+                                         const NullDraws& draws) {
     std::vector<ScoreTest> tests;
     for (const SuspectMeasurement& suspect : evidence.suspects) {
         tests.push_back(score_test(residuals, {.change = suspect.columns}, false));
     }
     const FamilyOfTests family(tests, residuals, draws);
-    std::vector<Offending> result;
+    std::vector<DeviatingGroup> result;
     for (std::size_t k = 0; k < tests.size(); ++k) {
         const double p = family.p(tests[k].p());
         if (p < significant_p) {
             result.push_back({evidence.suspects[k].name, p});
         }
     }
-    std::ranges::stable_sort(result, {}, &Offending::p);
+    std::ranges::stable_sort(result, {}, &DeviatingGroup::p);
     return result;
 }
 

@@ -7,27 +7,28 @@
 
 namespace pendular {
 
-/// Returns the matrix `form` from which chi2 follows quickly if the p parameters of a fitted model
-/// change by d [their units]:
-///     chi2(d) = (y - f(d))' Sigma^-1 (y - f(d)) = t' form t,  t = (1, d_i, d_i d_j with i <= j),
-/// with the measured values y, the second-order expansion f of the predictions about the fit, and
-/// the covariance Sigma of measurement and simulation at the fit.
-/// @param simulation_covariance covariance of the simulation's errors at the fit
-/// @param response expansion of the predictions about the fit
+/// Returns the symmetric matrix F from which chi2 [1] follows quickly if the p parameters of a
+/// fitted model change by d [their units]:
+///     chi2(d) = (y - f(d))' Sigma^-1 (y - f(d)) = t' F t,  t = (1, d_i, d_i d_j with i <= j),
+/// with the measured values y, the second-order expansion f of the predictions about the fitted
+/// parameters, and the covariance Sigma of the errors of measurement and simulation. F has 1 + p +
+/// p (p + 1)/2 rows and columns.
+/// @param simulation_covariance covariance of the simulation's errors at the fitted parameters
+/// @param response second-order expansion of the predictions about the fitted parameters
 /// @throws std::logic_error if Sigma is not positive definite
 Eigen::MatrixXd chi2_form(const Measured& measured, const Eigen::MatrixXd& simulation_covariance,
                           const Response& response);
 
 /// Returns the change of a fit if one reading is left out, in linear approximation. The matrix has
-/// a row for each fitted reading, with the reduction of chi2 [1] and the shift of each parameter
-/// [its unit]. For reading k,
+/// a row for each fitted reading: first the reduction of chi2 [1], then the shift of each parameter
+/// [its unit] by the omission of the reading. For reading k,
 ///     reduction = (R e)_k' R_kk^-1 (R e)_k,   shift = -K_k R_kk^-1 (R e)_k,
 ///     R = Sigma^-1 (1 - J K),
 /// with the residuals e, the derivatives J of the predictions with respect to the parameters, the
 /// covariance Sigma of measurement and simulation, and the estimator K of the parameters (K J = 1).
-/// The index k selects the two entries of the reading. Undetermined combinations of parameters do
-/// not shift.
-/// @param fitted number of readings that the fit uses, which come first
+/// The index k selects the two measured values of the reading. Combinations of parameters that the
+/// readings do not determine do not shift.
+/// @param fitted number of readings that the fit uses, which come first in `measured`
 /// @throws std::logic_error if Sigma is not positive definite
 /// Source: Cook and Weisberg, Residuals and Influence in Regression (1982), section 3.2, with
 /// correlated errors.

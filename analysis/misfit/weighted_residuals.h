@@ -10,16 +10,17 @@
 
 namespace pendular {
 
-/// Residuals of a fit in units of their errors (whitened residuals r), with the projection P. P
-/// removes from a change of the readings what a change of the calibrated parameters theta can
-/// imitate:
+/// Residuals of a fit in units of their errors (whitened residuals r), with the projection P, which
+/// removes from a change of the readings the part that a change of the calibrated parameters theta
+/// can imitate:
 ///     r = L^-1 (y - f),   J = L^-1 df/dtheta,   P = I - J (J'J)^-1 J',
 /// with the measured values y, the predictions f and the Cholesky factor L of the covariance L L' =
 /// Sigma_measurement + Sigma_simulation. P ignores combinations of parameters that the readings do
 /// not determine.
 class WeightedResiduals {
   public:
-    /// Computes the residuals of `measured` from `prediction`.
+    /// Computes the whitened residuals (in units of their errors) of the measured values from the
+    /// prediction.
     /// @param prediction prediction of the measured values at the fitted parameters, with the
     ///        derivatives with respect to the parameters and the covariance of the simulation's
     ///        errors
@@ -30,8 +31,8 @@ class WeightedResiduals {
     /// Returns the number of measured values: two for each reading, one for each direct measurement
     /// of an effect's parameter.
     Eigen::Index size() const { return residuals_.size(); }
-    /// Returns the whitened residuals [1]: L^-1 (measured - predicted). L is the Cholesky factor of
-    /// the covariance of measurement and simulation.
+    /// Returns the whitened residuals [1] of all measured values: L^-1 (measured - predicted), with
+    /// the Cholesky factor L of the covariance of measurement and simulation.
     const Eigen::VectorXd& residuals() const { return residuals_; }
     /// Returns the measured values in the units of the readings, not whitened: shear stress and
     /// solid fraction of each reading in turn, then the direct measurements of effects' parameters.
@@ -48,20 +49,22 @@ class WeightedResiduals {
     ///        for each change
     Eigen::MatrixXd whiten(const Eigen::MatrixXd& columns) const;
     /// Converts whitened changes (in units of the readings' errors) back to the units of the
-    /// readings: returns L `columns`. L is the Cholesky factor of the total covariance of the
-    /// errors, those of the measurement plus those of the simulation.
+    /// readings: returns L `columns`. L is the Cholesky factor of the covariance of measurement and
+    /// simulation.
     Eigen::MatrixXd unwhiten(const Eigen::MatrixXd& columns) const;
     /// Returns L^-T `columns`, with the Cholesky factor L of the covariance of measurement and
     /// simulation. The scalar product of a returned column with a change in the units of the
     /// readings equals the scalar product of the column of `columns` with the whitened change.
+    /// @param columns directions in units of the readings' errors (whitened): a row for each
+    ///        measured value
     Eigen::MatrixXd whiten_basis(const Eigen::MatrixXd& columns) const;
     /// Returns the lower triangular root R of the whitened covariance of the prediction's errors
     /// [1]: R R' = L^-1 Sigma_simulation L^-T, with the Cholesky factor L of the covariance of
     /// measurement and simulation.
     const Eigen::MatrixXd& prediction_root() const { return prediction_root_; }
     /// Returns the expected squared norm [1] of the part of whitened errors that no change of the
-    /// calibrated parameters can imitate: the trace of P L^-1 C L^-T. P is the projection and L the
-    /// Cholesky factor of `WeightedResiduals`.
+    /// calibrated parameters can imitate: the trace of P L^-1 C L^-T, with the projection P and the
+    /// Cholesky factor L of `WeightedResiduals`.
     /// @param covariance covariance C of the errors, in products of the units of the readings
     double trace_of_projected(const Eigen::MatrixXd& covariance) const;
     /// Returns the variance [1] of the component of whitened errors along a direction d: d' L^-1 C
@@ -70,9 +73,10 @@ class WeightedResiduals {
     /// @param covariance covariance C of the errors, in products of the units of the readings
     double variance_along(const Eigen::VectorXd& direction,
                           const Eigen::MatrixXd& covariance) const;
-    /// Removes from changes of the readings, in units of their errors (whitened), what a change of
-    /// the calibrated parameters can imitate: returns P `columns`, with the projection P = I - J
-    /// (J'J)^-1 J' and the whitened derivatives J of the predictions.
+    /// Returns P `columns`: changes of the readings, in units of the readings' errors (whitened),
+    /// without the part that a change of the calibrated parameters can imitate. P is the projection
+    /// I - J (J'J)^-1 J' with the whitened derivatives J of the predictions.
+    /// @param columns whitened changes: a row for each measured value, a column for each change
     Eigen::MatrixXd project(const Eigen::MatrixXd& columns) const;
     /// Returns the matrix P B, with the projection P of `WeightedResiduals` and a column for each
     /// group of measured values, such as the values at one condition. B is an orthonormal basis of
@@ -80,8 +84,8 @@ class WeightedResiduals {
     /// deviation, all values of a group deviate in proportion to their measured size.
     /// @param groups indices of the measured values of each group
     Eigen::MatrixXd means_over(const std::vector<std::vector<Eigen::Index>>& groups) const;
-    /// Returns the change of the calibrated parameters [their units] that best imitates a change of
-    /// the predictions, by least squares.
+    /// Returns the change of the calibrated parameters [their units] that imitates a change of the
+    /// predictions best, by least squares.
     /// @param change change of the predictions, in units of the readings' errors (whitened)
     Eigen::VectorXd parameter_shift_of(const Eigen::VectorXd& change) const;
     /// Returns the number of linearly independent combinations of the calibrated parameters that
@@ -94,7 +98,8 @@ class WeightedResiduals {
 
   private:
     Eigen::VectorXd measured_;
-    /// Lower triangular Cholesky factor L of the covariance Sigma_measurement + Sigma_simulation.
+    /// Lower triangular Cholesky factor L of the covariance Sigma_measurement + Sigma_simulation of
+    /// the errors of measurement and simulation.
     Eigen::MatrixXd lower_;
     Eigen::MatrixXd prediction_root_;
     /// Inverse of Sigma_measurement + Sigma_simulation, the covariance of measurement and

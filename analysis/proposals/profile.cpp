@@ -22,7 +22,7 @@ constexpr int most_periods = 60, phases = 4;
 constexpr int decay_times = 12;
 constexpr std::array powers = {-1.0, -0.5, 0.5, 1.0, 2.0};
 
-double price_of(double choices) {
+double penalty_of(double choices) {
     return 2 * std::log(choices);
 }
 
@@ -105,13 +105,13 @@ void add_powers(const ReadingCoordinate& coordinate, std::vector<Profile>& profi
         profiles.push_back(sized({.dependence = Dependence::power,
                                   .constant = power,
                                   .full_at = power < 0 ? least : greatest,
-                                  .price = price_of(powers.size() + 1)},
+                                  .penalty = penalty_of(powers.size() + 1)},
                                  coordinate));
     }
     profiles.push_back(sized({.dependence = Dependence::logarithm,
                               .constant = least,
                               .full_at = greatest,
-                              .price = price_of(powers.size() + 1)},
+                              .penalty = penalty_of(powers.size() + 1)},
                              coordinate));
 }
 
@@ -122,11 +122,12 @@ void add_steps_and_kinks(const ReadingCoordinate& coordinate, std::vector<Profil
         for (const auto& [dependence, full] :
              {std::pair{Dependence::above, 0.0}, std::pair{Dependence::below, 0.0},
               std::pair{Dependence::beyond, greatest}, std::pair{Dependence::short_of, least}}) {
-            profiles.push_back(sized({.dependence = dependence,
-                                      .constant = place,
-                                      .full_at = full,
-                                      .price = price_of(4.0 * static_cast<double>(places.size()))},
-                                     coordinate));
+            profiles.push_back(
+                sized({.dependence = dependence,
+                       .constant = place,
+                       .full_at = full,
+                       .penalty = penalty_of(4.0 * static_cast<double>(places.size()))},
+                      coordinate));
         }
     }
 }
@@ -137,7 +138,7 @@ void add_decays(const ReadingCoordinate& coordinate, std::vector<Profile>& profi
         const double share = std::pow(2.0, 0.5 * k - decay_times / 2.0 + 2);
         profiles.push_back(sized({.dependence = Dependence::decay,
                                   .constant = share * span,
-                                  .price = price_of(decay_times)},
+                                  .penalty = penalty_of(decay_times)},
                                  coordinate));
     }
 }
@@ -150,7 +151,7 @@ void add_oscillations(const ReadingCoordinate& coordinate, std::vector<Profile>&
             Profile oscillation = sized({.dependence = Dependence::oscillation,
                                          .constant = 2 * span / k,
                                          .phase = std::numbers::pi * phase / phases,
-                                         .price = price_of(periods * phases)},
+                                         .penalty = penalty_of(periods * phases)},
                                         coordinate);
             if (is_visible(oscillation)) profiles.push_back(std::move(oscillation));
         }

@@ -19,7 +19,7 @@ struct ReadingCoordinate {
 
 /// Returns the quantities of the readings along which a change of unknown cause may vary: normal
 /// stress, inertial number or angular velocity, liquid content, and time. A quantity is returned
-/// only if its values differ between the readings by more than a tenth.
+/// only if its largest value exceeds its smallest value by more than a tenth.
 /// @param of_instrument whether the change acts on the instrument; if true, the list may contain
 ///        the angular velocity, otherwise the inertial number
 /// @throws std::bad_optional_access if `of_instrument` is true and the study has no cell
@@ -61,7 +61,7 @@ struct Profile {
     Eigen::VectorXd at;  ///< size of the change at each reading [1]
     /// Penalty [1] to be added to chi2, since the profile was chosen among n profiles of its kind:
     /// 2 ln n.
-    double price = 0;
+    double penalty = 0;
 
     /// Returns the size of the change as a formula of the coordinate, in the syntax of study.toml,
     /// such as "exp(-time/600)".
@@ -72,14 +72,14 @@ struct Profile {
 /// @param readings number of readings
 Profile same_everywhere(std::size_t readings);
 
-/// Returns the profiles (dependences of the size of a change on a coordinate of the readings) that
-/// are tried along one coordinate. The profiles are powers, a logarithm, and steps and kinks
-/// between the values of the coordinate. Along the time, a linear change, decays and, if
-/// `oscillations`, oscillations replace the powers and the logarithm.
+/// Returns the profiles (dependences of the size of a change on a coordinate of the readings) to
+/// try along one coordinate, such as the normal stress. The profiles are powers, a logarithm, and
+/// steps and kinks between the values of the coordinate. Along the time, a linear change, decays
+/// and, if `oscillations` is true, oscillations replace the powers and the logarithm.
 std::vector<Profile> profiles_along(const ReadingCoordinate& coordinate, bool oscillations);
 
-/// Returns profiles near the oscillation `profile`, with period and phase varied in small steps.
-/// Empty if `profile` is not an oscillation.
+/// Returns oscillations close to the oscillation `profile`, with period and phase varied in small
+/// steps. Empty if `profile` is not an oscillation.
 std::vector<Profile> finer_profiles(const Profile& profile, const ReadingCoordinate& coordinate);
 
 }  // namespace pendular

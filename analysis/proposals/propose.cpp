@@ -21,8 +21,8 @@ constexpr std::size_t most_singles = 8, most_pairs = 6;
 /// Number of shapes with each of which all others are tried as a pair.
 constexpr std::size_t most_firsts = 40;
 constexpr std::size_t most_proposals = 3;
-/// Amount by which the description of a proposal may be longer than the shortest [chi2].
-constexpr double about_as_short = 10;
+/// Largest difference between the penalised chi2 of a proposal and the lowest one [1].
+constexpr double largest_penalised_difference = 10;
 /// Smallest share of the excess chi2 that a shape must remove to be proposed although a misfit
 /// remains [1].
 constexpr double most_of_it = 0.5;
@@ -77,8 +77,8 @@ class ShapeSearch {
     void refit(Proposal& proposal, const Score& score, std::size_t first,
                const Explanations& explanations) const;
     std::string free_name(const std::string& name);
-    /// Tests whether the models with these proposals fit, shortest description first, until the
-    /// rest cannot be among the best.
+    /// Tests whether the models with these proposals fit, the lowest penalised chi2 first, until
+    /// the rest cannot be among the best.
     static void judge(std::vector<Proposal>& proposals, const Explanations& explanations);
     static std::vector<Proposal> best_of(std::vector<Proposal> found);
 
@@ -120,7 +120,7 @@ std::vector<Score> ShapeSearch::sufficient_halves(const std::vector<Proposal>& p
 }
 
 Proposal ShapeSearch::proposal_for(const Score& score) {
-    Proposal proposal{.p = scored_.p(score), .price = score.price};
+    Proposal proposal{.p = scored_.p(score), .penalty = score.penalty};
     for (const std::size_t k : score.shapes) {
         const ShapeOfChange& shape = scored_.shape(k);
         proposal.shapes.push_back(
@@ -197,20 +197,20 @@ std::vector<Proposal> ShapeSearch::fitted(const std::vector<Score>& scores) {
 }
 
 void ShapeSearch::judge(std::vector<Proposal>& proposals, const Explanations& explanations) {
-    std::ranges::stable_sort(proposals, {}, &Proposal::description);
+    std::ranges::stable_sort(proposals, {}, &Proposal::penalised_chi2);
     std::size_t standing = 0;
     double limit = INFINITY;
     for (Proposal& each : proposals) {
-        if (standing == most_proposals || each.description() > limit) return;
+        if (standing == most_proposals || each.penalised_chi2() > limit) return;
         explanations.judge(each.explanation);
         if (!each.fits()) continue;
-        if (standing++ == 0) limit = each.description() + about_as_short;
+        if (standing++ == 0) limit = each.penalised_chi2() + largest_penalised_difference;
     }
 }
 
 std::vector<Proposal> ShapeSearch::best_of(std::vector<Proposal> found) {
     std::ranges::stable_sort(found, {}, [](const Proposal& each) {
-        return std::pair(!each.fits(), each.description());
+        return std::pair(!each.fits(), each.penalised_chi2());
     });
     if (found.empty()) return found;
     if (!found.front().fits()) {

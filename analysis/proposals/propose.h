@@ -19,8 +19,8 @@ struct FittedShape {
     /// change at a reading where the profile of the shape equals 1.
     double change = 0;
     double standard_error = 0;  ///< standard error of `change` [unit of `change`]
-    /// Index of the shape among those that were tried. The index has no meaning outside of
-    /// `propose`.
+    /// Index of the shape in the list of all shapes that the search tried. The index has no meaning
+    /// outside of `propose`.
     std::size_t index = 0;
 };
 
@@ -30,25 +30,25 @@ struct Proposal {
     /// The one or two changes of unknown cause that are proposed, fitted to the readings.
     std::vector<FittedShape> shapes;
     /// Other changes of unknown cause that would change the readings in nearly the same way as the
-    /// single proposed change, estimated in the linear approximation. Their member `effect` is
-    /// empty. The list is empty if two changes are proposed.
+    /// single proposed change, estimated in the linear approximation. The member `effect` of each
+    /// element is empty. The list is empty if two changes are proposed.
     std::vector<FittedShape> alike;
-    /// Model refitted to the readings with the proposed changes, with its chi2 and its tests. The
-    /// indices in the member `chosen` have no meaning outside of `propose`.
+    /// Study's model with the proposed changes added and refitted to the readings, with its chi2
+    /// and its tests. The indices in the member `chosen` have no meaning outside of `propose`.
     Explanation explanation;
     /// p value [1]: probability that the best of all single changes that were tried reduces chi2 by
     /// chance at least as much as the proposed change, if the model lacks nothing. For two changes,
-    /// the p value of the less important one when it is added to the other.
+    /// the p value of the less important change when it is added to the more important one.
     double p = 1;
     /// Share [1] of the excess chi2 - dof (chi2 minus degrees of freedom) of the study's model that
     /// the proposed changes remove.
     double explained = 0;
     /// Penalty [1] to be added to chi2, since the proposed changes were chosen among many changes.
-    double price = 0;
+    double penalty = 0;
 
-    /// Returns the score by which proposals are compared [1]: chi2 plus the penalty `price`. The
-    /// proposal with the lowest score is best.
-    double description() const { return explanation.chi2 + price; }
+    /// Returns the penalised chi2 [1]: chi2 of the refitted model plus the member `penalty` for the
+    /// choice among many changes. The proposal with the lowest value is best.
+    double penalised_chi2() const { return explanation.chi2 + penalty; }
 
     /// Whether the model with the proposed changes fits the readings: neither lack of fit nor a
     /// further effect is significant.
@@ -65,7 +65,7 @@ struct Proposal {
 /// tested for lack of fit and for further effects. Pairs of combinations are tried if no single
 /// combination fits.
 ///
-/// Returns the best proposals that fit, the lowest Proposal::description() first. If no proposal
+/// Returns the best proposals that fit, the lowest Proposal::penalised_chi2() first. If no proposal
 /// fits, returns the best proposal if it removes at least half of the excess chi2 - dof (chi2 minus
 /// degrees of freedom) of the study's model, else nothing.
 /// @param evidence readings with their errors and with parts of the measurement that may be wrong

@@ -19,16 +19,16 @@ constexpr double nearly_parallel = 0.98;
 /// Smallest share of the length of a change that must remain after the calibrated parameters
 /// imitate it [1]; a smaller remainder is rounding error.
 constexpr double least_left = 1e-3;
-/// Largest amount by which the description by a shape that counts as alike may be longer [chi2].
-constexpr double nearly_as_short = 4;
+/// Largest amount by which the penalised chi2 with a shape that counts as alike may be higher [1].
+constexpr double largest_difference_alike = 4;
 /// Number of oscillations, the best of all, whose period and phase are refined.
 constexpr std::size_t most_refined = 3;
 /// Number of shapes whose random draws are computed at once.
 constexpr Eigen::Index drawn_at_once = 256;
 
-void put_shortest_first(std::vector<ScoredShapes::Score>& scores) {
+void put_lowest_first(std::vector<ScoredShapes::Score>& scores) {
     std::ranges::stable_sort(scores, std::greater<>(), [](const ScoredShapes::Score& score) {
-        return score.reduction - score.price;
+        return score.reduction - score.penalty;
     });
 }
 
@@ -156,7 +156,7 @@ double ScoredShapes::p(const Score& score) const {
 ScoredShapes::Score ScoredShapes::score_of(std::size_t index) const {
     const auto k = static_cast<Eigen::Index>(index);
     const ChangedQuantity& quantity = shapes_[index].quantity;
-    Score score{.shapes = {index}, .price = shapes_[index].profile.price, .changes = {0}};
+    Score score{.shapes = {index}, .penalty = shapes_[index].profile.penalty, .changes = {0}};
     if (lengths_(k) == 0) return score;
     const double change = std::clamp(along_(k) / lengths_(k), quantity.lower, quantity.upper);
     const double component = change * lengths_(k);
@@ -176,7 +176,7 @@ std::optional<ScoredShapes::Score> ScoredShapes::score_of(std::size_t one,
                  b = (along_(j) - cosine * along_(i)) / share;
     Score score{.shapes = {one, other},
                 .reduction = a * along_(i) + b * along_(j),
-                .price = shapes_[one].profile.price + shapes_[other].profile.price + 2,
+                .penalty = shapes_[one].profile.penalty + shapes_[other].profile.penalty + 2,
                 .changes = {a / lengths_(i), b / lengths_(j)}};
     for (std::size_t k = 0; k < 2; ++k) {
         const ChangedQuantity& quantity = shapes_[score.shapes[k]].quantity;
@@ -190,7 +190,7 @@ std::vector<ScoredShapes::Score> ScoredShapes::singles() const {
     for (std::size_t k = 0; k < shapes_.size(); ++k) {
         scores.push_back(score_of(k));
     }
-    put_shortest_first(scores);
+    put_lowest_first(scores);
     return scores;
 }
 
@@ -212,7 +212,7 @@ std::vector<ScoredShapes::Score> ScoredShapes::pairs(std::size_t most) const {
             }
         }
     }
-    put_shortest_first(scores);
+    put_lowest_first(scores);
     return scores;
 }
 
@@ -227,7 +227,8 @@ Eigen::VectorXd ScoredShapes::change_by(const Score& score) const {
 
 void ScoredShapes::add_alike(Score& chosen, const Score& other) const {
     if (chosen.shapes.size() != 1 || other.shapes.size() != 1 ||
-        chosen.reduction - chosen.price > other.reduction - other.price + nearly_as_short) {
+        chosen.reduction - chosen.penalty >
+            other.reduction - other.penalty + largest_difference_alike) {
         return;
     }
     const auto target = [&](std::size_t k) { return shapes_[k].quantity.target; };

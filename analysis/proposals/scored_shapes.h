@@ -26,13 +26,13 @@ class ScoredShapes {
         double reduction = 0;
         /// Penalty [1] to be added to chi2, since the changes were chosen among many changes. For
         /// two changes, the penalty includes 2 for the second fitted amplitude.
-        double price = 0;
-        /// Estimated change of the quantity of each shape (change of unknown cause), in the unit of
+        double penalty = 0;
+        /// Estimated amplitude of each shape (change of unknown cause) in `shapes`, in the unit of
         /// the change.
         std::vector<double> changes;
         /// Indices of shapes (changes of unknown cause) of other quantities that change the
         /// readings in nearly the same way as the scored shape, and whose scores are similar. The
-        /// function `unlike` fills the list. Empty for two changes.
+        /// function `unlike` fills the list. Empty if the score is of two shapes.
         std::vector<std::size_t> alike;
     };
 
@@ -47,15 +47,15 @@ class ScoredShapes {
 
     const ShapeOfChange& shape(std::size_t index) const { return shapes_[index]; }
     /// Returns the scores of all single shapes (changes of unknown cause), in decreasing order of
-    /// `reduction` minus `price`.
+    /// `reduction` minus `penalty`.
     std::vector<Score> singles() const;
     /// Returns the score of one shape (change of unknown cause). Its `alike` names the shapes of
     /// other quantities that change the readings in nearly the same way, if their scores are
     /// similar.
     Score single(std::size_t index) const;
     /// Returns the scores of pairs of shapes (changes of unknown cause), in decreasing order of
-    /// `reduction` minus `price`. Each of the `most` best shapes is paired with every shape. The
-    /// best shapes are chosen by `unlike`.
+    /// `reduction` minus `penalty`. Each pair contains one of the up to `most` best shapes, which
+    /// `unlike` selects, and any other shape.
     std::vector<Score> pairs(std::size_t most) const;
     /// Selects, in the order of `scores`, up to `count` scores with a positive `reduction` whose
     /// shapes change the readings in different ways. A score is left out if its shapes change the
@@ -75,15 +75,15 @@ class ScoredShapes {
     /// Quantity that may change, with the change of the readings per unit of the quantity's change.
     struct Changeable {
         ChangedQuantity quantity;
-        /// Change of each measured value per unit of the quantity's change.
+        /// Change of each measured value [its unit] per unit of the quantity's change.
         Eigen::VectorXd response;
         std::vector<ReadingCoordinate> coordinates;
     };
 
     void add(std::size_t changeable, Profile profile);
     void add_profiles(std::size_t changeable);
-    /// Adds oscillations with periods and phases near those of the oscillations with the best
-    /// scores.
+    /// For each of the oscillations with the best scores, adds oscillations with slightly different
+    /// periods and phases.
     void refine();
     /// Computes the direction and the length of the change of the readings by each shape (change of
     /// unknown cause) from index `first` on, in units of the readings' errors (whitened). Also

@@ -6,15 +6,17 @@
 
 namespace pendular {
 
-/// Compares simulations with each number that Badetti et al. (2018) state about dry and wet grains,
-/// and returns a row for each number. Rows whose states no run simulates are left out. The
-/// published numbers have the following uncertainties:
+/// Compares simulations with the numbers and statements of Badetti et al. (2018) about dry and wet
+/// grains, and returns a row of a table for each comparison. Rows whose states no run simulates are
+/// left out. The published numbers have the following uncertainties:
 /// - a number with an error: the error;
 /// - a number without an error: half a unit of its last digit;
 /// - a number of one digit with the word "about": 10 %;
 /// - most ranges: half a unit of the last digit of the more precise end;
 /// - ranges of the reduced cohesion, of its growth and of the ratio of capillary shear stresses,
 ///   and limits with a sign such as <=: none.
+/// A statement without a number, such as "equal", is compared with a range that was chosen for the
+/// comparison, such as 0.99 to 1.01.
 std::vector<ScoreboardRow> compare_with_published(const PaperStudy& study);
 
 }  // namespace pendular

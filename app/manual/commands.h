@@ -14,7 +14,7 @@ struct DeclaredCommand {
     const char* heading;  ///< heading of the group to which the command belongs
     CommandDeclaration declaration;
 
-    /// Returns all options of the command; options that all commands share come last.
+    /// Returns all options of the command. The options that every command has come last.
     std::vector<OptionDeclaration> options() const;
 };
 

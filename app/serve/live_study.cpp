@@ -200,7 +200,7 @@ std::shared_ptr<const std::string> LiveStudy::page() const {
 std::string LiveStudy::state() const {
     nlohmann::ordered_json json, events = nlohmann::ordered_json::array();
     const std::scoped_lock lock(mutex_);
-    for (const Happening& each : events_) {
+    for (const RecentEvent& each : events_) {
         events.push_back({{"number", each.number},
                           {"time", each.time},
                           {"text", each.text},

@@ -32,9 +32,10 @@ struct StudyWork {
     /// `version` becomes the version number of the page.
     std::function<StudyPage(std::size_t version, const std::stop_token&, const Listener&)> page;
     /// Function that stores a recording in the study, given the name and the content of the
-    /// recording's file.
+    /// recording's file, and returns the answer for the browser.
     std::function<Answer(const std::string& name, const std::string& bytes)> store;
-    /// Function that adds an effect to the study or drops an effect from the study.
+    /// Function that adds a physical effect to the study's model or drops an effect, and returns
+    /// the answer for the browser.
     std::function<Answer(Action, const std::string& effect, const std::stop_token&,
                          const Listener&)>
         change;
@@ -44,13 +45,15 @@ struct StudyWork {
     std::chrono::milliseconds interval{1000};
 };
 
-/// Study that `pendular serve` shows. The object makes the HTML page of the study again whenever
-/// files of the study change, stores recordings, and adds and drops effects. One thread carries out
-/// these tasks (`run`). All further threads fetch the finished page and queue requests.
+/// Study (recordings and study.toml) that `pendular serve` shows in browsers. The object makes the
+/// HTML page of the study again whenever files of the study change, stores recordings, and adds and
+/// drops physical effects. One thread carries out these tasks (`run`). All further threads fetch
+/// the finished page and queue requests.
 class LiveStudy {
   public:
-    /// Stores the functions and the first page. No computation begins before `run`.
-    /// @param first_page page, of version 0, that is shown until the first results exist
+    /// Stores the functions that do the work, and the first page. No computation begins before
+    /// `run`.
+    /// @param first_page HTML page, of version 0, that is shown until the first results exist
     LiveStudy(StudyWork work, std::string first_page);
     LiveStudy(const LiveStudy&) = delete;
     LiveStudy& operator=(const LiveStudy&) = delete;
@@ -82,7 +85,7 @@ class LiveStudy {
     Answer change(Action action, const std::string& effect);
 
   private:
-    struct Happening {
+    struct RecentEvent {
         std::size_t number = 0;
         std::string time, text;
         bool of_effect = false, ok = true;
@@ -100,8 +103,8 @@ class LiveStudy {
     Answer change_now(Action action, const std::string& effect, const std::stop_token& end);
     void watch(const std::stop_token& over);
     void begin(const std::string& sentence);
-    /// Returns a listener that stores the progress of the computation, so that the study's page can
-    /// show the progress in browsers.
+    /// Returns a listener (callback for progress reports) that stores the progress of the
+    /// computation, so that the study's page can show the progress in browsers.
     Listener progress();
     void add_event(const std::string& text, bool of_effect, bool ok);
     std::optional<std::future<Answer>> queue(std::function<Answer()> work);
@@ -130,7 +133,7 @@ class LiveStudy {
     std::stop_token end_;
     std::deque<Job> jobs_;
     /// Recent events, the oldest first, shown on every page of the study that is open in a browser.
-    std::deque<Happening> events_;
+    std::deque<RecentEvent> events_;
     std::size_t events_so_far_ = 0;
 };
 

@@ -25,8 +25,8 @@ struct ServedStudy {
     /// Function that stores a recording in the study, given the name and the content of the
     /// recording's file. The function returns the HTTP status and the text for the browser.
     std::function<Answer(std::string name, std::string bytes)> receive;
-    /// Function that adds an effect to the study or drops an effect. The function returns the HTTP
-    /// status and the text for the browser.
+    /// Function that adds a physical effect to the study's model or drops an effect. The function
+    /// returns the HTTP status and the text for the browser.
     std::function<Answer(Action, const std::string& effect)> change;
 };
 

@@ -11,8 +11,8 @@ namespace pendular::app {
 /// Largest size of a recording that a server receives [bytes].
 constexpr std::size_t largest_received = 64u << 20;
 
-/// Returns the reason why a received file must not have this name. Returns an empty text if the
-/// name is allowed. An allowed name is printable text in UTF-8 of at most 200 bytes, names no
+/// Returns the reason why a received file must not be stored under `name`. Returns an empty text if
+/// the name is allowed. An allowed name is printable text in UTF-8 of at most 200 bytes, names no
 /// folder, and begins with neither a dot nor a hyphen.
 std::string fault_of_name(const std::string& name);
 
@@ -24,7 +24,7 @@ std::string fault_of_name(const std::string& name);
 /// @return HTTP status with a sentence: 201, stored; 200, the study has the file already, with
 ///         equal content; 400, invalid name (`fault_of_name`); 409, a file of different content has
 ///         the name; 422, no pattern matches the name, or the recording cannot be read or lacks a
-///         quantity of steady shear
+///         quantity that steady shear needs, such as the gap height
 /// @throws InputError if study.toml cannot be read
 /// @throws std::runtime_error if the file cannot be written
 Answer store_recording(const std::filesystem::path& study, const std::string& name,

@@ -44,9 +44,9 @@ struct Refusal {
 
 /// Returns the page or action that an HTTP request asks for, or a refusal. The checks keep out
 /// foreign web sites in the user's browser, including sites that use DNS rebinding. The path of
-/// every request must contain the token. A POST must also state the token in the header
-/// X-Pendular-Token. A refusal has the HTTP status
-/// - 403 for a foreign host, a foreign origin or a wrong token,
+/// every request must contain the token of `address`. A POST must also state the token in the
+/// header X-Pendular-Token. A refusal has the HTTP status
+/// - 403 for a header Host or Origin other than the server's address, or for a wrong token,
 /// - 405 for a method that is neither GET nor POST,
 /// - 400 for a path with "..", "%" or "\",
 /// - 404 for an unknown path.

@@ -29,7 +29,7 @@ constexpr double least_noncentrality = 5;
 class Design {
   public:
     explicit Design(double friction)
-        : plan_(rig(friction, 1)), study_(study_of(plan_)), conditions_(conditions_asked(plan_)) {
+        : plan_(rig(friction, 1)), study_(study_of(plan_)), conditions_(planned_conditions(plan_)) {
         KnownRuns known =
             known_runs(StudyModels::with_all_effects(study_), truth_fidelity(), nullptr).value();
         models_ = std::make_unique<StudyModels>(study_, conditions_, truth_fidelity(), known);

@@ -10,7 +10,8 @@
 
 namespace pendular::bench {
 
-/// Study of a virtual laboratory: the hidden truth, and the outcome of the diagnosis.
+/// Study of a virtual laboratory: the hidden truth (true friction and effects), and the outcome of
+/// the diagnosis.
 struct LabStudy {
     const Truth* truth;
     const Outcome* outcome;
@@ -34,18 +35,18 @@ bool points_at_truth(const LabStudy& study);
 /// Whether the verdict is "missing" and names exactly the hidden effects.
 bool right(const LabStudy& study);
 
-/// Whether the verdict misleads a user who believes it. Such a verdict is "missing" with an effect
-/// that is not hidden, or "nothing-missing" although an effect is hidden.
+/// Whether the verdict misleads a user who believes it. A misleading verdict is "missing" with an
+/// effect that is not hidden, or "nothing-missing" although an effect is hidden.
 bool confidently_wrong(const LabStudy& study);
 
-/// Column of the confusion matrix to which a study belongs: "nothing" if the diagnosis raises no
-/// alarm (`alarms`), the names of the missing effects if the verdict is "missing", the verdict
-/// otherwise.
+/// Returns the column of the confusion matrix to which a study belongs: "nothing" if the diagnosis
+/// raises no alarm (`alarms`), the names of the missing effects if the verdict is "missing", the
+/// name of the verdict otherwise.
 std::string confusion_column(const LabStudy& study);
 
-/// Writes the confusion matrix as a CSV file. A cell contains the number of studies with the hidden
-/// truth of its row and the verdict of its column (`confusion_column`).
-/// @param truths names of the truths, one for each row
+/// Writes the confusion matrix of the diagnoses as a CSV file. A cell contains the number of
+/// studies with the hidden truth of its row and the verdict of its column (`confusion_column`).
+/// @param truths names of the hidden truths, one for each row
 void write_confusion(const std::filesystem::path& file, const std::vector<std::string>& truths,
                      const Studies& studies);
 

@@ -89,7 +89,7 @@ std::vector<std::string> cells_of(const Outcome& o) {
                                       o.set_has_truth ? "1" : "0",
                                       text_of(o.chi2),
                                       std::to_string(o.dof),
-                                      text_of(o.foretold_reduction),
+                                      text_of(o.predicted_reduction),
                                       text_of(o.refitted_reduction)};
     if (o.added) {
         const auto& a = *o.added;
@@ -127,7 +127,7 @@ std::vector<Outcome> read_outcomes(const std::filesystem::path& file) {
         o.set_has_truth = cells.number() == 1;
         o.chi2 = cells.number().value_or(0);
         o.dof = static_cast<int>(cells.number().value_or(0));
-        o.foretold_reduction = cells.number();
+        o.predicted_reduction = cells.number();
         o.refitted_reduction = cells.number();
         const auto p = cells.number();
         Outcome::Added a{.p = p.value_or(0)};

@@ -161,12 +161,13 @@ std::vector<std::string> figures_of(const Studies& every) {
         rate(outside, [&](const LabStudy& s) { return alarms(s) || faulty(s); }));
     add("import names a fault of the recordings of complete laboratories", rate(complete, faulty));
     const auto refitted = those(all, [](const LabStudy& s) {
-        return single(s) && s.outcome->foretold_reduction && s.outcome->refitted_reduction;
+        return single(s) && s.outcome->predicted_reduction && s.outcome->refitted_reduction;
     });
     add("foretold drop of chi2 within max(20 %, 4) of the refitted one",
         rate(refitted, [](const LabStudy& s) {
             const double actual = *s.outcome->refitted_reduction;
-            return std::abs(*s.outcome->foretold_reduction - actual) <= std::max(0.2 * actual, 4.0);
+            return std::abs(*s.outcome->predicted_reduction - actual) <=
+                   std::max(0.2 * actual, 4.0);
         }));
     const auto fitted = those(all, [](const LabStudy& s) { return s.outcome->added.has_value(); });
     const auto added = those(fitted, [](const LabStudy& s) { return !s.truth->hidden.empty(); });

@@ -9,12 +9,12 @@
 
 namespace pendular::bench {
 
-/// Rule for the choice of the next measurement of a study: the measurement that `pendular next`
-/// plans (`next`), or a random measurement that the instrument can make (`random`).
+/// Rule for the choice of the next measurement of a study. `next`: the measurement that `pendular
+/// next` plans. `random`: a random measurement that the instrument can make.
 enum class Policy { next, random };
 
-/// Result of further measurements on a study for which several effects explained the readings
-/// equally well.
+/// Result of further measurements in a virtual laboratory, on a study for which several effects
+/// explained the readings equally well.
 struct Resolution {
     std::string truth;
     int study = 0;
@@ -24,8 +24,8 @@ struct Resolution {
     /// Whether the model with the hidden effect fitted the readings before the further
     /// measurements. Always true with `Policy::random`, which does not test this.
     bool among = true;
-    /// Whether `pendular next` expects that the instrument can tell the model with the hidden
-    /// effect from all rival models. Always true with `Policy::random`.
+    /// Whether `pendular next` expects that further measurements can tell the model with the hidden
+    /// effect from all other models that fit. Always true with `Policy::random`.
     bool separable = true;
     int measurements = 0;  ///< number of further measurements that were made
     std::string verdict;   ///< verdict after the last measurement
@@ -33,11 +33,12 @@ struct Resolution {
     bool right = false;  ///< whether the verdict is "missing" and names exactly the hidden effect
 };
 
-/// Makes further measurements in a virtual laboratory until the diagnosis is no longer
-/// "indistinguishable", or until `most_measurements` are made. With `Policy::next`, the
-/// measurements also end if `pendular next` finds no measurement that tells the remaining models
-/// apart. No measurement is made if `Resolution::separable` is false. Empty if the first verdict is
-/// not "indistinguishable".
+/// Makes further measurements in a virtual laboratory until the verdict is no longer
+/// "indistinguishable" (several effects explain the readings equally well), or until
+/// `most_measurements` are made. With `Policy::next`, the measurements also end if `pendular next`
+/// finds no measurement that tells the remaining models apart. No measurement is made if
+/// `Resolution::separable` is false. Returns one result, or nothing if the first verdict is not
+/// "indistinguishable".
 /// @param study number of the study, which determines the noise of its recordings
 /// @param folder folder for the files of the study, which the function creates and finally removes
 std::vector<Resolution> resolve(const Truth& truth, const LabResult& laboratory, int study,

@@ -26,7 +26,7 @@ LabPlan rig(double friction, std::uint64_t world) {
     return plan;
 }
 
-std::vector<Condition> conditions_asked(const LabPlan& plan) {
+std::vector<Condition> planned_conditions(const LabPlan& plan) {
     std::vector<Condition> all;
     for (const PlannedRecording& recording : recordings_of(plan)) {
         for (Condition condition : recording.conditions) {

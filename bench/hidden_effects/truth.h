@@ -12,6 +12,8 @@ namespace pendular::bench {
 /// Hidden truth of a virtual laboratory: the friction and the effects with which its recordings are
 /// simulated.
 struct Truth {
+    /// Hidden effects of the truth: none (`complete`), one effect of the catalogue, a pair of
+    /// effects of the catalogue, or one effect outside the catalogue.
     enum class Kind { complete, effect, pair, outside };
     Kind kind = Kind::complete;
     /// Name of the truth, such as "lid-slip at 25" for the effect lid-slip with the planned
@@ -19,20 +21,24 @@ struct Truth {
     std::string name;
     std::vector<ActiveEffect> hidden;
     double friction = 0.11;
-    /// Noncentrality v [1]: squared length of the change of the readings by the hidden effects, in
-    /// units of the planned standard errors. The part of the change that the calibrated parameters
-    /// can imitate does not count. For an effect outside the catalogue, the part that the best pair
-    /// of known effects can imitate does not count either. For a pair of hidden effects, v is the
-    /// minimum of the noncentralities of both effects.
+    /// Noncentrality v [1]: squared length of the vector of the changes of all readings by the
+    /// hidden effects, in units of the planned standard errors. The part of the change that the
+    /// calibrated parameters can imitate does not count. For an effect outside the catalogue, the
+    /// part that the best pair of known effects can imitate does not count either. For a pair of
+    /// hidden effects, v is the minimum of the noncentralities of both effects.
     double noncentrality = 0;
-    /// Part v (1 - cos^2) of the noncentrality v that the most similar other effect cannot imitate
-    /// [1], where cos is the cosine of the angle between the changes by both effects. 0 for a pair.
+    /// Squared length [1] of the part of the change of the readings that the most similar other
+    /// effect cannot imitate: |g|^2 (1 - cos^2). g is the change by the hidden effect, in units of
+    /// the planned standard errors and without the part that the calibrated parameters can imitate.
+    /// cos is the cosine of the angle between the changes by both effects. 0 for a pair and without
+    /// hidden effects.
     double separation = 0;
     std::string most_like = {};  ///< name of the most similar other effect; empty for a pair
 
     bool hides(const std::string& effect) const;
-    /// Whether the diagnosis should name the hidden effect alone. The truth must be a single effect
-    /// of the catalogue with a noncentrality of at least 59 and a `separation` of at least 15.
+    /// Whether the diagnosis should name the hidden effect alone. The truth must hide a single
+    /// effect of the catalogue, with a noncentrality of at least 59 and a `separation` of at least
+    /// 15.
     bool well_separated() const;
 };
 
@@ -51,14 +57,15 @@ struct RightShape {
     std::vector<std::string> quantities, coordinates;
 };
 
+/// Effect that the program's catalogue does not contain, with the right diagnosis.
 struct OutsideEffect {
     Effect effect;
     RightShape shape;
 };
 
-/// Returns further effects that the program's catalogue does not contain, with the right answers of
-/// a diagnosis. The formulas of the effects were written without knowledge of the formulas that the
-/// program proposes for unknown changes.
+/// Returns further effects that the program's catalogue does not contain, with the right diagnosis
+/// of each. Their formulas were written without knowledge of the formulas that the program proposes
+/// if no effect of the catalogue explains the readings.
 const std::vector<OutsideEffect>& more_outside_effects();
 
 /// Returns the right answers for an effect outside the catalogue.
@@ -66,9 +73,9 @@ const std::vector<OutsideEffect>& more_outside_effects();
 ///         `more_outside_effects`
 RightShape right_shape(std::string_view effect);
 
-/// Reads the table of hidden truths. The table is stored because the sizes of the effects were
-/// chosen with an emulator. A better emulator would choose other sizes, and earlier simulation runs
-/// would be useless.
+/// Reads the table of hidden truths (true friction and effects). The table is stored because the
+/// sizes of the effects were chosen with an emulator. A better emulator would choose other sizes,
+/// and earlier simulation runs would be useless.
 /// @throws InputError if the file cannot be read or has a wrong entry
 std::vector<Truth> read_truths(const std::filesystem::path& file);
 void write_truths(const std::filesystem::path& file, const std::vector<Truth>& truths);

@@ -124,7 +124,7 @@ void diagnose_into(Outcome& outcome, const Truth& truth, const StudyInput& input
     outcome.confidence_set = fmt::format("{}", fmt::join(set, " | "));
     for (const Finding& finding : d.scan) {
         if (truth.hidden.size() == 1 && truth.hides(models.candidates()[finding.candidate].name)) {
-            outcome.foretold_reduction = finding.test.predicted_reduction;
+            outcome.predicted_reduction = finding.test.predicted_reduction;
             outcome.refitted_reduction = finding.refitted_reduction;
         }
     }

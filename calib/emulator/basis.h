@@ -21,9 +21,9 @@ struct FlowState {
     /// parameters. The values are in the units of a simulation run, in which grain diameter, grain
     /// mass and normal stress are 1.
     std::vector<EffectValues> effects = {};
-    /// Stiffness number of the grains [1], a measure of the stiffness of contacts relative to the
-    /// normal stress. Observables such as coordination numbers depend on the stiffness number. The
-    /// value 0 stands for the stiffness number of the runs on which the emulator is trained.
+    /// Stiffness number (E/((1 - nu^2) s22))^(2/3) of the contacts [1], with Young's modulus E,
+    /// Poisson ratio nu and normal stress s22. The value 0 stands for the stiffness number of the
+    /// simulation runs on which the emulator is trained.
     double stiffness_number = 0;
 
     bool dry() const { return inverse_pressure == 0; }
@@ -80,10 +80,10 @@ class Basis {
     /// Returns the value of each term of the polynomial (product of powers of x, q, u and v) at the
     /// coordinates `at`, in the order in which the terms were added.
     Eigen::RowVectorXd values(const Coordinates& at) const;
-    /// Returns the derivative of each term of the polynomial at the coordinates `at`, in the order
-    /// in which the terms were added.
-    /// @param coordinate coordinate of the derivative: 0 for x, 1 for q, 2 for u, 3 for v; if -1,
-    ///        the function returns the values of the terms
+    /// Returns the derivative of each term of the polynomial with respect to one coordinate, at the
+    /// coordinates `at`, in the order in which the terms were added.
+    /// @param coordinate coordinate with respect to which the terms are differentiated: 0 for x, 1
+    ///        for q, 2 for u, 3 for v; if -1, the function returns the values of the terms
     Eigen::RowVectorXd slopes(const Coordinates& at, int coordinate) const;
     Eigen::RowVectorXd slopes_in_x(const Coordinates& at) const { return slopes(at, 0); }
     Eigen::RowVectorXd slopes_in_v(const Coordinates& at) const { return slopes(at, 3); }

@@ -8,7 +8,7 @@ namespace pendular {
 
 /// Fast sums of weighted Gaussian functions (bells) in up to five coordinates, as in predictions of
 /// a Gaussian process. Bell i has the centre z_i and the weight w_i. All bells have the standard
-/// deviation 1/sqrt(c_k) along coordinate k. The sums at a place a are
+/// deviation 1/sqrt(c_k) along coordinate k. The sums at a point with the coordinates a_k are
 ///     S = sum_i w_i E_i  and  S_k = sum_i w_i d_ik E_i,
 ///     E_i = exp(-sum_k c_k d_ik^2/2),  d_ik = z_ik - a_k.
 /// The sums are identical to the last bit on all processors.
@@ -17,21 +17,21 @@ class BellSums {
     static constexpr std::size_t most_coordinates = 5;
     using Place = std::array<double, most_coordinates>;
 
-    /// @param coordinates number of coordinates of a place: 2, 4 or 5; further entries of a `Place`
+    /// @param coordinates number of coordinates of a point: 2, 4 or 5; further entries of a `Place`
     ///        are ignored
     /// @param inverse_squares inverse squares c_k of the widths (standard deviations) of the bells,
     ///        one for each coordinate
     BellSums(std::size_t coordinates, const Place& inverse_squares)
         : coordinates_(coordinates), inverse_squares_(inverse_squares) {}
 
-    /// Adds a bell with the centre `place` and the weight `weight`. A bell of weight 0 changes no
-    /// sum and is not stored.
+    /// Adds a bell (Gaussian function) with the centre `place` and the weight `weight`. A bell of
+    /// weight 0 changes no sum and is not stored.
     void add(const Place& place, double weight);
 
-    /// Returns the sums over all bells at the place `at`: first S = sum_i w_i E_i, then S_k = sum_i
-    /// w_i d_ik E_i for each coordinate k. Bell i has the weight w_i, the value E_i at the place (1
-    /// at the centre of the bell) and the distance d_ik of the centre from the place along
-    /// coordinate k. S_k is 0 for coordinates that are not used.
+    /// Returns the sums over all bells at the point `at`: first S = sum_i w_i E_i, then S_k = sum_i
+    /// w_i d_ik E_i for each coordinate k. Bell i has the weight w_i, the value E_i at the point (1
+    /// at the centre of the bell) and the difference d_ik, centre minus point, along coordinate k.
+    /// S_k is 0 for coordinates that are not used.
     std::array<double, 1 + most_coordinates> at(const Place& at) const;
 
   private:

@@ -8,8 +8,8 @@
 
 namespace pendular {
 
-/// Coordinates [1] at which the change of an observable by an effect on grains is evaluated, each
-/// scaled to the order of 1. The coordinates follow, in turn, from
+/// Point in five coordinates [1], each scaled to the order of 1, at which the change of an
+/// observable by an effect on grains is evaluated. The coordinates follow, in turn, from
 /// - the friction coefficient (coordinate x of `emulated::place_of`),
 /// - sqrt(I) with the inertial number I,
 /// - ln(1 + 10/P*) with the reduced pressure P*,
@@ -23,15 +23,17 @@ using ResponsePlace = Eigen::Vector<double, 5>;
 ///     change = b p y(z, b),
 /// with the coordinates z of the state and the amplitude b of the effect, which is 0 without the
 /// effect. The factor p is 1/P*, with the reduced pressure P*, if the effect acts through capillary
-/// forces and the observable is of the kind `Domain::all_flow`. Otherwise p = 1. The function y is
-/// a Gaussian process: the sum of a plane in the coordinates and a process of squared exponential
-/// covariance. The variances of both parts maximise the likelihood on a grid of values.
+/// forces and the observable is continuous in the dry limit (`Domain::all_flow`). Otherwise p = 1.
+/// The function y is a Gaussian process: the sum of a plane (linear function of the coordinates)
+/// and a process of squared exponential covariance. The variances of both parts maximise the
+/// likelihood on a grid of values.
 /// Source: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), section 2.7.
 class EffectResponse {
   public:
     /// Trains the predictor on n observed changes of the observable by the effect.
     /// @param places coordinates at which each change was observed
-    /// @param amplitudes product b p of amplitude b and factor p (`EffectResponse`) for each change
+    /// @param amplitudes product b p for each change, with the amplitude b of the effect and the
+    ///        factor p of the class
     /// @param changes changes of the observable, divided by the scale of the observable
     ///        (`emulated::Unit::size`)
     /// @param covariance covariance (n x n) of the errors of `changes`
@@ -40,8 +42,8 @@ class EffectResponse {
 
     /// Returns the predicted change of the observable by the effect at each place of `at`, in the
     /// unit of the changes on which the predictor was trained.
-    /// @param b product b p of the amplitude b of the effect and the factor p, which is 1/P* (P*:
-    ///        reduced pressure) or 1, at each place
+    /// @param b product b p of the amplitude b of the effect and the factor p of the class, at each
+    ///        place
     Eigen::VectorXd mean(const std::vector<ResponsePlace>& at, const Eigen::VectorXd& b) const;
     /// Returns the weights W [1] of the linear predictor mean(at, b) = W y, where y contains the
     /// changes of the observable that the effect caused in the training simulations. The matrix has
@@ -60,8 +62,9 @@ class EffectResponse {
 
     std::vector<ResponsePlace> places_;
     Eigen::VectorXd amplitudes_;
-    /// Prior variances of the two parts of the predictor: `plane_` for the plane in the
-    /// coordinates, `curved_` for the process of squared exponential covariance.
+    /// Prior variances of the two parts of the predictor: `plane_` for the plane (linear function
+    /// of the coordinates), `curved_` for the process of squared exponential covariance. The unit
+    /// is (unit of the changes/unit of b p)^2, with the amplitude b p of a change.
     double plane_ = 1, curved_ = 1;
     Eigen::LLT<Eigen::MatrixXd> factor_;
     /// Sums over the training changes, from which predictions follow: sum s (`plane_constant_`) and

@@ -7,9 +7,11 @@
 
 namespace pendular::emulated {
 
-/// Reference stiffness number [1] of the emulator. By default, the Gaussian processes of the
-/// emulator are trained on runs whose stiffness number is within a factor of 2 of the reference.
-/// The emulator predicts the mean overlap of contacts for the reference stiffness number.
+/// Reference value of the emulator [1] for the stiffness number (E/((1 - nu^2) s22))^(2/3), with
+/// Young's modulus E, Poisson ratio nu and normal stress s22. By default, the Gaussian processes of
+/// the emulator are trained on runs whose stiffness number is within a factor of 2 of the
+/// reference. The emulator predicts the mean overlap of contacts for the reference stiffness
+/// number.
 constexpr double reference_stiffness = 1000;
 
 /// Localization D of the shear [1] above which a run counts as sheared in a band. The emulator is
@@ -29,10 +31,10 @@ std::string why_unusable(const dem::RunResult& run);
 inline bool usable(const dem::RunResult& run) {
     return why_unusable(run).empty();
 }
-/// Returns the value of an observable that the emulator learns from a run, with the standard error
-/// of the value. The value is the average measured in the run, with two exceptions: the solid
-/// fraction is corrected to rigid grains, and the mean overlap is converted to the stiffness number
-/// `reference_stiffness`.
+/// Returns the value of an observable in a run, as used to train the emulator, with the standard
+/// error of the value, both in the unit of the observable. The value is the average measured in the
+/// run, with two exceptions: the solid fraction is corrected to rigid grains, and the mean overlap
+/// is converted to the stiffness number `reference_stiffness`.
 Mean training_value(const dem::RunResult& run, dem::Observable which);
 /// Returns the state of steady shear that a run with the parameters `run` simulates. The state
 /// includes the effects on grains and the stiffness number.
@@ -93,7 +95,8 @@ bool alike(double a_stiffness_number, double another);
 /// wet.
 bool has_value(const dem::RunResult& run, dem::Observable which);
 
-/// Returns the coordinates of a state of steady shear in which all Gaussian processes are defined,
+/// Returns the coordinates of a state of steady shear in which all Gaussian processes of the
+/// emulator are defined,
 ///     x = ln[(friction + friction_scale)/(friction_centre + friction_scale)],
 ///     q = sqrt(I),  u = 1/P*,  v = ln(V0/a^3/0.002),
 /// with the inertial number I, the reduced pressure P*, the bridge volume V0 and the grain diameter

@@ -25,12 +25,13 @@ struct EmulatedObservable {
 
 /// Returns the emulated values of the observables `which` at a state of steady shear, in the order
 /// of `which`, with derivatives and standard errors. The values hold for grains with the stiffness
-/// number `stiffness_number` [1]. If `Emulator::knows_stiffness` is false, only solid fraction and
-/// overlap are converted to this stiffness number. The standard errors include the error of the
-/// conversion. The derivatives leave out the changes by effects on grains.
+/// number `stiffness_number` [1]. If the emulator cannot predict changes with stiffness
+/// (`Emulator::knows_stiffness`), only solid fraction and overlap are converted to this stiffness
+/// number. The standard errors include the error of the conversion. The derivatives leave out the
+/// changes by effects on grains.
 /// @throws std::invalid_argument if an observable describes liquid bridges but the state is dry, if
-///         no training run has a value of an observable, or if `Emulator::knows` is false for an
-///         effect of the state
+///         no training run has a value of an observable, or if the emulator cannot predict an
+///         effect of the state (`Emulator::knows`)
 std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const FlowState& state,
                                             double stiffness_number,
                                             const std::vector<dem::Observable>& which);

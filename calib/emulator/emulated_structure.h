@@ -7,9 +7,10 @@
 
 namespace pendular {
 
-/// Returns the sum of the emulated values of several observables at a wet state, such as the
-/// numbers of contacts and of bridges per grain. The result contains the derivatives of the sum
-/// with respect to the friction coefficient and to ln V0, where V0 is the bridge volume.
+/// Returns the sum of the emulated values of several observables, such as the numbers of contacts
+/// and of bridges per grain, at a state of steady shear of wet grains. The result contains the
+/// derivatives of the sum with respect to the friction coefficient and to ln V0, where V0 is the
+/// bridge volume.
 /// @param sum observables to add
 StructureResponse respond(const Emulator& emulator, const std::vector<dem::Observable>& sum,
                           const FlowState& state);

@@ -30,8 +30,8 @@ class Emulator {
     /// emulator fits them before the training.
     /// @param hyperparameters hyperparameters (amplitudes, correlation lengths and noise of the
     ///        Gaussian processes) for each observable; may be empty
-    /// @param stiffness_number stiffness number [1] of the runs on which the `PlainEmulator` is
-    ///        trained, with a tolerance of a factor of 2
+    /// @param stiffness_number stiffness number [1] of the runs on which the `PlainEmulator`, for
+    ///        grains without effects, is trained, with a tolerance of a factor of 2
     /// @throws std::invalid_argument if none of the runs can serve as a training run
     Emulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
              double stiffness_number = emulated::reference_stiffness);
@@ -48,18 +48,20 @@ class Emulator {
     /// Returns the result of each query: the predicted value of the observable, in the unit of the
     /// observable, or the derivative that the query names.
     /// @throws std::invalid_argument if no training run has a value of a queried observable, if the
-    ///         observable describes liquid bridges but the state is dry, or if knows() is false for
-    ///         an effect of the state
+    ///         observable describes liquid bridges but the state is dry, or if the emulator cannot
+    ///         predict an effect of the state (`knows`)
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
     /// Returns, for each query, the change that effects on grains and stiffness cause, in the unit
-    /// of the query's result: the result of mean() minus the prediction of the `PlainEmulator`. For
-    /// a query for a derivative, the result contains only the change by stiffness.
-    /// @throws std::invalid_argument if knows() is false for an effect of the state of a query
+    /// of the query's result: the result of mean() minus the prediction of the `PlainEmulator`,
+    /// which describes grains without effects at one stiffness number. For a query for a
+    /// derivative, the result contains only the change by stiffness.
+    /// @throws std::invalid_argument if the emulator cannot predict an effect of a queried state
+    ///         (`knows`)
     Eigen::VectorXd changes_by_causes(const std::vector<Query>& queries) const;
     /// Whether the prediction at a state of steady shear differs from the prediction of the
-    /// `PlainEmulator`. The predictions differ if the state has effects on grains. If
-    /// knows_stiffness() is true, the predictions also differ if the stiffness number of the state
-    /// differs from that of the `PlainEmulator`.
+    /// `PlainEmulator`, which describes grains without effects. The predictions differ if the state
+    /// has effects on grains. If knows_stiffness() is true, the predictions also differ if the
+    /// stiffness number of the state differs from that of the `PlainEmulator`.
     bool changes(const FlowState& state) const;
     /// Returns the covariance of the errors of the predictions that mean() returns, with a row and
     /// a column for each query. The prediction for a state x with an effect is f(x) + d(x), with
@@ -69,8 +71,8 @@ class Emulator {
     /// with the error e of f, the states X of the runs with the effect, and the weights W with
     /// which d depends on the training data (simulated value - f) at X.
     /// @throws std::invalid_argument if no training run has a value of a queried observable, if the
-    ///         observable describes liquid bridges but the state is dry, or if knows() is false for
-    ///         an effect of the state
+    ///         observable describes liquid bridges but the state is dry, or if the emulator cannot
+    ///         predict an effect of the state (`knows`)
     Eigen::MatrixXd covariance(const std::vector<Query>& queries) const;
 
     /// Describes which numbers of a state of steady shear lie outside their range in the training
@@ -85,10 +87,10 @@ class Emulator {
     const std::vector<dem::RunResult>& runs() const { return plain_.runs(); }
 
     /// Whether the emulator has training runs that determine how predictions change with stiffness:
-    /// runs without effects whose stiffness number differs from that of the `PlainEmulator` by more
-    /// than a factor of 2. If not, predictions hold for the stiffness number of the
-    /// `PlainEmulator`. Then only the changes of solid fraction and overlap that are known without
-    /// training can be applied.
+    /// runs without effects whose stiffness number differs from that of the `PlainEmulator` (for
+    /// grains without effects) by more than a factor of 2. If not, predictions hold for the
+    /// stiffness number of the `PlainEmulator`. Then only the changes of solid fraction and overlap
+    /// that are known without training can be applied.
     bool knows_stiffness() const { return knows_stiffness_; }
     /// Whether the emulator can predict how the effect `name` changes the flow. For this
     /// prediction, a training run must have the effect as its only effect. Parameters of the effect
@@ -145,12 +147,12 @@ class Emulator {
     };
     /// Returns the predictor of how the cause `name` (an effect, or the stiffness number) changes
     /// the observable `which`. The first call trains the predictor.
-    /// @throws std::invalid_argument if there is no training run
+    /// @throws std::invalid_argument if no run can train the predictor
     const LearnedResponse& response_to(const std::string& name, dem::Observable which) const;
     /// Trains a predictor of how the cause `name` (an effect, or the stiffness number) changes the
     /// observable `which`. The training runs have `name` as their only effect or, for the stiffness
     /// number, no effect.
-    /// @throws std::invalid_argument if there is no training run
+    /// @throws std::invalid_argument if no run can train the predictor
     std::unique_ptr<const LearnedResponse> learned(const std::string& name,
                                                    dem::Observable which) const;
     /// Returns the covariance of the prediction errors of the `PlainEmulator` at the training

@@ -84,7 +84,7 @@ class GaussianProcess {
 
   private:
     /// Returns the prior covariance of the observations (rows) with the requested values and
-    /// derivatives (columns). The rows contain all places for the first function, then all places
+    /// derivatives (columns). Rows: the first function at all observed places, then all places
     /// for the second function, and so on.
     Eigen::MatrixXd with_known(const std::vector<Requested>& requested) const;
 
@@ -98,17 +98,19 @@ class GaussianProcess {
 
     std::vector<Kernel> kernels_;
     /// Places of the observations, with the terms of the prior covariances that depend on one place
-    /// alone. The outer list has an entry for each function.
+    /// alone. The outer list has an entry for each function, the inner list an entry for each
+    /// place.
     std::vector<std::vector<Kernel::Prepared>> known_;
     /// Cholesky factor of the covariance of all observations, which is the prior covariance plus
-    /// the covariance of the noise. The rows contain all places for the first function, then all
+    /// the covariance of the noise. Rows: the first function at all observed places, then all
     /// places for the second function, and so on.
     Eigen::LLT<Eigen::MatrixXd> factor_;
     /// For each function, the places of the observations with the weights C^-1 y, stored in a form
     /// in which `mean` sums over the places fast. C is the covariance of all observations (prior
     /// covariance plus covariance of the noise), and y contains the observed values.
     std::vector<Kernel::Known> sums_over_;
-    /// For each function, the posterior means of the coefficients of the polynomials (`Kernel`).
+    /// For each function, the posterior means of the coefficients of the polynomials that the
+    /// function contains (`Kernel`).
     std::vector<Eigen::VectorXd> coefficients_;
 };
 

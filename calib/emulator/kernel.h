@@ -137,11 +137,11 @@ class Kernel {
     double coefficient_variance() const { return coefficient_variance_; }
     /// Weighted sums of Gaussian functions (bells), one sum for each Gaussian process (dry and wet
     /// part). A sum has a bell at each place of a list of places. The weight of a bell is the
-    /// product of the weight of the place, the variance of the process and the factor b(u) of
-    /// `Kernel` at the place.
+    /// product of the weight of the place, the variance of the process and the factor b(u), with
+    /// the inverse reduced pressure u, by which `Kernel` multiplies the process at the place.
     using Known = std::vector<BellSums>;
-    /// Stores the places of `values` and the weight of each place in a form in which the function
-    /// `sums` sums over the places fast.
+    /// Returns the places of `values` with the weight of each place, in the form from which the
+    /// function `sums` computes sums over the places.
     Known known(const std::vector<Prepared>& values, const Eigen::VectorXd& weights) const;
     /// Returns sum_p w_p k(p, at) over the places p stored in `known`, followed by the derivatives
     /// of the sum with respect to the coordinates x, q, u and v of `at`. Here w_p is the weight of

@@ -12,14 +12,14 @@ namespace pendular {
 /// Simulation runs that exist before a calibration and on which the emulator is trained, with
 /// hyperparameters of the emulator that were fitted in advance.
 struct KnownRuns {
-    /// Training runs of the emulator. If the list is empty and `orders_more` is true, a calibration
-    /// first simulates dry runs.
+    /// Training runs of the emulator. If the list is empty and `may_simulate` is true, a
+    /// calibration first simulates dry runs.
     std::vector<dem::RunResult> runs;
     /// Hyperparameters of the emulator's Gaussian processes for each observable. If an observable
     /// has no entry, its hyperparameters are fitted to `runs`.
     EmulatorHyperparameters hyperparameters;
     /// Whether a calibration may simulate new runs in addition to the training runs `runs`.
-    bool orders_more = true;
+    bool may_simulate = true;
 };
 
 /// Returns the runs among `runs` on which the emulator for a study can be trained. Each returned

@@ -48,7 +48,7 @@ class PlainEmulator {
     /// Queries whose results follow from one Gaussian process, with the intermediate results from
     /// which the covariance of the query results follows. The results of the queries are the matrix
     /// `map` times the values that the process predicts, plus constants (`emulated::Unit::offset`).
-    struct PreparedShare {
+    struct QueriesOfProcess {
         /// Index, in the list of all queries, of each query whose result follows from the Gaussian
         /// process.
         std::vector<Eigen::Index> queries;
@@ -60,7 +60,7 @@ class PlainEmulator {
     /// key of an entry is the observable under which the process is stored.
     struct PreparedQueries {
         Eigen::Index count = 0;
-        std::map<dem::Observable, PreparedShare> shares;
+        std::map<dem::Observable, QueriesOfProcess> shares;
     };
     /// Computes the intermediate results from which the covariances of the results of `queries`
     /// follow.
@@ -90,7 +90,7 @@ class PlainEmulator {
     Eigen::Matrix2d noise(const dem::RunResult& run) const;
 
     /// Returns the stiffness number [1] of the runs on which the Gaussian processes are trained.
-    /// The stiffness numbers of the runs may differ from the returned number by a factor of 2.
+    /// The stiffness numbers of the runs differ from the returned number by at most a factor of 2.
     double stiffness_number() const { return stiffness_number_; }
     /// Whether any of `runs` can train the Gaussian process of an observable. The run must have a
     /// value of the observable, no effects on grains, and a stiffness number within a factor of 2

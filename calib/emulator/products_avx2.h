@@ -13,7 +13,7 @@ void solve_lower(const double* lower, std::ptrdiff_t n, double* right, std::ptrd
 
 /// Sets the m x k matrix `result` to A' B, for an n x m matrix `a` (A) and an n x k matrix `b` (B).
 /// @param stride distance in memory between the starts of successive columns of `b`, counted in
-///        numbers
+///        elements of type double
 void transposed_product(const double* a, std::ptrdiff_t n, std::ptrdiff_t m, const double* b,
                         std::ptrdiff_t stride, std::ptrdiff_t k, double* result);
 

@@ -34,20 +34,21 @@ struct CalibrationOptions {
 /// report progress. The arguments are the number of the round, from 1, and the fit of the round.
 using CalibrationReport = std::function<void(int round, const Fit& fit)>;
 
-/// Model that is improved between the fits of a calibration. The function `improve` makes
-/// simulation runs and trains the model's emulator on the runs.
+/// Model whose emulator (interpolation between simulation runs) is trained on more runs between the
+/// fits of a calibration. The function `improve` makes the runs and trains the emulator.
 class LearningModel {
   public:
     virtual ~LearningModel() = default;
 
-    /// Returns the model trained on all runs simulated so far.
+    /// Returns the model, whose emulator is trained on all runs simulated so far.
     virtual const Model& model() const = 0;
     /// Makes more simulation runs of steady shear and trains the emulator of the model on the runs.
     /// @param parameters parameter values near which predictions are to improve: the result of the
     ///        last fit or, before any fit, the starting values
-    /// @param excess variance that the noise of the runs causes in the last fit, divided by the
-    ///        largest acceptable variance [1] (`Enlargement::excess`); above 1, the number of runs
-    ///        should grow by about the factor `excess`
+    /// @param excess variance of a parameter or predicted reading that the noise of the runs causes
+    ///        in the last fit, divided by the largest acceptable variance [1]
+    ///        (`Enlargement::excess`); above 1, the number of runs should grow by about the factor
+    ///        `excess`
     virtual void improve(const Eigen::VectorXd& parameters, double excess) = 0;
     /// Whether the simulation runs of the last call of `improve` agree with the predictions that
     /// the model made before being trained on the runs.
@@ -57,7 +58,8 @@ class LearningModel {
 };
 
 /// Calibrates a model in rounds and returns the fit of the last round. Each round simulates states
-/// near the last fit, trains the model on the runs and fits the parameters again.
+/// of steady shear near the fitted parameters of the last round, trains the emulator of the model
+/// on the runs and fits the parameters again.
 ///
 /// After at least `CalibrationOptions::fewest_rounds` rounds, the calibration ends if the
 /// parameters no longer change, the runs agree with the predictions of the model, and the noise of

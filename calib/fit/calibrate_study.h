@@ -36,8 +36,8 @@ struct CalibrationRequest {
     /// pressure 1/P* that are fitted to wet readings.
     CohesionOptions cohesion = {};
     /// Simulation runs that exist before the calibration and on which the emulator is trained. If
-    /// there are no such runs and `KnownRuns::orders_more` is true, the calibration first simulates
-    /// dry runs spread over friction coefficient and inertial number.
+    /// there are no such runs and `KnownRuns::may_simulate` is true, the calibration first
+    /// simulates dry runs spread over friction coefficient and inertial number.
     KnownRuns known = {};
     /// Function that is called when the calibration begins to simulate for wet readings that are
     /// predicted but not fitted. The argument is the name of this stage, "wet readings", for a
@@ -58,8 +58,8 @@ Calibration calibrate_study(const ResolvedStudy& study, const Measurements& meas
                             const CalibrationRequest& request, const Workers& workers,
                             const CalibrationReport& report = {});
 
-/// Checks that simulations with the settings `fidelity` are possible at the conditions of all
-/// readings.
+/// Checks that simulations with the settings `fidelity` are possible at the conditions (normal
+/// stress, inertial number and liquid content) of all readings.
 /// @throws InputError for the first reading whose grains have a stiffness number below 300, whose
 ///         inertial number is above `dem::largest_inertial_number`, or whose reduced pressure or
 ///         liquid content is outside the range of simulations
@@ -76,9 +76,9 @@ std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>&
 /// all readings are fitted together.
 ResolvedStudy fitting_all(const ResolvedStudy& study);
 
-/// Predicts the shear stress [Pa] and solid fraction [1] at each of `conditions` in turn, at the
-/// fitted parameters of a calibration that did not fit readings at these conditions. The covariance
-/// of the prediction is
+/// Predicts the shear stress [Pa] and solid fraction [1] at each of `conditions` (normal stress,
+/// inertial number and liquid content) in turn, at the fitted parameters of a calibration that did
+/// not fit readings at these conditions. The covariance of the prediction is
 ///     S + J C J' - X - X',  X = J K S_f,
 /// with the covariance S of the model's errors, the derivatives J of the predictions with respect
 /// to the parameters, and the covariance C of the fitted parameters. K contains the derivatives of

@@ -55,7 +55,7 @@ std::optional<std::string> unsupported_note(const Calibration& c, const RunPlann
         "The simulations in atlas and store do not cover {} of {} readings: {}{}. {}.", count,
         c.readings.size(), fmt::join(readings, "; "),
         count > named ? fmt::format("; and {} more", count - named) : "",
-        planner.orders_more()
+        planner.may_simulate()
             ? "Simulate these states with 'pendular campaign', or leave these readings out"
             : "'pendular calibrate' without --no-confirm simulates these states");
 }

@@ -10,16 +10,17 @@
 namespace pendular {
 
 /// Returns sentences for the user that qualify the result of a calibration. The sentences report
-/// - readings whose predictions the runs do not support,
+/// - readings whose predictions the simulation runs do not support,
 /// - simulation noise that exceeds the errors of the readings,
-/// - time for simulations that ended too early,
-/// - a large contribution of corrections to the error of the friction coefficient,
+/// - time for simulations that ended before their noise was small enough,
+/// - a large error of the friction coefficient from corrections to the stiffness of the grains and
+///   to the quasi-static limit,
 /// - wet readings at reduced pressures so low that the grains may shear in bands, and
 /// - parameters that are undetermined or at a bound.
 ///
-/// The notes of `planner` on runs are included.
-/// @param wet_known whether the standard errors of the predicted wet readings are small compared
-///        with the standard errors of the measured wet readings
+/// The notes of `planner` on simulation runs (RunPlanner::notes()) are included.
+/// @param wet_known whether the errors that the noise of the simulation runs causes in the
+///        predicted wet readings are small compared with the errors of the measured wet readings
 std::vector<std::string> notes_on(const Calibration& calibration, const ResolvedStudy& study,
                                   const RunPlanner& planner, bool wet_known);
 

@@ -32,9 +32,11 @@ struct Overestimate {
 struct CohesionLine {
     /// Kind of the stress ratios to which the line is fitted: "measured" or "simulated".
     std::string source;
-    /// Liquid content (liquid volume divided by grain volume) [1], mean of the points.
+    /// Liquid content (liquid volume divided by grain volume) [1], mean over the group of wet
+    /// readings (`wet_groups`), fitted or left out.
     double liquid_content = 0;
-    /// Inertial number I [1], mean of the points; 0 in the quasi-static limit.
+    /// Inertial number I [1], mean over the group of wet readings (`wet_groups`), fitted or left
+    /// out; 0 in the quasi-static limit.
     double inertial_number = 0;
     /// Intercept of the line [1]: stress ratio in the limit 1/P* -> 0.
     Estimate stress_ratio_intercept;
@@ -84,9 +86,9 @@ struct CohesionOptions {
 void check_options(const CohesionOptions& options);
 
 /// Fits a straight line of the measured stress ratio against the inverse reduced pressure 1/P* to
-/// each group of wet readings of steady shear, in the order of `wet_groups`. Readings whose P* is
-/// below the limit of `options` are left out. A group has a line only if the P* of two remaining
-/// readings differ by more than 2 %.
+/// each group of wet readings of steady shear with about equal liquid contents and inertial
+/// numbers, in the order of `wet_groups`. Readings whose P* is below the limit of `options` are
+/// left out. A group has a line only if the P* of two remaining readings differ by more than 2 %.
 /// @param notes receives sentences for the user on groups without a line and on readings that a
 ///        line leaves out
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
@@ -95,13 +97,14 @@ std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
                                          std::vector<std::string>& notes);
 
 /// Fits a straight line of the predicted stress ratio against the inverse reduced pressure 1/P* to
-/// each group of wet readings of steady shear (`wet_groups`). The readings are selected as for the
-/// lines of measured stress ratios.
+/// each group of wet readings of steady shear with about equal liquid contents and inertial numbers
+/// (`wet_groups`). The readings are selected as for the lines of measured stress ratios.
 ///
-/// The points are weighted by the inverse covariance of the measured readings. The covariance of
-/// the predictions would give misleading weights, since the points share most of their errors. The
-/// standard errors of the lines follow from the covariance of the predictions. A large chi2 means
-/// that the predicted stress ratios are not linear in 1/P* within the errors of the readings.
+/// The points (predicted stress ratios) are weighted by the inverse covariance of the measured
+/// readings. The covariance of the predictions would give misleading weights, since the points
+/// share most of their errors. The standard errors of the lines follow from the covariance of the
+/// predictions. A large chi2 means that the predicted stress ratios are not linear in 1/P* within
+/// the errors of the readings.
 /// @param predicted predictions of all `readings`, with their covariance
 /// @param notes receives sentences for the user on groups without a line and on readings that a
 ///        line leaves out

@@ -23,8 +23,8 @@ struct Measured {
     Eigen::MatrixXd widening = {};
 };
 /// Returns the values of readings, followed by direct measurements of effects' parameters, with the
-/// covariance of their errors. The covariance includes errors that several readings share, such as
-/// the error of a filling of the cell.
+/// covariance of the errors of all values. The covariance includes errors that several readings
+/// share, such as the error of a filling of the cell.
 Measured stack(const std::vector<Reading>& readings,
                const std::vector<DirectMeasurement>& direct = {});
 
@@ -45,8 +45,9 @@ struct Fit {
     Eigen::MatrixXd measurement_part;
     /// Contribution of the noise of the simulation runs to the `covariance` of the parameters.
     /// `covariance` minus `measurement_part` and minus `run_part` is the contribution of the errors
-    /// of corrections of the simulation, of the discrepancy that the study states, and of fitted
-    /// constant cohesions.
+    /// of corrections of the simulation (such as the correction to the stiffness of the grains), of
+    /// the model discrepancy that the study states, and of constant cohesions fitted to wet
+    /// readings.
     Eigen::MatrixXd run_part;
     /// Minimum of chi2 [1], the sum of the squared whitened residuals.
     double chi2 = 0;
@@ -60,7 +61,7 @@ struct Fit {
     /// For each parameter, whether the fitted value is at an end of the parameter's range or of the
     /// range that simulations support.
     std::vector<bool> at_bound;
-    /// Prediction of the measured values at the fitted parameters.
+    /// Prediction of the measured values at the fitted parameters, with derivatives and covariance.
     Prediction prediction;
     /// Message of the solver Ceres or of Pendular that says why the fit stopped.
     std::string message;
@@ -79,8 +80,8 @@ struct Fit {
     double measurement_error(Eigen::Index k) const;
     /// Returns the contribution of the simulation to the standard error of the parameter with index
     /// `k`, in the unit of the parameter. The contribution comes from the noise of the runs, from
-    /// errors of corrections of the simulation, from the discrepancy that the study states, and
-    /// from fitted constant cohesions.
+    /// errors of corrections of the simulation, from the model discrepancy that the study states,
+    /// and from constant cohesions fitted to wet readings.
     double simulation_error(Eigen::Index k) const;
 };
 

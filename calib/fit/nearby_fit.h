@@ -7,9 +7,9 @@
 namespace pendular {
 
 /// Fits a model's parameters to measured values, like `fit` but with fewer evaluations of the
-/// model, from a start near the minimum of chi2. The result agrees with the result of two
-/// successive calls of `fit`. The second call uses the simulation errors at the result of the first
-/// call.
+/// model, from a start near the minimum of chi2. Within about a thousandth of a standard error, the
+/// result agrees with the result of two successive calls of `fit`. The second call uses the
+/// simulation errors at the result of the first call.
 /// @param start starting values, in the order and units of the parameters
 /// @param simulation covariance of the simulation errors in the first fit, such as the covariance
 ///        of a model with fewer effects; null: the covariance of the model at `start`

@@ -41,8 +41,8 @@ std::string text_of(const Enlargement& enlargement);
 double enlargement(double noise, double rest);
 
 /// Finds the standard error of a fit that the noise of the simulation runs enlarges most. The
-/// function compares the standard errors of the parameters and, for each reading, the standard
-/// error of the difference between measured and predicted value.
+/// function compares the standard errors of the parameters and, for each measured value, the
+/// standard error of the difference between measured and predicted value.
 /// @param parameters parameters of the fitted model, in the order of Fit::parameters
 Enlargement enlargement_by_runs(const Fit& fit, const Measured& measured,
                                 const std::vector<Parameter>& parameters);

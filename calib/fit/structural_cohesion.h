@@ -13,9 +13,10 @@ namespace pendular {
 /// readings of one liquid content and one inertial number. Here c is the cohesion, a the grain
 /// diameter and F0 the pull-off force of a liquid bridge.
 struct StructuralCohesion {
-    /// Liquid content (liquid volume divided by grain volume) [1], mean of the readings.
+    /// Liquid content (liquid volume divided by grain volume) [1], mean over the group of wet
+    /// readings (`wet_groups`).
     double liquid_content = 0;
-    /// Inertial number I [1], mean of the readings.
+    /// Inertial number I [1], mean over the group of wet readings (`wet_groups`).
     double inertial_number = 0;
     /// Reduced cohesion c* [1] by Rumpf's formula, mu*_0 Phi_S Z*/pi, with the stress ratio mu*_0
     /// of dry grains, the solid fraction Phi_S and the effective coordination number Z*.
@@ -28,10 +29,11 @@ struct StructuralCohesion {
     Estimate generalised;
 };
 
-/// Returns, for each group of wet readings of steady shear (`wet_groups`), the reduced cohesion
-/// predicted from the simulated structure of the wet grains at the calibrated parameters. The
-/// reduced cohesion is the mean over the readings of the group whose reduced pressure is at least
-/// `options.lowest_reduced_pressure`. A group without such a reading is left out.
+/// Returns, for each group of wet readings of steady shear with about equal liquid contents and
+/// inertial numbers (`wet_groups`), the reduced cohesion predicted from the simulated structure of
+/// the wet grains at the calibrated parameters. The reduced cohesion is the mean over the readings
+/// of the group whose reduced pressure is at least `options.lowest_reduced_pressure`. A group
+/// without such a reading is left out.
 ///
 /// The prediction includes the study's effects on grains and liquid, but no effects on the
 /// instrument. Cohesions are divided by F0/a^2 with the pull-off force F0 of the study's liquid and

@@ -33,7 +33,8 @@ class StudyModel {
     /// Returns the predictor of readings, model(), as a shared pointer, which may outlive the
     /// `StudyModel`.
     std::shared_ptr<const EffectModel> predictor() const { return model_; }
-    /// Returns the emulated simulation that the base model and the effects use.
+    /// Returns the emulated simulation (interpolation between simulation runs) that the base model
+    /// for wet grains and the effects use.
     const EmulatedSimulation& simulation() const { return *simulation_; }
     /// Returns the predictor of readings as an ideal instrument would show them, with all effects
     /// of the study except effects on the instrument.
@@ -45,8 +46,9 @@ class StudyModel {
     /// @param parameters values of all parameters of model(), including the parameters of effects
     ///        on the instrument
     Eigen::VectorXd flow_parameters(const Eigen::VectorXd& parameters) const;
-    /// Returns the conditions imposed on the grains, with the properties of grains and liquid as
-    /// the study's effects change them, in the order of `conditions`.
+    /// Returns the conditions (normal stress, inertial number and liquid content) truly imposed on
+    /// the grains, in the order of `conditions`. The result includes the properties of grains and
+    /// liquid as the study's effects change the properties.
     /// @param parameters values of the parameters of model()
     /// @param conditions conditions that an ideal instrument, without effects on the instrument,
     ///        shows

@@ -28,7 +28,8 @@ namespace pendular {
 /// Source: Badetti et al. (2018), Eq. (24) after Rumpf, Eq. (19) to Eq. (23).
 class ClosureModel : public FlowPredictor {
   public:
-    /// @param simulation emulated simulation of the study's grains
+    /// @param simulation predictor that uses an emulator (Gaussian processes trained on
+    ///        simulations)
     /// @param study study with the grains, the liquid and the settings of the model
     /// @param level level that selects the formula: `rumpf`, `strength3`, `strength2` or
     ///        `strength1`
@@ -51,10 +52,10 @@ class ClosureModel : public FlowPredictor {
     closures::Level level_;
 };
 
-/// Returns `conditions`, followed by a dry copy of each wet condition, at which the stress ratio of
-/// the grains without liquid can be predicted. The dry copies are in the order of the wet
-/// conditions. A dry copy has liquid content 0 and lacks the effects on grains that need liquid,
-/// but otherwise equals the wet condition.
+/// Returns `conditions`, followed by a dry copy of each wet condition, in the order of the wet
+/// conditions. The stress ratio of the grains without liquid can be predicted at the dry copies. A
+/// dry copy has liquid content 0 and lacks the effects on grains that need liquid, but otherwise
+/// equals the wet condition.
 std::vector<EffectiveCondition> with_dry_twins(const std::vector<EffectiveCondition>& conditions);
 
 }  // namespace pendular

@@ -18,9 +18,10 @@ namespace pendular {
 /// Source: squared exponential as in Kennedy and O'Hagan, J. R. Stat. Soc. B 63 (2001) 425.
 double discrepancy_correlation(const Condition& a, const Condition& b);
 
-/// Returns the covariance matrix of a model's discrepancy, in products of the units of `values`.
-/// The discrepancy is the error, smooth in the condition, that the user expects of the model's
-/// predictions. Two entries i and k of one observable have the covariance
+/// Returns the covariance matrix of a model's discrepancy, with a row and a column for each of
+/// `values`, in products of the units of `values`. The discrepancy is the error that the user
+/// expects of the model's predictions. The error varies smoothly with the condition. Two entries i
+/// and k of `values` that are both shear stresses or both solid fractions have the covariance
 ///     discrepancy^2 x discrepancy_correlation x values(i) values(k).
 /// The errors of shear stress and solid fraction are uncorrelated.
 /// @param values predicted shear stress [Pa] and solid fraction [1] of each condition in turn

@@ -29,10 +29,9 @@ namespace pendular {
 /// that the instrument shows.
 class EffectModel : public Predictor {
   public:
-    /// Adds the effects `effects`, which must outlive the model, to the inner model `inside`.
-    /// Effects that replace an approximation of the formula for wet grains (ChangeClosure) change
-    /// nothing in this class. The caller must pass an inner model whose formula contains these
-    /// effects.
+    /// Adds the effects `effects`, which must outlive the model, to the inner model `inside`. An
+    /// effect that replaces an approximation of the formula for wet grains (ChangeClosure) must
+    /// already be part of the formula of `inside`, since EffectModel does not apply such effects.
     EffectModel(std::shared_ptr<const FlowPredictor> inside, const Study& study,
                 std::vector<const Effect*> effects);
 
@@ -41,10 +40,11 @@ class EffectModel : public Predictor {
                        PredictionPart what = PredictionPart::covariance) const override;
     ParameterBounds bounds() const override;
 
-    /// Returns the covariances of the simulation errors of a change of predictions: prediction of
-    /// the present model minus prediction of the model `without`, which has the present inner model
-    /// and fewer effects. The predictions are shear stress [Pa] and solid fraction [1] at each of
-    /// `conditions` in turn. The covariances are in products of the units of the predictions.
+    /// Returns the covariances that simulation errors cause in a change of predictions: prediction
+    /// of the present model minus prediction of the model `without`. The model `without` has the
+    /// present inner model and fewer effects. The predictions are shear stress [Pa] and solid
+    /// fraction [1] at each of `conditions` in turn. The covariances are in products of the units
+    /// of the predictions.
     /// @param parameters parameter values of the present model
     /// @param parameters_without parameter values of the model `without`
     ModelSpace::ChangeErrors change_errors(const Eigen::VectorXd& parameters,
@@ -57,39 +57,45 @@ class EffectModel : public Predictor {
     /// @param parameters values of all parameters, in the order of parameters()
     std::vector<ActiveEffect> effects_at(const Eigen::VectorXd& parameters) const;
 
-    /// Returns, for each of the `conditions` that the instrument shows, the condition truly imposed
-    /// on the grains, with grains and liquid as the effects change them. The inner model, which has
-    /// no effects, predicts at the returned conditions.
+    /// Returns the condition truly imposed on the grains for each of the `conditions` that the
+    /// instrument shows. The returned conditions contain the changes that effects make to grains
+    /// and liquid. The inner model (the model without effects) predicts at the returned conditions.
     /// @param parameters values of all parameters, in the order of parameters()
     std::vector<EffectiveCondition> imposed(const Eigen::VectorXd& parameters,
                                             const std::vector<Condition>& conditions) const;
 
   private:
     struct Truths;
-    /// Returns, for each of the `conditions` that the instrument shows, the truly imposed
-    /// condition, the true state of the cell and the instrument's map (from true to shown states).
+    /// Returns, for each of the `conditions` that the instrument shows, the condition truly imposed
+    /// on the grains, the true state of the cell, and the instrument's map from true to shown
+    /// states.
     Truths truths_at(const Eigen::VectorXd& parameters,
                      const std::vector<Condition>& conditions) const;
-    /// Returns the values of the inner model's parameters, which come first in `parameters`.
+    /// Returns the values of the parameters of the inner model (the model without effects), which
+    /// come first in `parameters`.
     Eigen::VectorXd inside_parameters(const Eigen::VectorXd& parameters) const {
         return parameters.head(static_cast<Eigen::Index>(inside_->parameters().size()));
     }
-    /// Returns the shear stress [Pa] and solid fraction [1] that the instrument shows, for each
-    /// reading in turn.
-    /// @param predicted true shear stress [Pa] and solid fraction [1] that the inner model
-    ///        predicts, for each reading in turn
+    /// Returns the shear stress [Pa] and solid fraction [1] that the instrument shows if the true
+    /// values are `predicted`, for each condition in turn. Effects on the flow change the true
+    /// values before the instrument's map is applied.
+    /// @param predicted true shear stress [Pa] and solid fraction [1] that the inner model (without
+    ///        effects) predicts, for each condition in turn
     Eigen::VectorXd shown(const Truths& truths, const Eigen::VectorXd& predicted) const;
     /// Returns the derivatives of the values that the instrument shows (function `shown`) with
-    /// respect to the true shear stresses [Pa] and solid fractions [1] `predicted`. The matrix has
-    /// a row for each shown value and a column for each true value.
+    /// respect to the values `predicted`: true shear stress [Pa] and solid fraction [1] for each
+    /// condition in turn. The matrix has a row for each shown value and a column for each true
+    /// value.
     Eigen::SparseMatrix<double> shown_by_predicted(const Truths& truths,
                                                    const Eigen::VectorXd& predicted) const;
-    /// Whether an effect of the model acts on grains.
+    /// Whether the model has an effect that acts on the grains inside a simulation, such as rolling
+    /// resistance.
     bool changes_grains() const;
-    /// Sets the derivatives of the prediction `result` with respect to the parameters of the
-    /// effects. If an effect acts on grains, the function also sets the derivatives with respect to
-    /// the parameters of the inner model. All derivatives are difference quotients.
-    /// @param predicted true values that the inner model predicts at `parameters`
+    /// Sets the columns of `result.jacobian` for the parameters of the effects. If an effect acts
+    /// on grains inside a simulation (`changes_grains`), the function also sets the columns for the
+    /// parameters of the inner model. All derivatives are difference quotients.
+    /// @param predicted true shear stress [Pa] and solid fraction [1] that the inner model (without
+    ///        effects) predicts at `parameters`, for each condition in turn
     void add_slopes(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
                     const Truths& truths, const Eigen::VectorXd& predicted,
                     Prediction& result) const;
@@ -101,8 +107,8 @@ class EffectModel : public Predictor {
 };
 
 /// Whether a model with the effects `effects` must be fitted to dry and wet readings together. A
-/// joint fit is needed if one of the effects may change dry readings. A joint fit is also needed if
-/// an effect has a parameter to fit, which dry readings alone may not determine.
+/// joint fit is needed if one of the effects may change dry readings, or if an effect has a
+/// parameter to fit, since dry readings alone may not determine the parameter.
 bool needs_joint_fit(const std::vector<const Effect*>& effects);
 
 }  // namespace pendular

@@ -9,11 +9,11 @@
 namespace pendular {
 
 /// Fast predictions of an `EmulatedSimulation` near given conditions, from which derivatives are
-/// computed as difference quotients over short steps. About each condition, predictions without
-/// effects on grains are expanded to first order in the friction coefficient, ln I, 1/P* and ln V0,
-/// with the inertial number I, the reduced pressure P* and the bridge volume V0. Changes by effects
-/// on grains and by stiffness are not expanded. The difference quotients are as exact as difference
-/// quotients of the full predictions.
+/// computed as difference quotients over short steps. About each condition, the predictions without
+/// effects on grains, such as rolling resistance, are expanded to first order in the friction
+/// coefficient, ln I, 1/P* and ln V0, with the inertial number I, the reduced pressure P* and the
+/// bridge volume V0. Changes by effects on grains and by the stiffness number are expanded only in
+/// ln V0. The difference quotients are as exact as difference quotients of the full predictions.
 class EmulatedNeighbourhood : public FlowNeighbourhood {
   public:
     /// @param simulation emulated simulation, which must outlive the object
@@ -31,13 +31,15 @@ class EmulatedNeighbourhood : public FlowNeighbourhood {
     /// the number of contacts per grain and the number of bridges without contact per grain.
     static constexpr Eigen::Index quantities = 5;
     using Quantities = Eigen::Vector<double, quantities>;
-    /// Expansion of the emulated quantities about one condition.
+    /// First-order expansion of the emulated quantities (stress ratio, solid fraction, overlap, and
+    /// numbers of contacts and bridges per grain) about one condition.
     struct Place {
         FlowState state;
-        /// Liquid content of the condition [1]: volume of liquid divided by volume of grains.
+        /// Liquid content [1] at the condition: volume of liquid divided by volume of grains.
         double liquid_content = 0;
         Quantities value = Quantities::Zero();
-        /// Contribution of effects on grains and of stiffness to the emulated quantities `value`.
+        /// Contribution of effects on grains and of the grains' stiffness number to the emulated
+        /// quantities `value`.
         Quantities by_effects = Quantities::Zero();
         /// Derivatives of the emulated quantities `value` with respect to the friction coefficient,
         /// ln I, 1/P* and ln V0, in this order, with the inertial number I, the reduced pressure P*
@@ -50,11 +52,12 @@ class EmulatedNeighbourhood : public FlowNeighbourhood {
 
     void expand();
     /// Sets, for each condition about which predictions are expanded, the contribution `by_effects`
-    /// of effects on grains and of stiffness to the emulated quantities. Adds the derivative of the
-    /// contribution with respect to ln V0, with the bridge volume V0, to `slopes`.
+    /// of effects on grains and of the stiffness number to the emulated quantities (`quantities`).
+    /// Adds the derivative of the contribution with respect to ln V0, with the bridge volume V0, to
+    /// `slopes`.
     void expand_effects();
-    /// Returns the contributions of effects on grains and of stiffness to the five emulated
-    /// quantities, for each state.
+    /// Returns the contributions of effects on grains and of the stiffness number to the five
+    /// emulated quantities (`quantities`) at each state, in the order of `states`.
     std::vector<Quantities> effects_at(const std::vector<FlowState>& states) const;
     /// Whether the expansion about the condition of `place` can predict the state `state`. The
     /// condition and the state must both be wet or both be dry. Their inertial numbers must either
@@ -63,8 +66,8 @@ class EmulatedNeighbourhood : public FlowNeighbourhood {
     /// Returns the stress ratio [1], the solid fraction [1] and the overlap divided by the grain
     /// diameter [1] at the state `state`, from the expansion about the nearby condition of `place`.
     /// @param liquid_content liquid content of the state [1]
-    /// @param by_effects contribution of effects on grains and of stiffness to the emulated
-    ///        quantities at the state
+    /// @param by_effects contribution of effects on grains and of the stiffness number to the
+    ///        emulated quantities (`quantities`) at the state
     static Eigen::Vector3d flow_at(const Place& place, const FlowState& state,
                                    double liquid_content, const Quantities& by_effects);
 

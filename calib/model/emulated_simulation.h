@@ -40,14 +40,14 @@ class EmulatedSimulation : public FlowPredictor {
     ///        difference of the condition is added
     FlowState flow_state_at(double friction, const EffectiveCondition& condition) const;
     /// Returns the state of steady shear of the study's grains at a condition, with bridge volume
-    /// 0. The function saves the time to compute the bridge volume that yields the liquid content
-    /// of the condition.
+    /// 0. The function does not spend the time to compute the bridge volume that yields the liquid
+    /// content of the condition.
     /// @param friction friction coefficient of the study's grains [1], to which the friction
     ///        difference of the condition is added
     FlowState unfilled_state_at(double friction, const EffectiveCondition& condition) const;
     /// Converts emulated quantities to the shear stress [Pa] and solid fraction [1] of a reading at
     /// `condition`. The function converts the solid fraction of rigid grains to the solid fraction
-    /// of grains of the study's stiffness.
+    /// of grains with the study's stiffness number.
     /// @param flow stress ratio [1], solid fraction of rigid grains [1], and mean overlap divided
     ///        by grain diameter [1]
     Eigen::Vector2d reading_of(const Eigen::Vector3d& flow,
@@ -68,27 +68,29 @@ class EmulatedSimulation : public FlowPredictor {
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse approximate_coordination(double friction,
                                                const EffectiveCondition& condition) const;
-    /// Returns the normal stress of the capillary forces at a wet condition, divided by F0/a^2 [1]
-    /// (negative), with the derivative of the capillary stress with respect to the friction
-    /// coefficient at constant liquid content. F0 is the pull-off force of a bridge, and a the
-    /// grain diameter.
+    /// Returns the normal stress of the capillary forces at a wet condition, divided by F0/a^2 [1],
+    /// with its derivative with respect to the friction coefficient at constant liquid content.
+    /// Compression is positive, so that the capillary stress is negative. F0 is the pull-off force
+    /// of a bridge, and a the grain diameter.
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse capillary_normal_stress(double friction,
                                               const EffectiveCondition& condition) const;
     /// Returns the shear stress of the capillary forces at a wet condition, divided by F0/a^2 [1],
-    /// with the derivative of the capillary stress with respect to the friction coefficient at
-    /// constant liquid content. F0 is the pull-off force of a bridge, and a the grain diameter.
+    /// with its derivative with respect to the friction coefficient at constant liquid content. A
+    /// positive capillary stress lowers the stress ratio. F0 is the pull-off force of a bridge, and
+    /// a the grain diameter.
     /// @param friction friction coefficient of the study's grains [1]
     StructureResponse capillary_shear_stress(double friction,
                                              const EffectiveCondition& condition) const;
 
     const Emulator& emulator() const { return emulator_; }
-    /// Returns the allowed friction coefficient, between 0 and 1, that is nearest to `friction`
+    /// Returns the value between 0 and 1 that is nearest to the friction coefficient `friction`
     /// [1].
     double allowed(double friction) const;
 
   private:
-    /// Contributions to the errors of predicted shear stresses and solid fractions.
+    /// Contributions to the errors of predicted shear stresses and solid fractions, other than the
+    /// errors of the emulated stress ratios and solid fractions.
     struct Errors;
     /// Predicts the shear stress [Pa] and solid fraction [1] at each state in turn, with
     /// derivatives with respect to the friction coefficient.
@@ -103,14 +105,14 @@ class EmulatedSimulation : public FlowPredictor {
     /// derivatives with respect to the friction coefficient and with the covariance of the errors.
     Prediction predict_all(const std::vector<FlowState>& states,
                            const std::vector<EffectiveCondition>& conditions) const;
-    /// Returns the share [1] of the correction to rigid grains that converts the solid fraction of
-    /// grains of the stiffness number `emulated::reference_stiffness` to the solid fraction of the
-    /// study's grains at a condition (`stiffness_share`). The share is 1 if the study's grains are
-    /// rigid, and negative if the study's grains are softer than the reference.
+    /// Returns (phi_study - phi_reference)/(phi_rigid - phi_reference) at a condition [1]
+    /// (`stiffness_share`). The solid fractions are phi_study of the study's grains, phi_reference
+    /// of grains with the stiffness number `emulated::reference_stiffness`, and phi_rigid of rigid
+    /// grains. The result is negative if the study's grains are softer than the reference.
     double stiffness_left(const EffectiveCondition& condition) const;
-    /// Returns an emulated capillary stress at a wet condition, divided by F0/a^2 [1], with the
-    /// derivative of the capillary stress with respect to the friction coefficient at constant
-    /// liquid content. F0 is the pull-off force of a bridge, and a the grain diameter.
+    /// Returns an emulated capillary stress at a wet condition, divided by F0/a^2 [1], with its
+    /// derivative with respect to the friction coefficient at constant liquid content. F0 is the
+    /// pull-off force of a bridge, and a the grain diameter.
     /// @param which emulated observable: a capillary stress divided by the normal stress
     StructureResponse capillary_stress(dem::Observable which, double friction,
                                        const EffectiveCondition& condition) const;
@@ -123,9 +125,9 @@ class EmulatedSimulation : public FlowPredictor {
     Emulator emulator_;
     std::vector<Parameter> parameters_{{.name = "friction", .lower = 0, .upper = 1, .start = 0.15}};
 
-    /// State of steady shear of grains with a given liquid content (liquid volume divided by grain
-    /// volume) [1]. The state contains the bridge volume that yields the liquid content. States are
-    /// cached, since the computation of derivatives and covariances needs each state again.
+    /// Cached state of steady shear with the bridge volume that yields a given liquid content
+    /// (liquid volume divided by grain volume) [1]. The computation of derivatives and covariances
+    /// needs each state again.
     struct Filled {
         double liquid_content;
         FlowState state;

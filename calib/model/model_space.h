@@ -18,8 +18,8 @@ struct Candidate {
     /// Heading under which tables list the candidate, such as "instrument"; may be empty.
     std::string group = {};
     /// Rank of the candidate in a sequence in which each candidate includes all candidates of lower
-    /// rank, such as the sequence of ever better formulas for the strength of wet grains. The first
-    /// rank is 1. The rank is 0 if the candidate belongs to no sequence.
+    /// rank, such as the sequence of ever more accurate formulas for the stress ratio of wet
+    /// grains. The first rank is 1. The rank is 0 if the candidate belongs to no sequence.
     int level = 0;
 
     /// Whether the candidate is a switch, which is present or absent and has no parameter to fit.
@@ -29,9 +29,9 @@ struct Candidate {
     std::size_t free_parameters() const;
 };
 
-/// Indices, in the list ModelSpace::candidates(), of the candidates that are added to a bare model.
-/// The parameters of the candidates follow the parameters of the bare model, in the order of the
-/// indices.
+/// Indices, in the list ModelSpace::candidates(), of the candidates that are added to a bare model
+/// (the model without candidates). In the resulting model, the parameters of the candidates follow
+/// the parameters of the bare model, in the order of the indices.
 using EffectSet = std::vector<std::size_t>;
 
 /// Set of models: a bare model, and all models that contain candidates such as physical effects in
@@ -48,15 +48,15 @@ class ModelSpace {
     /// candidates. A switch (candidate that is present or absent) has no parameter.
     virtual std::shared_ptr<const Model> with(const EffectSet& chosen) const = 0;
 
-    /// Returns the number of values that were fitted to the readings before the fit of the model,
-    /// such as constant cohesions. These values are not parameters of the model, but each value
-    /// takes a degree of freedom.
-    virtual int fitted_beforehand() const { return 0; }
+    /// Returns the number of values that the models themselves fit to the readings, such as
+    /// constant cohesions. The values are not among the parameters of a model, but each value
+    /// reduces the degrees of freedom of the misfit by one.
+    virtual int internally_fitted_values() const { return 0; }
 
-    /// Covariances of the simulation errors of the change g = f(with) - f(without). The change is
-    /// the difference of n predicted values f between a model with and without a candidate. Each
-    /// covariance is an n x n matrix in products of the units of the values. The matrices are empty
-    /// if the errors are negligible.
+    /// Covariances that simulation errors cause in the change g = f(with) - f(without). The n
+    /// predicted values are f(with) in a model with a candidate and f(without) in the model without
+    /// the candidate. Each covariance is an n x n matrix in products of the units of the values.
+    /// The matrices are empty if the errors are negligible.
     struct ChangeErrors {
         /// Covariance Cov(g, g) of the errors of the change g of the predicted values.
         Eigen::MatrixXd change;
@@ -64,8 +64,8 @@ class ModelSpace {
         /// with the errors of the change g.
         Eigen::MatrixXd with_without;
     };
-    /// Returns the covariances of the simulation errors of the change of predictions when the
-    /// candidate `added` is added to the model with the candidates `chosen`. By default, the
+    /// Returns the covariances that simulation errors cause in the change of the predicted values
+    /// if the candidate `added` is added to the model with the candidates `chosen`. By default, the
     /// covariances are empty.
     /// @param parameters parameter values of the model with the candidates `chosen`
     /// @param value value of the first parameter of `added`; 1 for a switch

@@ -19,15 +19,16 @@ constexpr double lowest_cohesion_pressure = 2.3;
 /// Measured strengths (stress ratios) of wet readings of nearly equal liquid content, to which one
 /// constant cohesion is fitted.
 struct CohesionGroup {
-    /// Mean liquid content of the readings (liquid volume divided by grain volume) [1].
+    /// Mean liquid content of the readings in the group (liquid volume divided by grain volume)
+    /// [1].
     double liquid_content = 0;
     /// Measured stress ratios of the readings of the group, all at reduced pressures P* >=
     /// `lowest_cohesion_pressure`.
     std::vector<MeasuredStrength> strengths;
 };
 
-/// Groups the strengths (stress ratios) of wet readings, `ModelSettings::strengths`, by liquid
-/// content, in the order of increasing liquid content. Strengths at reduced pressures below
+/// Groups the strengths (stress ratios) of the wet readings, `model.strengths`, by liquid content.
+/// The groups are in the order of increasing liquid content. Strengths at reduced pressures below
 /// `lowest_cohesion_pressure` are left out. All liquid contents of a group agree within 2 % with
 /// the liquid content of the first strength of the group. The list is empty if the study has no
 /// liquid.
@@ -63,9 +64,11 @@ class MohrCoulombModel : public FlowPredictor {
                             PredictionPart what = PredictionPart::covariance) const override;
     ParameterBounds bounds() const override { return simulation_->bounds(); }
 
-    /// Returns the fitted reduced cohesions at a friction coefficient [1], in the order of
-    /// increasing liquid content. In each pair, the first number is the liquid content [1] and the
-    /// second number the reduced cohesion c* [1].
+    /// Returns the fitted reduced cohesion c* = a^2 c/F0 [1] for each liquid content, with the
+    /// cohesion c, the grain diameter a and the pull-off force F0 of a bridge. In each pair, the
+    /// first number is the liquid content [1] and the second number is c*. The pairs are in the
+    /// order of increasing liquid content.
+    /// @param friction friction coefficient of the study's grains [1]
     std::vector<std::pair<double, double>> cohesions(double friction) const;
 
   private:
@@ -90,10 +93,10 @@ class MohrCoulombModel : public FlowPredictor {
     std::vector<Line> lines_;
 };
 
-/// Returns the number of constant cohesions that a study's model fits to the strengths (stress
-/// ratios) of wet readings. With the base model "mohr-coulomb", there is one cohesion for each
-/// liquid content. The number is 0 for all other base models. The number is also 0 if an effect
-/// replaces the cohesions by a formula or by the simulation.
+/// Returns the number of constant cohesions that the model with the settings `model` fits to the
+/// strengths (stress ratios) of wet readings. With the base model "mohr-coulomb", there is one
+/// cohesion for each liquid content. The number is 0 for all other base models, and if an effect of
+/// the model replaces the cohesions by a formula or by the simulation.
 int fitted_cohesions(const ModelSettings& model, const GrainProperties& grains,
                      const std::optional<Liquid>& liquid);
 

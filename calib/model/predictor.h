@@ -23,16 +23,19 @@ class Predictor {
     /// condition. For condition k (k = 0, 1, ...), entry 2 k of the predicted values is the shear
     /// stress and entry 2 k + 1 the solid fraction.
     /// @param parameters values of the parameters, in the order of parameters()
-    /// @param what extent of the prediction: values, also derivatives, or also covariances
+    /// @param what extent of the prediction: only values, values and derivatives, or values,
+    ///        derivatives and covariances
     virtual Prediction predict(const Eigen::VectorXd& parameters,
                                const std::vector<Condition>& conditions,
                                PredictionPart what = PredictionPart::covariance) const = 0;
 
-    /// Returns the range of each parameter within which simulation runs support the predictions.
+    /// Returns the range of each parameter, in the parameter's unit, in which the predictor can
+    /// predict: for the friction coefficient, the range of the simulation runs, and for a parameter
+    /// of an effect, its allowed values.
     virtual ParameterBounds bounds() const = 0;
 
-    /// Predicted stress ratio [1] and solid fraction [1], in this order, with the covariance of the
-    /// errors of both predicted values.
+    /// Predicted stress ratio [1] (index 0) and solid fraction [1] (index 1) at one condition, with
+    /// the covariance matrix of their errors.
     struct Point {
         Eigen::Vector2d value;
         Eigen::Matrix2d covariance;
@@ -49,8 +52,8 @@ class FlowNeighbourhood {
   public:
     virtual ~FlowNeighbourhood() = default;
     /// Predicts the true shear stress [Pa] and solid fraction [1] at each condition in turn.
-    /// Parameters and conditions must be a short step away from the parameters and conditions for
-    /// which the object was made.
+    /// Parameters and conditions must be close to the parameters and conditions for which the
+    /// object was made.
     /// @param places for each condition, the index of the nearby condition in the list for which
     ///        the object was made
     virtual Eigen::VectorXd values(const Eigen::VectorXd& parameters,
@@ -65,9 +68,10 @@ class FlowPredictor : public Predictor {
     Prediction predict(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
                        PredictionPart what = PredictionPart::covariance) const final;
     /// Predicts the true shear stress [Pa] and solid fraction [1] at each condition in turn. The
-    /// conditions may contain changes of grains and liquid by effects.
+    /// conditions may contain changes that effects make to grains and liquid.
     /// @param parameters values of the parameters, in the order of parameters()
-    /// @param what extent of the prediction: values, also derivatives, or also covariances
+    /// @param what extent of the prediction: only values, values and derivatives, or values,
+    ///        derivatives and covariances
     virtual Prediction predict_flow(const Eigen::VectorXd& parameters,
                                     const std::vector<EffectiveCondition>& conditions,
                                     PredictionPart what = PredictionPart::covariance) const = 0;
@@ -78,17 +82,17 @@ class FlowPredictor : public Predictor {
         const Eigen::VectorXd& parameters, const std::vector<EffectiveCondition>& conditions) const;
 };
 
-/// Appends the predicted value of each direct measurement of an effect's parameter to `readings`,
-/// the prediction of the readings, and returns the result. The predicted value is the value of the
-/// parameter in `values`. If the model lacks the parameter, the predicted value is
-/// `DirectMeasurement::neutral`. The appended entries have no simulation error.
+/// Returns the prediction `readings` of the readings, with the predicted value of each directly
+/// measured parameter in `direct` appended. The predicted value is the value of the parameter in
+/// `values`. If the model lacks the parameter, the predicted value is `DirectMeasurement::neutral`.
+/// The appended entries have no simulation error.
 /// @param parameters parameters of the model
 /// @param values values of the parameters, in the order of `parameters`
 Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>& direct,
                        const std::vector<Parameter>& parameters, const Eigen::VectorXd& values);
 
-/// Model that predicts, by means of a predictor, first the readings at given conditions, then given
-/// direct measurements of effects' parameters.
+/// Model that predicts first the readings at given conditions, by means of a predictor, then given
+/// parameters of effects that were measured directly (without shearing grains).
 class ModelOfReadings : public Model {
   public:
     ModelOfReadings(std::shared_ptr<const Predictor> predictor, std::vector<Condition> conditions,

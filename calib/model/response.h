@@ -6,23 +6,24 @@
 
 namespace pendular {
 
-/// Second-order expansion of N predicted values f in the p parameters of a model, about theta:
+/// Second-order expansion of N predicted values f in the p parameters of a model, about the
+/// parameter values theta:
 ///     f(theta + d) = value + sum_i first_i d_i + sum_(i <= j) second_ij d_i d_j.
 struct Response {
     /// Parameter values theta about which the model is expanded, in the units of the parameters.
     Eigen::VectorXd at;
     /// Predicted values (N entries) at the parameters theta.
     Eigen::VectorXd value;
-    /// Derivatives of the predicted values with respect to the parameters at theta. The matrix has
-    /// a row for each of the N values and a column for each of the p parameters.
+    /// Derivatives of the predicted values with respect to the parameters, at the parameters theta.
+    /// The matrix has a row for each of the N values and a column for each of the p parameters.
     Eigen::MatrixXd first;
     /// Coefficients of the second-order terms, which are proportional to the products d_i d_j of
     /// the changes d of the parameters. The matrix has a row for each of the N values, and p (p +
     /// 1)/2 columns in the order of the function `products`.
     Eigen::MatrixXd second;
 
-    /// Returns the expanded values (N entries) at theta + `change`. `change` has the units of the
-    /// parameters.
+    /// Returns the N predicted values at the parameters theta + `change`, computed from the
+    /// expansion. `change` has p entries, in the units of the parameters.
     Eigen::VectorXd after(const Eigen::VectorXd& change) const;
 };
 
@@ -30,9 +31,9 @@ struct Response {
 /// (1, 2), ..., (1, p), (2, 2), ..., (p, p). There are p (p + 1)/2 products.
 Eigen::VectorXd products(const Eigen::VectorXd& change);
 
-/// Returns the second-order expansion of a model's predictions about `parameters`. The second
-/// derivatives are difference quotients of the model's first derivatives. A step that would exceed
-/// the upper end of a parameter's range goes downwards instead.
+/// Returns the second-order expansion of a model's predicted values about the parameter values
+/// `parameters`. The second derivatives are difference quotients of the model's first derivatives.
+/// A step that would exceed the upper end of a parameter's range goes downwards instead.
 /// @param steps steps of the parameters for the difference quotients, in the units of the
 ///        parameters
 Response respond(const Model& model, const Eigen::VectorXd& parameters,
@@ -43,8 +44,8 @@ Response respond(const Model& model, const Eigen::VectorXd& parameters,
 /// in every compared value. The function compares the values at the ends of each range, with all
 /// other parameters fixed, and at up to eight corners of the box. If the expansion is accurate in
 /// no box, the returned box contains only the parameter values of the expansion.
-/// @param tolerance largest allowed difference of each of the first predicted values, in the unit
-///        of the value; further values are not compared
+/// @param tolerance largest allowed difference of each compared value, in the unit of the value;
+///        the first tolerance.size() predicted values are compared
 /// @param steps unit of length of each parameter, such as the standard error of the parameter; the
 ///        function tries ends at distances of 40, 20, 10, 5, ... units
 /// @param range limits of the box

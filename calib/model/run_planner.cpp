@@ -64,7 +64,7 @@ RunPlanner::RunPlanner(const Study& study, const std::vector<Condition>& conditi
       seeds_(seed),
       workers_(std::move(workers)),
       budget_(budget),
-      orders_more_(known.orders_more),
+      orders_more_(known.may_simulate),
       slowest_(slowest(conditions)),
       inertial_numbers_(inertial_numbers_for(conditions, fidelity.lowest_inertial_number)),
       wet_settings_(wet_settings_for(conditions, study, fidelity.lowest_inertial_number)) {

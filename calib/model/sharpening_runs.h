@@ -21,12 +21,12 @@ struct FittedModel {
     Eigen::MatrixXd covariance;
 };
 
-/// Returns the task for `most_informative` to choose the simulation runs that most reduce the
-/// contribution of simulation noise to the chi2 of all fitted models. The targets are the states of
-/// steady shear that each model assigns to the readings: at the fitted parameters, and one standard
-/// error above and below along the least certain direction of the parameters. Runs may be made at
-/// the target states, with or without the model's effects on grains. The variance of each
-/// prediction has the weight 1/sigma^2, with the standard error sigma of the reading.
+/// Returns the task with which `most_informative` chooses the simulation runs that most reduce the
+/// contribution of simulation noise to the chi2 of the models `fitted`. The targets are the states
+/// of steady shear at which each model predicts the readings: with the fitted parameters, and with
+/// parameters shifted by one standard error either way along their least certain direction. Runs
+/// may be made at the target states, with or without the model's effects on grains. The variance of
+/// each prediction has the weight 1/sigma^2, with the standard error sigma of the reading.
 /// @param lowest_inertial_number lowest inertial number of the runs [1]; slower readings are
 ///        simulated at this inertial number
 RunChoice sharpening_choice(const EmulatedSimulation& simulation,

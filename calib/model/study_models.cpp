@@ -86,12 +86,13 @@ bool StudyModels::has_runs(const Effect& effect) const {
 
 void StudyModels::add_candidate(const Effect& effect) {
     if (const auto why = why_not(effect, study_)) {
-        left_aside_.push_back({effect.name, *why});
+        untestable_effects_.push_back({effect.name, *why});
     } else if (!has_runs(effect)) {
-        left_aside_.push_back({effect.name,
-                               "no simulation in atlas and store has it as its only effect; "
-                               "'pendular campaign' makes such simulations",
-                               true});
+        untestable_effects_.push_back(
+            {effect.name,
+             "no simulation in atlas and store has it as its only effect; "
+             "'pendular campaign' makes such simulations",
+             true});
     } else {
         Candidate candidate{effect.name, effect.parameters, group_of(effect)};
         std::erase_if(candidate.parameters, &EffectParameter::only_simulated);
@@ -146,7 +147,7 @@ std::shared_ptr<const Model> StudyModels::with(const EffectSet& chosen) const {
     return std::make_shared<ModelOfReadings>(predictor(chosen), conditions_, direct());
 }
 
-int StudyModels::fitted_beforehand() const {
+int StudyModels::internally_fitted_values() const {
     const Study& study = study_.study();
     return fitted_cohesions(study.model, study.grains, study.liquid);
 }

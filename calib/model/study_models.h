@@ -12,13 +12,13 @@
 
 namespace pendular {
 
-/// Physical effect that a diagnosis cannot test. The effect is neither in the study's model nor a
-/// candidate for addition to the model. `effect` is the name of the effect, and `why` tells the
-/// user the reason.
-struct LeftAside {
+/// Physical effect that the program cannot test as missing from a study's model: name of the effect
+/// (`effect`) and reason for the user (`why`). The effect is neither in the study's model nor a
+/// candidate for addition to the model.
+struct UntestableEffect {
     std::string effect, why;
-    /// Whether the only obstacle to a test is that no earlier simulation has the effect as its only
-    /// effect, although the effect applies to the study.
+    /// Whether the effect applies to the study and cannot be tested only because no earlier
+    /// simulation has the effect as its only effect.
     bool without_runs = false;
 };
 
@@ -28,11 +28,12 @@ struct LeftAside {
 /// processes trained on earlier runs). No new runs are simulated.
 class StudyModels : public ModelSpace {
   public:
-    /// Trains the emulator on earlier runs and finds the candidates for addition to the model.
+    /// Trains the emulator on earlier simulation runs and finds the candidates for addition to the
+    /// study's model.
     /// @param conditions conditions of the readings that the models predict
-    /// @param known training runs without effects and with effects on grains
-    /// @throws InputError if the study lists or directly measures an effect on grains that no
-    ///         earlier run has as its only effect
+    /// @param known training runs of the emulator, without effects and with effects on grains
+    /// @throws InputError if the study lists or directly measures an effect on grains, such as
+    ///         rolling resistance, that no earlier run has as its only effect
     /// @throws std::invalid_argument if none of the earlier runs can serve as a training run
     StudyModels(const ResolvedStudy& study, std::vector<Condition> conditions,
                 const Fidelity& fidelity, KnownRuns known);
@@ -53,46 +54,48 @@ class StudyModels : public ModelSpace {
     ///         one of the effects acts on grains and no earlier run has only this effect
     std::shared_ptr<const EffectModel> exchanged(const std::string& removed,
                                                  const std::vector<std::string>& added) const;
-    /// Returns a copy of the set of models in which the effects `more` follow the present
-    /// candidates as further candidates. The effects must not act on grains and must outlive the
-    /// copy.
+    /// Returns a copy of the set of models with the effects `more` as further candidates, after the
+    /// present candidates. The effects must not act on grains inside a simulation and must outlive
+    /// the copy.
     StudyModels offering(const std::vector<Effect>& more) const;
-    int fitted_beforehand() const override;
+    int internally_fitted_values() const override;
     ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
                                std::size_t added, double value) const override;
 
-    /// Returns the emulated simulation that all models use.
+    /// Returns the predictor of dry and wet grains on which all models are based. The predictor
+    /// uses an emulator (Gaussian processes trained on simulations).
     const EmulatedSimulation& simulation() const { return *simulation_; }
 
-    /// Returns the direct measurements of effects' parameters that the study states. The models
-    /// predict the direct measurements after the readings.
+    /// Returns the direct measurements of effects' parameters (made without shearing grains) that
+    /// the study states. The models predict the measured parameters after the readings.
     const std::vector<DirectMeasurement>& direct() const { return study_.direct(); }
 
-    /// Returns the effects that the study does not list and that a diagnosis cannot test, each with
-    /// the reason.
-    const std::vector<LeftAside>& left_aside() const { return left_aside_; }
+    /// Returns the physical effects that the study does not list and that cannot be tested as
+    /// missing from the model, each with the reason.
+    const std::vector<UntestableEffect>& untestable_effects() const { return untestable_effects_; }
 
-    /// Returns the reasons why the earlier runs do not support predictions of the study's readings
-    /// by the model without effects, such as "reduced pressure 0.3 is below 0.5" (`KnownRange`).
-    /// Each reason occurs once.
+    /// Returns the reasons why the training runs of the emulator do not support predictions of the
+    /// study's readings by the model without effects, such as "reduced pressure 0.3 is below 0.5"
+    /// (`KnownRange`). Each reason occurs once. The list is empty if the runs support all
+    /// predictions.
     /// @param friction friction coefficient of the grains [1]
     std::vector<std::string> why_unsupported(double friction) const;
-    /// Returns the reason why the earlier runs do not support a prediction at a condition by the
-    /// model without effects. The text is empty if the runs support the prediction.
+    /// Returns the reason why the training runs of the emulator do not support a prediction at a
+    /// condition by the model without effects. The text is empty if the runs support the
+    /// prediction.
     /// @param friction friction coefficient of the grains [1]
     std::string why_unsupported(double friction, const Condition& condition) const;
 
-    /// Returns the study with all effects of the study's catalogue listed in the model. With the
-    /// returned study as argument, `runs_serving` accepts training runs with any effect of the
-    /// catalogue.
+    /// Returns a copy of the study whose model lists all effects of the study's catalogue. For the
+    /// returned study, `runs_serving` accepts training runs with any effect of the catalogue.
     static Study with_all_effects(const ResolvedStudy& study);
 
   private:
-    /// Whether the emulator can predict an effect. For an effect on grains, an earlier run must
-    /// have the effect as its only effect. All other effects need no runs.
+    /// Whether the emulator's training runs suffice to predict an effect. For an effect on grains,
+    /// at least one run must have only this effect. All other effects need no runs.
     bool has_runs(const Effect& effect) const;
     /// Adds an effect to the candidates for addition to the model. If the effect cannot be tested,
-    /// the function adds the effect to `left_aside_` instead, with the reason.
+    /// the function adds the effect to `untestable_effects_` instead, with the reason.
     void add_candidate(const Effect& effect);
 
     ResolvedStudy study_;
@@ -100,7 +103,7 @@ class StudyModels : public ModelSpace {
     /// Physical effect of each candidate, in the order of candidates().
     std::vector<const Effect*> offered_;
     std::vector<Candidate> candidates_;
-    std::vector<LeftAside> left_aside_;
+    std::vector<UntestableEffect> untestable_effects_;
     std::shared_ptr<const EmulatedSimulation> simulation_;
     std::shared_ptr<const KnownRange> known_range_;
 };

@@ -16,8 +16,8 @@ namespace pendular {
 double inverse_pressure_of(const EffectiveCondition& condition, const Study& study);
 
 /// Returns the parameters of a simulation run (discrete-element method) of the study's grains at a
-/// state of steady shear. The settings `fidelity` determine the number of grains, the stiffness
-/// number and the strain. The seed has its default value.
+/// state of steady shear. The simulation settings `fidelity` determine the number of grains, the
+/// stiffness number and the strain. The random seed has its default value.
 dem::RunParameters run_at(const FlowState& state, const Study& study, const Fidelity& fidelity);
 
 /// Returns the stiffness number kappa = (E/((1 - nu^2) s22))^(2/3) [1] of the study's `grains` at
@@ -27,12 +27,12 @@ dem::RunParameters run_at(const FlowState& state, const Study& study, const Fide
 double stiffness_number_of(const Condition& condition, const GrainProperties& grains,
                            const Fidelity& fidelity);
 
-/// Returns the share [1] of the correction to rigid grains that converts a simulated solid fraction
-/// to the solid fraction of the study's grains at a condition,
+/// Returns the fraction [1] of the correction to rigid grains that converts the solid fraction of
+/// simulated grains to the solid fraction of the study's grains at a condition:
 ///     (phi_study - phi_simulated)/(phi_rigid - phi_simulated) = 1 - simulated/kappa,
 /// with the solid fractions phi_study of the study's grains, phi_simulated of the simulated grains
 /// and phi_rigid of rigid grains, and with the study's stiffness number kappa
-/// (`stiffness_number_of`). The share is negative if the study's grains are softer than the
+/// (`stiffness_number_of`). The fraction is negative if the study's grains are softer than the
 /// simulated grains.
 /// @param simulated stiffness number of the simulated grains [1]
 double stiffness_share(double simulated, const Condition& condition, const GrainProperties& grains,

@@ -16,8 +16,8 @@ namespace pendular {
 /// - Header cells read `name [unit]`, `name (unit)` or `name in unit`.
 /// - A column `name_sd [unit]` has standard deviations. If its header cell states no unit, the
 ///   column `name` gives the unit.
-/// - A column `inertial_number_diameter_density` has the shear rate times a sqrt(density/s22), with
-///   grain diameter a and normal stress s22. The column is divided by sqrt(6/pi) and read as
+/// - A column `inertial_number_diameter_density` has the shear rate times d sqrt(density/s22), with
+///   grain diameter d and normal stress s22. The column is divided by sqrt(6/pi) and read as
 ///   `inertial_number`.
 /// - A column `rotational_speed` is read as `angular_velocity`. A unit without an angle (1/min)
 ///   means turns per time.

@@ -76,9 +76,9 @@ Table read_table(const std::filesystem::path& path);
 ///         cannot be read
 Table table_of(const std::string& file, const std::vector<std::string_view>& lines);
 
-/// Returns a text as one cell of a CSV file. A text that contains a delimiter, a quote or a line
-/// end (LF or CR) is put in quotes. Each quote in the text is doubled, and each line end becomes a
-/// blank.
+/// Returns a text as one cell of a CSV file. A text that contains a delimiter (comma, semicolon or
+/// tab), a quote or a line end (LF or CR) is put in quotes. Each quote in the text is doubled, and
+/// each line end becomes a blank.
 std::string csv_cell(std::string_view text);
 
 }  // namespace pendular

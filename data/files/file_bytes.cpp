@@ -111,7 +111,7 @@ bool is_within(const fs::path& file, const fs::path& folder) {
            std::mismatch(base.begin(), base.end(), whole.begin(), whole.end()).first == base.end();
 }
 
-bool leads_out(const fs::path& path) {
+bool links_outside(const fs::path& path) {
     std::error_code error;
     return fs::is_symlink(path, error) &&
            (!fs::exists(path, error) || !is_within(path, path.parent_path()));

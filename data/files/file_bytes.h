@@ -21,7 +21,7 @@ std::string read_bytes(const std::filesystem::path& path, std::uintmax_t largest
 
 /// Whether a path is a symbolic link whose target does not exist or is outside of the folder of the
 /// link.
-bool leads_out(const std::filesystem::path& path);
+bool links_outside(const std::filesystem::path& path);
 
 /// Whether a file is in a folder or in one of its subfolders, after all symbolic links are
 /// resolved.

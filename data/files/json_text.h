@@ -14,7 +14,7 @@ constexpr int json_format = 1;
 /// Returns the text of a file that contains a JSON object. The first key of the text, "format",
 /// states the version of the formats (`json_format`). A number that is not finite is written as
 /// null. Bytes that are not UTF-8 are written as U+FFFD.
-/// @param indent number of blanks per level
+/// @param indent number of blanks per level of nesting
 std::string json_text(const nlohmann::ordered_json& object, int indent = 2);
 
 /// Checks that a JSON file has the version of the formats that the program reads, `json_format`.

@@ -20,9 +20,9 @@ struct Digits {
 /// @param cells texts of the column's cells
 Digits digits_of(const std::vector<std::string_view>& cells);
 
-/// Returns the step to which a value was rounded, in the unit of the value's column: the unit of
-/// the last decimal or of the last significant digit, whichever is larger. The result is 0 for a
-/// value of 0 and for a column without digits. Rounding to the step causes an error with the
+/// Returns the step to which a value was rounded, in the unit of the value's column: the place
+/// value of the last decimal or of the last significant digit, whichever is larger. The result is 0
+/// for a value of 0 and for a column without digits. Rounding to the step causes an error with the
 /// variance step^2/12.
 double resolution_of(double value, const Digits& digits);
 

@@ -35,8 +35,8 @@ struct DecodedText {
 
 /// Reads a text file and converts the text to UTF-8. If `encoding` is empty, a byte-order mark
 /// states the encoding. Without a byte-order mark, the encoding is the first that applies: UTF-16
-/// (one of the first two bytes is zero), UTF-8 (all bytes are valid UTF-8), Shift-JIS (first rank
-/// in the charset detection of ICU), Windows-1252.
+/// (exactly one of the first two bytes is zero), UTF-8 (all bytes are valid UTF-8), Shift-JIS
+/// (first rank in the charset detection of ICU), Windows-1252.
 /// @param encoding name of the encoding; empty: determined from the text
 /// @param largest largest size of the file [bytes]
 /// @throws InputError if the file cannot be read, is larger than `largest`, is not a text, or is

@@ -96,9 +96,9 @@ void write_temporary(const fs::path& temporary, const fs::path& target, const st
 
 }  // namespace
 
-void refuse_link_out(const fs::path& path) {
+void refuse_link_outside(const fs::path& path) {
     std::error_code error;
-    if (!leads_out(path)) return;
+    if (!links_outside(path)) return;
     throw InputError({path.string()},
                      fmt::format("is a link to {}, which is not in its folder, and this command "
                                  "would write there; nothing was written: remove the link, or name "
@@ -117,7 +117,7 @@ void write_whole(const fs::path& path, const std::string& content, Kept kept) {
         device.write(content);
         return device.finish(Kept::by_system);
     }
-    refuse_link_out(path);
+    refuse_link_outside(path);
     // The file that a symbolic link points to is replaced, not the link.
     const fs::path target = fs::weakly_canonical(path);
     const fs::path temporary = temporary_beside(target);

@@ -11,8 +11,8 @@ namespace pendular {
 enum class Kept { by_system, on_disk };
 
 /// Writes a file completely or not at all, by renaming a temporary file in the same folder. Missing
-/// folders are created. An existing file keeps its mode and, if the system allows it, its owner.
-/// Devices and pipes are written directly.
+/// folders are created. An existing file keeps its access permissions and, if the system allows it,
+/// its owner. Devices and pipes are written directly.
 /// @throws InputError if the path is a symbolic link to a file outside of the folder of the link
 /// @throws std::runtime_error if the file cannot be written, on a full disk for example. The
 ///         message names the file and the system's reason.
@@ -50,6 +50,6 @@ class PassingFolder {
 /// Checks that a path is not a symbolic link to a file outside of the folder of the link, so that
 /// the program does not overwrite the file.
 /// @throws InputError if the path is a symbolic link to a file outside of the folder of the link
-void refuse_link_out(const std::filesystem::path& path);
+void refuse_link_outside(const std::filesystem::path& path);
 
 }  // namespace pendular

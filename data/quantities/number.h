@@ -13,16 +13,16 @@ std::string_view trimmed(std::string_view text);
 /// decimal mark is '.' in every locale. Blanks before and after the number are allowed.
 std::optional<double> parse_number(std::string_view text);
 
-/// Largest magnitude, in SI units, that is accepted for a quantity. Larger magnitudes are refused
-/// as mistakes. Powers of larger magnitudes would overflow in a fit.
+/// Largest magnitude, in SI units, that is accepted for a measured quantity. Larger magnitudes are
+/// refused as mistakes, since powers of larger magnitudes would overflow in a fit.
 constexpr double largest_magnitude = 1e15;
 /// Smallest magnitude, in SI units, that is accepted for a quantity that must not be 0, such as a
 /// standard deviation.
 constexpr double smallest_magnitude = 1e-15;
 
 /// Returns the reason why a number in SI units cannot be a measured value, as the end of an error
-/// message. The reason is that the number is not finite, or that its magnitude exceeds
-/// `largest_magnitude`. The result is empty if the number can be a measured value.
+/// message: the number is not finite, or its magnitude exceeds `largest_magnitude`. The result is
+/// empty if the number can be a measured value.
 std::optional<std::string> beyond_measure(double number);
 
 /// Returns a number as text with three significant digits, such as "1000", "0.0123" or "2e+07".

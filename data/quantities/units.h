@@ -6,22 +6,23 @@
 
 namespace pendular {
 
-/// Unit of measurement. A value x in the unit equals factor x + offset in SI units.
+/// Unit of measurement, which converts values to SI units. A value x in the unit equals factor x +
+/// offset in SI units.
 class Unit {
   public:
-    /// Reads a unit in any common spelling, such as "mN m", "mNm", "N·m", "kPa", "1/s", "deg",
+    /// Makes a unit from any common spelling, such as "mN m", "mNm", "N·m", "kPa", "1/s", "deg",
     /// "rpm" or "%". The texts "", "-" and "1" mean dimensionless.
     /// @throws std::invalid_argument if the text is no unit, or if wrong upper or lower case makes
     ///         it an unlikely unit ("pa" would be a pico-are). The message quotes the text.
     /// @throws std::runtime_error if the unit database of UDUNITS-2 is not installed
     explicit Unit(std::string_view spelling);
 
-    /// Returns the SI value of a value that is given in the unit.
+    /// Converts a value in the unit to the value in SI units.
     double to_si(double value) const { return factor_ * value + offset_; }
     /// Whether two units have equal dimensions, such as mN m and kgf cm. The radian counts as a
     /// dimension of its own, so that an angle is not accepted in place of a stress ratio.
     bool same_dimension(const Unit& other) const { return dimension_ == other.dimension_; }
-    /// Returns the text that the unit was read from, without blanks around the text.
+    /// Returns the text from which the unit was made, without blanks at the beginning and end.
     const std::string& spelling() const { return spelling_; }
     /// Returns the dimension of the unit as a product of SI base units, such as "kg m^2 s^-2". The
     /// text is empty if the unit is dimensionless.
@@ -34,22 +35,22 @@ class Unit {
     double offset_ = 0;
 };
 
-/// Returns an error message for a unit whose dimension is not the expected one. If grams or
-/// kilograms were probably written for gram-force or kilogram-force, the message suggests the unit
-/// of force:
+/// Returns an error message for a unit whose dimension differs from the dimension of `expected`. If
+/// grams or kilograms were probably written for gram-force or kilogram-force, the message suggests
+/// the unit of force:
 ///     'g cm' measures kg m, not kg m^2 s^-2 as 'N m' does; did you mean 'gf cm'?
 std::string wrong_dimension(const Unit& unit, const Unit& expected);
 
 /// Returns the common spelling of the SI unit with the dimension of `unit`, such as "Pa" for "kPa".
 /// The result is "1" if `unit` is dimensionless. If the dimension has no common spelling, the
-/// function leaves out the prefixes of `unit`: "N m s/rad" for "mN m s/rad". If `unit` without
-/// prefixes is no SI unit, the result is a product of SI base units.
+/// result is the spelling of `unit` without prefixes: "N m s/rad" for "mN m s/rad". If `unit`
+/// without prefixes is no SI unit, the result is a product of SI base units.
 std::string si_spelling(const Unit& unit);
 
 /// Returns the value in SI units of a text such as "500 um". The text needs no unit if the expected
 /// unit is dimensionless.
-/// @throws std::invalid_argument if the text is no number with a unit, or if the dimension of its
-///         unit is not that of `expected`. The message says what to write.
+/// @throws std::invalid_argument if the text is no number with a unit, or if its unit and
+///         `expected` differ in dimension. The message says what to write.
 double quantity_in_si(std::string_view text, const Unit& expected);
 
 /// Returns the values in SI units of a comma-separated list such as "0.3, 1, 3 kPa", in the order

@@ -46,7 +46,7 @@ LaggedCovariances::LaggedCovariances(std::span<const double> first, std::span<co
     : first_(centred(first)), second_(centred(second)) {}
 
 double LaggedCovariances::operator()(std::size_t lag) {
-    if (lag >= lags_alone && known_.size() < first_.size()) known_ = all();
+    if (lag >= first_lag_by_fourier_transform && known_.size() < first_.size()) known_ = all();
     while (known_.size() <= lag)
         known_.push_back(at(known_.size()));
     return known_[lag];

@@ -21,7 +21,7 @@ class LaggedCovariances {
 
     /// Smallest lag, as a number of values, from which on all covariances are computed together by
     /// Fourier transforms. The covariances at smaller lags are computed one by one.
-    static constexpr std::size_t lags_alone = 512;
+    static constexpr std::size_t first_lag_by_fourier_transform = 512;
 
     /// Returns the covariance C(lag) of the two series, in the product of the units of the series.
     /// @param lag number of values by which one series is shifted, less than the length of the
@@ -40,13 +40,13 @@ class LaggedCovariances {
     std::vector<double> first_, second_, known_;
 };
 
-/// Autoregressive model of the noise of a series x_t. Each value of the series is a sum of earlier
-/// values, with the coefficients a_1, a_2, ..., and of an independent random number, the
-/// innovation.
+/// Autoregressive model of the noise of a series. The deviation x_t of each value from the mean is
+/// a sum of earlier deviations, with the coefficients a_1, a_2, ..., and of an independent random
+/// number, the innovation.
 ///     x_t = sum_j a_j x_(t-j) + innovation
 struct Autoregression {
-    /// Coefficients a_1, a_2, ... of the earlier values of the series in the autoregressive model
-    /// [1].
+    /// Coefficients a_1, a_2, ... of the autoregressive model [1]. The coefficient a_j multiplies
+    /// the deviation from the mean that the series has j values earlier.
     std::vector<double> coefficients = {};
     /// Variance of the innovation (random part of a value) in the autoregressive model, in the
     /// squared unit of the series.
@@ -55,13 +55,13 @@ struct Autoregression {
     /// Returns the order of the autoregressive model, which is the number of coefficients.
     double order() const { return static_cast<double>(coefficients.size()); }
     /// Returns the spectral density of the series at frequency zero, in the squared unit of the
-    /// series. The spectral density divided by `count` is the variance of the mean of `count`
-    /// values.
+    /// series. Divided by the number `count` of values in the series, the spectral density is the
+    /// variance of the mean of the series.
     ///     innovation count/(count - 1 - order)/(1 - b)^2
     ///     b = min(a + (1 + 3 a)/count, 1 - 2/count)      a: sum of the coefficients
-    /// The sum b is corrected for the bias -(1 + 3 a)/count of the estimated sum a. Without
-    /// coefficients, b = 0. The factor count/(count - 1 - order) allows for the estimated mean and
-    /// coefficients.
+    /// The number b is the estimated sum a, corrected for its bias -(1 + 3 a)/count. Without
+    /// coefficients, b = 0. The factor count/(count - 1 - order) allows for the degrees of freedom
+    /// of the estimated mean and coefficients.
     /// Source: Marriott and Pope (1954), for order 1.
     double spectrum_at_zero(double count) const;
     /// Returns the spectral density of the series at a frequency in cycles per value, in the
@@ -72,9 +72,9 @@ struct Autoregression {
     double spectrum(double frequency) const;
 };
 
-/// Returns the autoregressive model of a series of n values, whose order is chosen by the Bayesian
-/// information criterion. The order is at most 10 and at most n/10. The variance of the innovation
-/// (random part of a value) is 0 if the series is constant.
+/// Returns the autoregressive model of a series of n values. The Bayesian information criterion
+/// chooses the order of the model, which is at most 10 and at most n/10. The variance of the
+/// innovation (random part of a value) is 0 if the series is constant.
 /// @param covariance lagged covariances of the series with itself
 Autoregression best_autoregression(LaggedCovariances& covariance, std::size_t n);
 

@@ -7,10 +7,10 @@
 
 namespace pendular {
 
-/// Adds the rows of a file to a recording and limits the memory that the recording takes. Whenever
-/// the recording has `most` rows, neighbouring rows of one interval (step of constant set points)
-/// are averaged in pairs. From then on, each further row is the mean of twice as many rows of the
-/// file (`Recording::averaged_rows`).
+/// Adds the rows of a file to a recording (raw time series) and limits the memory that the
+/// recording takes. Whenever the recording has `most` rows, neighbouring rows of one interval (step
+/// of constant set points) are averaged in pairs. From then on, each further row is the mean of
+/// twice as many rows of the file (`Recording::averaged_rows`).
 class AveragedRows {
   public:
     /// Prepares to add rows to an empty recording. The recording must outlive the AveragedRows
@@ -20,7 +20,8 @@ class AveragedRows {
     AveragedRows(Recording& recording, std::vector<std::vector<double> Recording::*> columns,
                  std::size_t most);
 
-    /// Adds a row of the file to the recording.
+    /// Adds a row of the file to the recording: either as a row of its own or as a contribution to
+    /// the mean of several rows of the file, which becomes one row of the recording.
     /// @param line number of the row's line in the file, from 1
     /// @param values value of each column in the row, in SI units
     /// @return false if averaging cannot make the recording shorter, because every row belongs to

@@ -133,13 +133,14 @@ void set_files_apart(ReplicateTable& table, std::size_t place, Eigen::Index o,
     const double variance = 2 * difference * difference;
     Doubt doubt = doubt_about(
         o,
-        fmt::format(
-            "In {}, {} {} at all conditions, by {:.3g} %, while steps within a file agree; "
-            "check the units, the zeros and calibrations of the sensors, the bead mass and the "
-            "filling. Until then, the fit takes larger errors for {}.",
-            name_of(o), names_of(table, far),
-            far.size() == 1 ? "differs from its replicates" : "differ from one another",
-            100 * std::expm1(std::sqrt(variance)), far.size() == 1 ? "this file" : "these files"));
+        fmt::format("In {}, {} {} at all conditions, by {:.3g} %, while steps within a file agree; "
+                    "check the units, the zeros and calibrations of the sensors, the total bead "
+                    "mass and the "
+                    "filling. Until then, the fit takes larger errors for {}.",
+                    name_of(o), names_of(table, far),
+                    far.size() == 1 ? "differs from its replicates" : "differ from one another",
+                    100 * std::expm1(std::sqrt(variance)),
+                    far.size() == 1 ? "this file" : "these files"));
     for (std::size_t k = 0; k < readings.size(); ++k) {
         if (std::ranges::find(far, table.file_of[k]) == far.end()) continue;
         result.variance[k](o) += variance;

@@ -23,10 +23,11 @@ struct CellFromColumns {
 };
 
 /// Returns the constants of the cell: the most frequent ratios of shear stress to torque and of
-/// normal stress to normal force in the rows of a file. If a commercial cup has these ratios (or
-/// the only ratio in the file), the result has the radii of the cup too. If at least some rows have
-/// the cup's ratio of shear stress to torque, the result has the cup's ratio.
-/// @param series columns of each interval of the file
+/// normal stress to normal force in the rows of a file. If the ratio for normal stress is that of a
+/// commercial cup, and if at least one row has the cup's ratio for shear stress, the result has the
+/// radii of the cup and the cup's ratio for shear stress. If the file has only one of the two
+/// ratios, this ratio must be that of the cup.
+/// @param series columns of each interval (step of constant set points) of the file
 CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series);
 
 /// Checks a file of measurements for contradictions within the file, and returns findings on:
@@ -38,7 +39,8 @@ CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series);
 /// - several tests in one file
 /// - constants or radii in the header that contradict the columns
 /// - measured values that do not follow their set points
-/// @param series columns of each interval of the file, in the order of the file's blocks
+/// @param series columns of each interval (step of constant set points) of the file, in the order
+///         of the file's blocks
 /// @param cell constants of the cell, from `cell_from_columns`; not used for a file with several
 ///         tests
 std::vector<FileFinding> check_file(const BlockFile& file,

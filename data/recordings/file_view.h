@@ -32,8 +32,8 @@ struct FileView {
 };
 
 /// Reads a file of measurements and examines the file without a study: columns, roles of the
-/// intervals, cell, faults and yield loci. A table with a column of interval numbers is divided
-/// into intervals.
+/// intervals (steps of a test), constants of the cell, faults and yield loci. A table with a column
+/// of interval numbers is divided into intervals.
 /// @param format settings of the user for reading the file, such as layout and decimal mark
 /// @param study_cell cell of a study, which is compared with the header of the file; empty: no
 ///         comparison

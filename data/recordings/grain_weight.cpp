@@ -39,7 +39,7 @@ std::optional<std::string> grain_weight_note(const Study& study,
     return fmt::format(
         "The model neglects the weight of the beads, which raises the normal stress at the base by "
         "up to {:.0f} Pa. The increase exceeds 10 % of the applied normal stress in {} of {} "
-        "readings ({}). 'pendular diagnose' tests the effect grain-weight.",
+        "readings, those at {}. 'pendular diagnose' tests the effect grain-weight.",
         weight, count, readings.size(), range_of(least, greatest));
 }
 

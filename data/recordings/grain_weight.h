@@ -9,10 +9,11 @@
 
 namespace pendular {
 
-/// Returns a note for the user if the weight of the grains per area exceeds 10 % of the normal
-/// stress in some readings that were averaged over a step. The weight then raises the normal stress
-/// in the sample. The result is empty if no reading exceeds 10 %, if the study has no cell, or if
-/// the model of the study has the effect grain-weight.
+/// Returns a note for the user if the weight of the grains, divided by the area of the cell,
+/// exceeds 10 % of the normal stress in at least one reading (mean over a step of steady shear).
+/// The model of the study neglects the weight, which raises the normal stress at the base of the
+/// sample. The result is empty if no reading exceeds 10 %, if the study has no cell, or if the
+/// model has the effect grain-weight.
 std::optional<std::string> grain_weight_note(const Study& study,
                                              const std::vector<Reading>& readings);
 

@@ -26,15 +26,15 @@ struct IntervalSeries {
 
     std::size_t size() const { return line.size(); }
     /// Returns the column with the name of a quantity, such as "torque", in SI units. The column is
-    /// empty if `IntervalSeries` has no column with the name.
+    /// empty if the file lacks the quantity, or if `IntervalSeries` has no column with the name.
     const std::vector<double>& column(std::string_view quantity) const;
-    /// Returns the shear stress [Pa] of each row or, if the file has no shear stress, the torque [N
-    /// m]. The column is empty if the file has neither.
+    /// Returns the shear stress [Pa] of each row. If the file has no shear stress, the function
+    /// returns the torque [N m] of each row. The column is empty if the file has neither.
     const std::vector<double>& shear() const {
         return shear_stress.empty() ? torque : shear_stress;
     }
-    /// Returns the normal stress [Pa] of each row or, if the file has no normal stress, the normal
-    /// force [N]. The column is empty if the file has neither.
+    /// Returns the normal stress [Pa] of each row. If the file has no normal stress, the function
+    /// returns the normal force [N] of each row. The column is empty if the file has neither.
     const std::vector<double>& normal() const {
         return normal_stress.empty() ? normal_force : normal_stress;
     }

@@ -95,7 +95,7 @@ Measurements read_file(const std::filesystem::path& file, const Source& source, 
     set_aside_saturated(saturated, recording, steps, study.import, part);
     doubt_stuck_columns(recording, part, study.import);
     if (part.readings.empty() && !study.import.keep_implausible)
-        doubt_filling(recording, cell, part);
+        doubt_solid_fraction_of(recording, cell, part);
     append(result, part);
     return result;
 }

@@ -113,8 +113,8 @@ PlausibleRange solid_fraction_range(double value) {
             densest_solid_fraction,
             "too low for grains in contact in steady shear",
             "the densest packing of equal spheres",
-            "the zero and the unit of the gap height, the bead mass and the density",
-            "bead mass",
+            "the zero and the unit of the gap height, the total bead mass and the density",
+            "total bead mass",
             "gap",
             0.5,
             0.66};
@@ -262,7 +262,8 @@ void doubt_stuck_columns(const Recording& recording, Measurements& part,
     }
 }
 
-void doubt_filling(const Recording& recording, const AnnularCell& cell, Measurements& part) {
+void doubt_solid_fraction_of(const Recording& recording, const AnnularCell& cell,
+                             Measurements& part) {
     std::vector<Impossible> found;
     check_range(solid_fraction_range(solid_fraction(median(recording.height), cell)), found);
     for (const Impossible& each : found)

@@ -28,10 +28,10 @@ constexpr double least_stress_ratio = 0.05;
 /// for c* = 1.5.
 double greatest_stress_ratio(double reduced_pressure);
 
-/// Finds readings whose solid fraction, stress ratio, inertial number, reduced pressure or liquid
-/// content is impossible in steady shear, and adds messages about the impossible readings to
-/// `measurements.doubts`. Unless the study keeps implausible readings, the impossible readings are
-/// moved to `measurements.excluded`.
+/// Finds readings (measured states) whose solid fraction, stress ratio, inertial number, reduced
+/// pressure or liquid content is impossible in steady shear, and adds messages about the impossible
+/// readings to `measurements.doubts`. Unless the study keeps implausible readings, the impossible
+/// readings are moved to `measurements.excluded`.
 void doubt_impossible_readings(Measurements& measurements, const Study& study);
 
 /// Adds a message to `part.doubts` if the torque of a recording is constant over all rows, or if
@@ -43,10 +43,11 @@ void doubt_impossible_readings(Measurements& measurements, const Study& study);
 void doubt_stuck_columns(const Recording& recording, Measurements& part,
                          const ImportSettings& choice);
 
-/// Adds a message to `part.doubts` if the solid fraction at the median gap of a recording is
-/// impossible. The check is for recordings that gave no reading: a wrong gap or volume of grains
-/// may be the reason why no step became steady.
-void doubt_filling(const Recording& recording, const AnnularCell& cell, Measurements& part);
+/// Adds a message to `part.doubts` if the solid fraction at the median gap of a recording is below
+/// `loosest_solid_fraction` or above `densest_solid_fraction`. The check is for recordings that
+/// gave no reading: a wrong gap or volume of grains may be the reason why no step became steady.
+void doubt_solid_fraction_of(const Recording& recording, const AnnularCell& cell,
+                             Measurements& part);
 
 /// Returns an entry for `Measurements::excluded` with the position of a reading's rows and the
 /// reason why the reading is left out.

@@ -7,8 +7,9 @@
 
 namespace pendular {
 
-/// Reads a table of readings in the format of `write_readings`, and returns the readings in the
-/// order of the rows. Columns of the table:
+/// Reads a table of readings (measured shear stress and solid fraction, with the condition) in the
+/// format of `write_readings`, and returns the readings in the order of the rows. Columns of the
+/// table:
 /// - Required: normal_stress, shear_stress (magnitude) or stress_ratio, solid_fraction or
 ///   bulk_density, and shear_rate or inertial_number (0: quasi-static limit).
 /// - Required in a study with a liquid: liquid_content, unless the entry of study.toml gives the

@@ -38,7 +38,8 @@ struct Recording {
     std::vector<double> interval;
     /// Header cells of the columns of the file that were not read.
     std::vector<std::string> unused_columns;
-    /// Rows and intervals of the file that were not read, with reasons.
+    /// Rows and intervals (steps of constant set points) of the file that were not read, with
+    /// reasons.
     std::vector<Excluded> left_out = {};
 
     std::size_t size() const { return time.size(); }

@@ -8,8 +8,8 @@
 namespace pendular {
 
 /// Whether two readings (measured states) were taken at one condition. The liquid contents must be
-/// equal, and both readings must be steady shear or both points of failure. The normal stresses,
-/// inertial numbers, preshear stresses and volumes of grains must agree within 2 %.
+/// equal, and the readings must be either both steady shear or both points of failure. The normal
+/// stresses, inertial numbers, preshear stresses and volumes of grains must agree within 2 %.
 bool are_replicates(const Reading& a, const Reading& b);
 
 /// Groups readings (measured states) by condition. Returns the indices of the readings at each

@@ -8,26 +8,30 @@
 
 namespace pendular {
 
-/// Cluster of files that are connected by common conditions, directly or through further files.
+/// Cluster of files that are connected by common conditions (normal stress, inertial number and
+/// liquid content), directly or through further files.
 struct ReplicateCluster {
     /// Indices of the cluster's files in `ReplicateTable::files`.
     std::vector<std::size_t> files;
-    /// Deviations of the readings that have replicates (repeated readings at one condition):
-    /// deviations of stress ratios at index 0, of solid fractions at index 1.
+    /// Deviations of readings from the mean of their replicates (repeated readings at one
+    /// condition), in the stress ratio (index 0) and the solid fraction (index 1).
     std::array<std::vector<ReplicatedValue>, 2> values;
 };
 
-/// Readings of a study, grouped by file, by condition, and by cluster of files that are connected
-/// by common conditions.
+/// Readings of a study, grouped by file, by condition (normal stress, inertial number and liquid
+/// content), and by cluster of files that are connected by common conditions.
 struct ReplicateTable {
-    /// Paths of the readings' files, in the order of their first readings.
+    /// Paths of the files that contain readings, in the order of the files' first readings.
     std::vector<std::string> files;
-    std::vector<std::size_t> file_of;     ///< index in `files` of each reading's file
-    std::vector<std::size_t> cluster_of;  ///< index of each reading's cluster in `clusters`
-    std::vector<std::vector<std::size_t>> groups;  ///< indices of the readings at each condition
+    /// For each reading, index in `files` of the file that contains the reading.
+    std::vector<std::size_t> file_of;
+    /// For each reading, index in `clusters` of the cluster that contains the reading's file.
+    std::vector<std::size_t> cluster_of;
+    /// For each condition, indices of the readings at the condition, in ascending order.
+    std::vector<std::vector<std::size_t>> groups;
     /// Clusters of files that common conditions connect. Every file is in one cluster.
     std::vector<ReplicateCluster> clusters;
-    double reference_stress = 1;  ///< geometric mean of the readings' normal stresses [Pa]
+    double reference_stress = 1;  ///< geometric mean of the normal stresses of all readings [Pa]
     /// Smallest normal stress of the readings with replicates (repeated readings at one condition),
     /// divided by `reference_stress` [1]; at most 1. Readings at smaller normal stresses get the
     /// scatter that replicates have at this normal stress.

@@ -11,10 +11,10 @@ namespace pendular {
 /// scatter to the covariance matrix of each reading (`Reading::covariance`). The function also sets
 /// `Reading::replicates` and `Reading::shared`, and adds messages to `measurements.doubts` and
 /// `measurements.notes`. A two-way analysis of variance (by conditions and by files) separates the
-/// error of each step from the error of the filling, which all steps of a file share:
-///     value = condition (1 + filling + step),   sd(step) ~ (normal stress)^-exponent
+/// error of each step from the error of the filling of the cell, which all steps of a file share:
+///     value = mean at the condition (1 + filling + step),   sd(step) ~ (normal stress)^-exponent
 /// A variance with nu degrees of freedom is multiplied by (t/2)^2, so that two standard errors
-/// cover 95 %. Student's quantile for nu at the level of two standard deviations is t.
+/// cover 95 %. Here t is Student's quantile for nu at the probability of two standard deviations.
 ///
 /// Errors that do not follow from this analysis:
 /// - Files or conditions that differ too much from their replicates get an error as large as their

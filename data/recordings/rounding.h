@@ -6,18 +6,19 @@
 
 namespace pendular {
 
-/// Returns the correlation [1] between the rounding errors of two measured values with equal mean,
-/// averaged over all positions of the mean between two rounded values.
+/// Returns the correlation [1] between the rounding errors of two measurements of one quantity,
+/// averaged over all positions of the true value between two rounded values.
 ///     6/pi^2 sum_k exp(-(2 pi k scatter)^2)/k^2      (Fourier series of the rounding error)
 /// The correlation is near 1 if the scatter is far below 1.
-/// @param scatter standard deviation of the values before rounding, divided by the rounding step
-///         [1]
+/// @param scatter standard deviation of the measurements before rounding, divided by the rounding
+///         step [1]
 double rounding_correlation(double scatter);
 
-/// Sets `ReplicatedValue::rounding` = V/T [1] of the rounded values in a table, so that
-/// `analyse_scatter` gives less weight to values whose deviations may be due to rounding.
-/// - V is the relative variance of the part of the rounding error that replicates (repeated
-///   readings at one condition) do not have in common.
+/// Sets `ReplicatedValue::rounding` = V/T [1] of the rounded values in a table of replicates
+/// (repeated readings at one condition), so that `analyse_scatter` gives less weight to values
+/// whose deviations may be due to rounding.
+/// - V is the relative variance of the part of the rounding error that replicates do not have in
+///   common.
 /// - T is the relative variance between repetitions of a step. The function chooses one T for the
 ///   stress ratio and one for the solid fraction, with which the mean of squared deviation/(T + V)
 ///   over all deviations is 1.

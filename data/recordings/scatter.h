@@ -12,7 +12,8 @@ struct ReplicatedValue {
     std::size_t reading = 0;  ///< index of the reading among the study's readings
     /// Index in `ReplicateTable::groups` of the condition of the reading and its replicates.
     std::size_t condition = 0;
-    std::size_t file = 0;  ///< index of the reading's file; a file counts as one filling
+    /// Index in `ReplicateTable::files` of the reading's file. A file counts as one filling.
+    std::size_t file = 0;
     /// Logarithm of the stress ratio or solid fraction of the reading, minus the mean logarithm at
     /// the condition of the reading [1].
     double deviation = 0;
@@ -27,9 +28,10 @@ struct ReplicatedValue {
     double rounding = 0;
 };
 
-/// Result of a two-way analysis of variance (by conditions and by files) of relative deviations
-/// [1]. Before the analysis, each deviation is divided by sqrt(load^(-2 exponent) + rounding), with
-/// the members `load` and `rounding` of the `ReplicatedValue`.
+/// Result of a two-way analysis of variance (by conditions and by files) of the relative deviations
+/// [1] of readings from the mean of their replicates. Before the analysis, each deviation is
+/// divided by sqrt(load^(-2 exponent) + rounding), with the members `load` and `rounding` of the
+/// `ReplicatedValue`.
 struct ScatterSums {
     /// Residual sum of squares of the scaled deviations, after the means of conditions and of files
     /// were removed [1].
@@ -83,6 +85,7 @@ struct LoadExponent {
 /// One exponent holds for all sets of values, but each set has a variance of its own. The prior of
 /// the exponent is normal with mean 0 and standard deviation 0.5, limited to the range from 0 to 1.
 /// All members of the result are 0 for fewer than 10 degrees of freedom.
+/// @param sets deviations of readings, one list for each set, such as a cluster of files
 LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets);
 
 /// Mean square of relative deviations, which is an estimate of the variance of the deviations, with

@@ -30,15 +30,16 @@ Measurements reduce_recording(const Recording& recording, const AnnularCell& cel
                               const GrainProperties& grains, double liquid_content, RunClock& clock,
                               const ImportSettings& choice = {});
 
-/// Converts the steps of a recording to readings. The rules and all parameters other than `steps`
-/// are those of `reduce_recording`.
+/// Converts the steps of a recording to readings (mean over the steady part of each step), with the
+/// rules and the parameters of `reduce_recording`.
 /// @param steps steps of the recording, from `recorded_steps`
 Measurements reduce_steps(const std::vector<RecordedStep>& steps, const Recording& recording,
                           const AnnularCell& cell, const GrainProperties& grains,
                           double liquid_content, RunClock& clock, const ImportSettings& choice);
 
-/// Converts each step of a recording to a reading, with the default settings of import. Times of
-/// readings are counted from time 0 of the recording, as for the first recording of a study.
+/// Converts each step of a recording to a reading, the mean over the steady part of the step, with
+/// the default settings of import. Times of readings are counted from time 0 of the recording, as
+/// for the first recording of a study.
 /// @param liquid_content volume of liquid divided by volume of grains [1]
 /// @throws InputError if the torque has both signs within a step
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,

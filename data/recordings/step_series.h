@@ -30,8 +30,8 @@ struct StepSeries {
 /// Converts the rows of a step to evenly spaced data points. If any two neighbouring times are less
 /// than 0.5 or more than 1.5 times the median spacing apart, all columns are interpolated linearly.
 /// If the lid turns and the torque is mostly negative, the sign of the torque is changed.
-/// @throws InputError if the lid turns and the torque has both signs by more than noise. The
-///         position is the first row whose torque has the rarer sign.
+/// @throws InputError at the first row whose torque has the rarer sign, if the lid turns and the
+///         torque has both signs by more than noise
 StepSeries step_series(const Recording& recording, const Step& step);
 
 /// Whether the lid turns: the mean angular velocity differs from 0 by more than 3 standard errors.

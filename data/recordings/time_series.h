@@ -34,9 +34,9 @@ Mean mean_of_correlated(std::span<const double> samples);
 std::vector<double> without_line(std::span<const double> samples);
 
 /// Returns the covariance of the means of two series that were recorded at equal times, in the
-/// product of the units of the series. The cross-covariances are summed over the larger of the two
-/// windows that `mean_of_correlated` uses for the series. The correlation coefficient is limited to
-/// [-0.99, 0.99].
+/// product of the units of the series. The cross-covariances are summed up to a largest lag, the
+/// larger of the two windows that `mean_of_correlated` uses for the series. The correlation
+/// coefficient is limited to [-0.99, 0.99].
 /// @throws std::invalid_argument if the series differ in length or are empty
 double covariance_of_means(std::span<const double> first, std::span<const double> second);
 

@@ -11,7 +11,7 @@ namespace pendular {
 /// first to the last data point.
 double strain_of(const StepSeries& series, const AnnularCell& cell);
 
-/// Describes in a few words, for the user, a step that is too short for steady shear:
+/// Returns a few words for the user that describe a step that is too short for steady shear:
 /// - unloading or loading: the normal force changes by more than 20 %
 /// - consolidation: the gap shrinks by more than 1 %
 /// - shear to failure: the torque peaks and drops

@@ -11,7 +11,8 @@ namespace pendular {
 /// Peak of the shear stress in an interval in which the sample was sheared to failure. The peak is
 /// given twice: at the data point with the largest shear stress, and after smoothing.
 struct FailurePoint {
-    int interval = 0;  ///< number of the interval that was sheared to failure, from the file
+    /// Number, in the file, of the interval in which the sample was sheared to failure.
+    int interval = 0;
     int line = 0;  ///< line number, in the file, of the data point with the largest shear stress
     /// Normal stress at the data point with the largest shear stress [Pa].
     double normal_stress = 0;
@@ -91,8 +92,8 @@ LinearYieldLocus linear_yield_locus(const std::vector<double>& normal_stress,
                                     const std::vector<double>& shear_stress,
                                     const std::optional<PreshearPoint>& preshear);
 
-/// Points of failure after preshears of equal normal stress, with straight lines fitted to the
-/// points.
+/// Yield locus: points of failure after preshears of equal normal stress, with straight lines
+/// fitted to the points.
 struct YieldLocus {
     std::string test;  ///< name of the test to which the points of failure belong, from the file
     /// Preshear before the first point of failure, if recorded.
@@ -113,7 +114,7 @@ struct YieldLocus {
 PreshearPoint preshear_point(const IntervalSeries& series);
 
 /// Returns the point of failure of an interval: the data point with the largest shear stress, and
-/// the largest mean shear stress over a window of 1/30 of the rows, at least five.
+/// the largest mean shear stress over a window of 1/30 of the rows, but at least five rows.
 /// @param series columns of the interval, with shear stress and normal stress
 /// @throws std::bad_optional_access if the interval has no row with both stresses
 FailurePoint failure_point(const Block& block, const IntervalSeries& series);

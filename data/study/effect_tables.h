@@ -37,33 +37,34 @@ struct WrittenEffect {
     /// Positions of the values of the keys `name` and `parameter` in study.toml.
     Position name_position = {}, parameter_position = {};
 
-    /// Kind of quantities to which the formulas of an effect assign values.
+    /// Kind of quantities that the formulas of an effect set.
     enum class Kind {
         instrument,  ///< quantities that the instrument shows (`instrument_targets`)
         flow,        ///< quantities of the flow of the grains (`flow_targets`)
         condition    ///< properties of the grains and of their liquid (`condition_targets`)
     };
-    /// Returns the kind of quantities to which the effect's formulas assign values. All formulas of
-    /// one effect assign values to quantities of one kind.
+    /// Returns the kind of quantities that the effect's formulas set. All formulas of one effect
+    /// set quantities of one kind.
     Kind kind() const;
 };
 
-/// Returns the names of the quantities of the instrument that formulas in a table [[effect]] of
-/// study.toml can set: "torque", "normal_force", "height" and "angular_velocity". One effect sets
-/// quantities of one kind only: of the instrument, of the flow (`flow_targets`) or of the condition
-/// (`condition_targets`).
+/// Returns the names of the quantities shown by the instrument that formulas in a table [[effect]]
+/// of study.toml can set: "torque" [N m], "normal_force" [N], "height" of the sample [m] and
+/// "angular_velocity" of the lid [rad/s]. An effect that sets one of these quantities cannot also
+/// set `flow_targets` or `condition_targets`.
 const std::vector<std::string>& instrument_targets();
-/// Returns the names of the flow quantities that a formula in a table [[effect]] of study.toml can
-/// set: "stress_ratio" and "solid_fraction".
+/// Returns the names of the quantities of the flow that formulas in a table [[effect]] of
+/// study.toml can set: "stress_ratio" [1] and "solid_fraction" [1].
 const std::vector<std::string>& flow_targets();
-/// Returns the names of the properties of the grains and of their liquid that formulas in a table
-/// [[effect]] of study.toml can set: "friction_difference" and "surface_tension" [N/m]. The
-/// friction difference is the friction coefficient between grains minus the fitted friction
-/// coefficient of the model [1].
+/// Returns the names of the properties of grains and liquid that formulas in a table [[effect]] of
+/// study.toml can set: "friction_difference" [1] and "surface_tension" [N/m]. The friction
+/// difference is the friction coefficient between grains minus the fitted friction coefficient of
+/// the model.
 const std::vector<std::string>& condition_targets();
 
-/// Reads the effects that a user defines in the tables [[effect]] of study.toml. Returns the
-/// effects in the order of the file.
+/// Reads the effects that a user defines in the tables [[effect]] of study.toml, in the order of
+/// the file.
+/// @param root top level of study.toml
 /// @throws InputError if a key is missing, unknown or has an invalid value, if two effects have
 ///         equal names, if an effect has no formula, or if an effect has formulas for quantities of
 ///         two kinds (`WrittenEffect::Kind`)

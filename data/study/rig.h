@@ -15,8 +15,9 @@ struct Span {
     double least = 0, greatest = 0;
 };
 
-/// Conditions at which a measuring rig can take further readings, and costs of the readings: table
-/// [rig] of study.toml. Costs are relative to the cost of a dry reading.
+/// Conditions at which a measuring rig can take further readings (measured states of the grains),
+/// and costs of the readings: table [rig] of study.toml. Costs are relative to the cost of a dry
+/// reading.
 struct Rig {
     Span normal_stress;  ///< normal stresses that the rig can impose [Pa]
     /// Inertial numbers [1] to which the rig can be set; empty if the rig sets the shear rate.
@@ -36,8 +37,8 @@ struct Rig {
     /// Cost of filling the cell with a different amount of grains, relative to the cost of a dry
     /// reading [1].
     double filling_cost = 0;
-    /// Waiting times [s] between the last reading and the next reading that are considered when the
-    /// next reading is planned.
+    /// Waiting times [s] between the last reading and the next reading, among which the program
+    /// chooses when it plans the next reading.
     std::vector<double> waits = {0};
     /// Cost of waiting for an hour between readings, relative to the cost of a dry reading [1].
     double hour_cost = 1;
@@ -46,9 +47,11 @@ struct Rig {
     std::vector<StatedDirect> direct = {};
 };
 
-/// Reads the table [rig] of study.toml. The result is empty if the study has no table [rig].
-/// @param has_liquid whether the study has a table [liquid], which is required for liquid contents
-///         above 0
+/// Reads the table [rig] of study.toml: conditions at which further readings can be taken, and
+/// costs of the readings. The result is empty if the table is missing.
+/// @param root top level of study.toml
+/// @param has_liquid whether study.toml has a table [liquid], which is required for liquid contents
+///        above 0
 /// @param grains grains whose density converts the key bead_mass to a solid volume
 /// @throws InputError at a key that is missing, unknown or has an invalid value
 std::optional<Rig> read_rig(const StudyTable& root, const GrainProperties& grains, bool has_liquid);

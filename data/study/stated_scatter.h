@@ -8,7 +8,7 @@ namespace pendular {
 /// standard deviations of shear stress and solid fraction [1].
 struct StatedScatter {
     /// Relative standard deviations [1] of the shear stress (first element) and of the solid
-    /// fraction (second element) between repetitions of one step.
+    /// fraction (second element) between repetitions of one step of constant set points.
     Eigen::Vector2d step = Eigen::Vector2d::Zero();
     /// Relative standard deviations [1] of the shear stress (first element) and of the solid
     /// fraction (second element) between fillings of the cell.

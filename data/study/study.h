@@ -25,11 +25,11 @@ struct Source {
     Kind kind = Kind::recording;
     std::string pattern;  ///< pattern of file paths, relative to the study's folder
     std::vector<std::filesystem::path> files;  ///< files that match the pattern, sorted by path
-    /// Liquid content: volume of liquid divided by volume of grains [1], if the entry states the
-    /// liquid content.
+    /// Liquid content: volume of liquid divided by volume of grains [1]; empty if the entry does
+    /// not state the liquid content.
     std::optional<double> liquid_content;
-    /// Solid volume of the grains in the cell [m^3], if the entry overrides the volume in the table
-    /// [cell].
+    /// Solid volume of the grains in the cell [m^3], if the entry states the volume; empty: the
+    /// volume in the table [cell] holds.
     std::optional<double> bead_volume;
     /// Whether the readings of the entry are points of failure (state = "failure") rather than
     /// steady shear.
@@ -47,30 +47,30 @@ struct ListedEffect {
     Position position;  ///< position of the effect's name in study.toml
 };
 
-/// Stress ratio of a wet reading: a data point for the fit of a cohesion that does not depend on
-/// the normal stress (straight line of stress ratio against reciprocal normal stress).
+/// Measured stress ratio of a wet reading, to which a constant cohesion is fitted. The cohesion is
+/// the slope of the stress ratio against the reciprocal normal stress.
 struct MeasuredStrength {
     Condition condition;        ///< condition of the wet reading
     double stress_ratio = 0;    ///< measured stress ratio of the wet reading [1]
     double standard_error = 0;  ///< standard error of the reading's stress ratio [1]
 };
 
-/// Settings of the model: table [model] of study.toml.
+/// Settings of the model that is fitted to the readings: table [model] of study.toml.
 struct ModelSettings {
-    /// Base model of wet grains: "dem", "rumpf" or "mohr-coulomb". The model "dem" consists of
-    /// simulations. The model "rumpf" adds a cohesion that follows from Rumpf's formula to the law
-    /// of dry grains. The model "mohr-coulomb" adds constant cohesions, which are fitted to
-    /// `strengths`, to the law of dry grains.
+    /// Base model of wet grains: "dem", "rumpf" or "mohr-coulomb". The model "dem" predicts wet
+    /// grains by simulations. The model "rumpf" adds a cohesion by Rumpf's formula to the simulated
+    /// strength of dry grains. The model "mohr-coulomb" adds constant cohesions, which are fitted
+    /// to `strengths`, to the simulated strength of dry grains.
     std::string base = "dem";
-    /// Stress ratios of the study's wet readings, which are needed if the base model is
-    /// "mohr-coulomb". The strengths are not part of study.toml. The function `with_strengths`
+    /// Strengths (stress ratios) of the study's wet readings, which are needed if the base model is
+    /// "mohr-coulomb". The strengths are not part of study.toml; the function `with_strengths`
     /// computes the strengths.
     std::vector<MeasuredStrength> strengths = {};
     /// Names of the model's parameters to fit, such as "friction".
     std::vector<std::string> calibrate = {"friction"};
     std::string fit_to = "dry";  ///< readings to which the model is fitted: "dry" or "all"
-    /// Effects of the model, each once. The names of the effects are not checked, so that a name
-    /// may be unknown.
+    /// Physical effects that study.toml lists for the model, each once. The names of the effects
+    /// are not checked, so that a name may be unknown.
     std::vector<ListedEffect> effects;
     /// Variant of the formula of the bridge force: `derived`, or `as_printed` in Badetti et al.
     /// (2018).
@@ -100,14 +100,15 @@ struct Study {
     std::optional<AnnularCell> cell;
     std::vector<Source> sources;  ///< recordings and tables of readings, in the order of study.toml
     ImportSettings import;
-    /// Scatter of the instrument between repeated readings, if the user stated the scatter in the
-    /// table [scatter].
+    /// Scatter between repeated readings, if the user stated the scatter in the table [scatter].
     std::optional<StatedScatter> scatter;
     ModelSettings model;
     std::vector<WrittenEffect> written_effects;  ///< effects that the study defines by formulas
-    /// Direct measurements of effect parameters, made without shearing grains.
+    /// Direct measurements of effect parameters, made without shearing grains, in the order of
+    /// study.toml.
     std::vector<StatedDirect> direct;
-    /// Conditions at which the rig can take further readings, and costs of the readings, if stated.
+    /// Conditions at which the measuring rig can take further readings, with the costs of the
+    /// readings, if stated in the table [rig].
     std::optional<Rig> rig;
 };
 
@@ -131,17 +132,18 @@ struct FilePattern {
     FileFormat format = {};
 };
 
-/// Reads only the patterns of file paths from study.toml, without the files. The study may have no
-/// measurements yet.
+/// Reads only the patterns of file paths from study.toml, first from the entries [[recording]],
+/// then from the entries [[readings]]. The files are not read. The study may have no measurements
+/// yet.
 /// @param study folder of the study, or path of its study.toml
 /// @throws InputError at file:line:column if study.toml cannot be read, has a syntax error or an
 ///         unknown key of the top level or of an entry, or if a key that says how files are read
 ///         has a wrong value
 std::vector<FilePattern> read_patterns(const std::filesystem::path& study);
 
-/// Returns a warning for the user if a liquid content is outside of the pendular range, in which
-/// the liquid forms separate bridges. The result is empty inside the pendular range and for dry
-/// grains.
+/// Returns a warning for the user if a liquid content is outside of the pendular range (0.002 to
+/// 0.075), in which the liquid forms separate bridges. The result is empty inside the pendular
+/// range and for dry grains.
 /// @param liquid_content volume of liquid divided by volume of grains [1]
 std::optional<std::string> pendular_range_warning(double liquid_content);
 

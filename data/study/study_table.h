@@ -27,8 +27,8 @@ struct Word {
 };
 
 /// Table of a TOML file, either study.toml or a campaign (list of simulations to run). If a value
-/// has the wrong type or unit, the function that reads the value throws an InputError at the line
-/// and column of the key or value.
+/// has the wrong type or unit, or exceeds `largest_magnitude` in SI units, the function that reads
+/// the value throws an InputError at the line and column of the key or value.
 class StudyTable {
   public:
     /// Parses a text in TOML and returns the top level of the text as a table.
@@ -51,8 +51,8 @@ class StudyTable {
     Position at(std::string_view key) const;
     /// Returns the position of the table in the TOML file.
     const Position& position() const { return position_; }
-    /// Returns the name of the table with its brackets, such as "[grains]" or "[[effect]]". The
-    /// name of the top level is empty.
+    /// Returns the name of the table with its brackets, such as "[grains]" or "[[effect]]"; empty
+    /// for the top level of the file.
     const std::string& name() const { return name_; }
 
     /// Returns the table [key] inside the table. The result is empty if the key is missing.
@@ -84,8 +84,8 @@ class StudyTable {
     double required_quantity(std::string_view key, std::string_view unit) const;
     /// Returns the positive value of a required key in SI units. The value in the file is a text
     /// with a unit of the dimension of `unit`, or a plain number if `unit` is dimensionless.
-    /// @throws InputError if the key is missing, or if the value is not positive or has any other
-    ///         form
+    /// @throws InputError if the key is missing, or if the value is below `smallest_magnitude` in
+    ///         SI units or has any other form
     double positive_quantity(std::string_view key, std::string_view unit) const;
 
     /// Returns the values of a key in SI units, in the order of the file. The result is empty if
@@ -94,25 +94,27 @@ class StudyTable {
     /// @throws InputError if the array is empty or a value has any other form
     std::vector<double> quantities(std::string_view key, std::string_view unit) const;
 
-    /// Returns the plain numbers (without unit) of a key whose value is one number or an array of
-    /// numbers, in the order of the file. The result is empty if the key is missing.
+    /// Returns the value of a key, one plain number (without unit) or an array of plain numbers, in
+    /// the order of the file. The result is empty if the key is missing.
     /// @throws InputError if the array is empty or a value is not a finite number
     std::vector<double> numbers(std::string_view key) const;
 
-    /// Returns the text of a key. The result is empty if the key is missing.
+    /// Returns the value of a key, which must be a text. The result is empty if the key is missing.
     /// @throws InputError if the value is not a text
     std::optional<std::string> text(std::string_view key) const;
-    /// Returns the value true or false of a key. The result is empty if the key is missing.
+    /// Returns the value of a key, which must be true or false. The result is empty if the key is
+    /// missing.
     /// @throws InputError if the value is neither true nor false
     std::optional<bool> flag(std::string_view key) const;
-    /// Returns the text and the position of a key's value, which is a text or a plain number. The
-    /// result is empty if the key is missing. The function serves for a quantity whose unit is not
-    /// known yet.
+    /// Returns the value of a key, a text or a plain number, as a text with its position in the
+    /// file. The result is empty if the key is missing. The function serves for a quantity whose
+    /// dimension is not known yet.
     /// @throws InputError if the value is neither a text nor a number
     std::optional<Word> stated(std::string_view key) const;
-    /// Returns the text of a key that must be one of `words`. If the key is missing, the result is
-    /// the first of `words`.
-    /// @throws InputError if the text is not one of `words`; the message suggests the nearest word
+    /// Returns the value of a key, which must be one of the texts `words`. If the key is missing,
+    /// the result is the first of `words`.
+    /// @throws InputError if the value is not one of `words`; the message suggests the nearest of
+    ///         `words`
     std::string choice(std::string_view key, const std::vector<std::string>& words) const;
     /// Returns the texts of a key whose value is an array of texts. If the key is missing, the
     /// result is `missing`.
@@ -124,8 +126,8 @@ class StudyTable {
     /// @throws InputError if the value is not an array of texts
     std::vector<Word> placed_words(std::string_view key) const;
 
-    /// Refuses the value of a key by throwing an error.
-    /// @param message statement of what is wrong with the value and what to do, for the user
+    /// Throws an error that refuses the value of a key.
+    /// @param message statement for the user of what is wrong with the value and what to do
     /// @throws InputError always, at the position of the key's value
     [[noreturn]] void refuse(std::string_view key, const std::string& message) const;
 

@@ -27,18 +27,19 @@ struct Estimate {
     double standard_error = 0;
 };
 
-/// Shear stress and solid fraction of one steady state, as measured and as a fitted model predicts
-/// them.
+/// Shear stress and solid fraction of one state of the sample (steady shear or point of failure),
+/// as measured and as a fitted model predicts them.
 struct Reading {
-    std::string file;               ///< file of the recording or table that the reading comes from
-    std::size_t step = 0;           ///< number of the step in the recording, from 1; 0: unknown
-    double normal_stress = 0;       ///< normal stress on the sample [Pa]
-    double inertial_number = 0;     ///< inertial number I, the reduced shear rate [1]
-    double liquid_content = 0;      ///< volume of liquid divided by volume of grains [1]; 0: dry
-    double shear_stress = 0;        ///< measured shear stress [Pa]
-    double shear_stress_error = 0;  ///< standard error of the measured shear stress [Pa]
-    double solid_fraction = 0;      ///< measured solid fraction [1]
-    double solid_fraction_error = 0;      ///< standard error of the measured solid fraction [1]
+    std::string file;  ///< file of the recording or table that the reading comes from
+    /// Number of the step of constant set points in the recording, from 1; 0: unknown.
+    std::size_t step = 0;
+    double normal_stress = 0;         ///< normal stress on the sample [Pa]
+    double inertial_number = 0;       ///< inertial number I, the reduced shear rate [1]
+    double liquid_content = 0;        ///< volume of liquid divided by volume of grains [1]; 0: dry
+    double shear_stress = 0;          ///< measured shear stress [Pa]
+    double shear_stress_error = 0;    ///< standard error of the measured shear stress [Pa]
+    double solid_fraction = 0;        ///< measured solid fraction [1]
+    double solid_fraction_error = 0;  ///< standard error of the measured solid fraction [1]
     double predicted_shear_stress = 0;    ///< shear stress predicted by the fit [Pa]; 0: no fit
     double predicted_solid_fraction = 0;  ///< solid fraction predicted by the fit [1]; 0: no fit
     bool fitted = false;  ///< whether the model's parameters were fitted to the reading
@@ -76,7 +77,8 @@ struct Verdict {
     /// equally well. If the verdict is "inconclusive", the readings cannot exclude that the effects
     /// are large enough to matter. The list is empty for every other verdict.
     std::vector<std::string> effects;
-    /// Whether the study's model fits the readings, with or without further effects.
+    /// Whether the study's model fits the readings, alone, with further effects, or with an error
+    /// of one part of the measurement. Always true if the verdict is "suspect-measurement".
     bool complete = true;
     /// Parts of the measurement whose error alone would explain the misfit, such as "the readings
     /// of dry_1.csv".
@@ -89,7 +91,8 @@ struct Verdict {
     std::vector<std::string> doubts;
 };
 
-/// Fits of a study before and after an effect was added to its model or dropped from it.
+/// Fits of a study's model before and after an effect was added to the model or dropped from the
+/// model.
 struct Change {
     /// Fit of the model before the change. The list `doubts` of this fit is always empty.
     Fit before;
@@ -132,21 +135,22 @@ struct Prediction {
 /// One suggested measurement: readings at a set point, or direct measurements of a parameter
 /// without shearing the sample.
 struct NextReading {
-    SetPoint at;  ///< set point at which to shear the sample
+    SetPoint at;  ///< set point at which to shear the sample; unused if `direct` is set
     /// Name of the parameter to measure directly, such as "torque-offset.torque". The name is empty
     /// if the sample is to be sheared at `at`.
     std::string direct;
     int repeats = 1;  ///< number of readings, or of direct measurements, to take
 };
 
-/// Suggested next measurements. The measurements tell apart the models that fit the readings. If
-/// only one model fits, the measurements make its parameters more precise.
+/// Suggested next measurements. The measurements tell apart the models in `rivals`. If there is
+/// only one model, the measurements make its parameters more precise.
 struct Suggestion {
-    /// Names of the models that fit the readings and that the measurements should tell apart. The
-    /// list has one entry if only one model fits.
+    /// Names of the models that the measurements should tell apart: the models that fit the
+    /// readings or, if no model fits, the models that come closest. The list has one entry if the
+    /// measurements should make the parameters of a single model more precise.
     std::vector<std::string> rivals;
-    /// Measurements to take. The list is empty if the instrument cannot tell any of the `rivals`
-    /// apart.
+    /// Measurements to take. The list is empty if the instrument cannot tell any two of the
+    /// `rivals` apart.
     std::vector<NextReading> readings;
 };
 
@@ -157,7 +161,8 @@ struct Options {
     int threads = 1;                    ///< number of simulations or refits that run at a time
     std::filesystem::path store;        ///< SQLite file that keeps simulation runs; empty: no file
     std::filesystem::path results;      ///< folder for fit.json and other results; empty: STUDY/out
-    bool confirm = false;               ///< whether new simulations at the optimum confirm each fit
+    /// Whether new simulations at the fitted parameters check a fit.
+    bool confirm = false;
     /// Token whose stop request ends long work by throwing `Interrupted`.
     std::stop_token stop = {};
     /// Function called with one line of text for each progress message; empty: no calls.

@@ -8,19 +8,20 @@
 
 namespace pendular {
 
-/// Series of readings (measured states) in a panel of a study's HTML report, with the points of a
-/// model curve along the conditions of these readings. The readings differ mainly in the quantity
-/// on the x axis.
+/// Series of readings (measured shear stress and solid fraction) in a panel of a study's HTML
+/// report, with the points of a model curve along the conditions of these readings. The readings
+/// differ mainly in the quantity on the x axis.
 struct PageSeries {
     /// Label of the series: the values, with units, by which the series differs from the other
     /// series of the panel, such as "normal stress 300 Pa".
     std::string label;
-    /// Indices of the readings in the study, in the order of rising x.
+    /// Indices of the series' readings among all readings of the study, in the order of rising x.
     std::vector<std::size_t> members;
     /// Values on the x axis at the points of the curve, in the unit of the axis. The list is empty
     /// if the series has no curve.
     std::vector<double> x;
-    /// Conditions of the points of the curve, in the order of `x`.
+    /// Conditions (normal stress, inertial number and liquid content) of the points of the curve,
+    /// in the order of `x`.
     std::vector<Condition> along;
 };
 
@@ -43,8 +44,8 @@ struct PagePanel {
 /// bead mass or by file.
 std::vector<PagePanel> page_panels(const std::vector<Reading>& readings, const Study& study);
 
-/// Returns the conditions at the points of all model curves of a study's HTML report, ordered by
-/// panel, then by series, then by point.
+/// Returns the conditions (normal stress, inertial number and liquid content) at the points of all
+/// model curves of a study's HTML report, ordered by panel, then by series, then by point.
 std::vector<Condition> points_of_curves(const std::vector<PagePanel>& panels);
 
 }  // namespace pendular

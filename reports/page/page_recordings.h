@@ -36,9 +36,8 @@ struct PageRecording {
 
 /// Returns the part of a recording that a study's HTML report shows: stresses against the number of
 /// the row, and the ranges of rows that are averaged.
-/// @param readings readings (measured states) of the study; readings from files other than `view`
-///        are ignored
-/// @param excluded rows that the study left out
+/// @param readings readings of the study; readings from files other than `view` are ignored
+/// @param excluded rows that the study left out, with reasons
 /// @param most maximum number of points for each stress
 PageRecording page_recording(const FileView& view, const std::vector<Reading>& readings,
                              const std::vector<Excluded>& excluded, std::size_t most);
@@ -57,7 +56,7 @@ std::size_t points_of_recordings(std::size_t recordings);
 /// - A window is a range of rows that are averaged. It has its first and last row (counted from 1),
 ///   its kind as text, the index of the reading that averages the rows (null: no reading), and the
 ///   mean of each part.
-/// @param readings all readings (measured states) that the report shows
+/// @param readings all readings (measured shear stress and solid fraction) that the report shows
 nlohmann::ordered_json recordings_json(const std::vector<PageRecording>& recordings,
                                        const std::vector<Reading>& readings);
 

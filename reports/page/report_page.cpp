@@ -129,8 +129,8 @@ PageTable scan_table(const PageContent& content) {
         const Candidate& candidate = models.candidates()[finding.candidate];
         table.rows.push_back({candidate.name, candidate.group,
                               estimate_of(diagnosis, finding, models),
-                              left_text(diagnosis, finding, models), p_text(finding.p, ""),
-                              power_text(finding), finding.decision});
+                              remaining_chi2_text(diagnosis, finding, models),
+                              p_text(finding.p, ""), power_text(finding), finding.decision});
     }
     return table;
 }

@@ -24,13 +24,13 @@ struct PageContent {
     std::string study_argument;
     /// Study with its catalogue of effects (list of known physical effects).
     const ResolvedStudy& resolved;
-    /// Readings (measured states) of the study, with notes and with reasons to doubt some of the
-    /// readings.
+    /// Readings (measured shear stress and solid fraction) of the study, with notes and with
+    /// reasons to doubt some of the readings.
     const Measurements& measurements;
-    /// Verdict on the effects that the model lacks, with tests and refitted models.
+    /// Verdict on the physical effects that the model lacks, with tests and refitted models.
     const StudyDiagnosis& diagnosis;
     Checks checks;  ///< tests of the residuals of the study's model
-    /// Shifts of the fitted friction coefficient that effects and errors of measurement cause.
+    /// Shifts of the fitted friction coefficient [1] that effects and errors of measurement cause.
     /// Empty if the shifts were not computed.
     std::optional<ImpactTable> impacts = {};
     /// Ladder: sequence of the study's models, with one effect more or fewer in each step. May be
@@ -39,8 +39,9 @@ struct PageContent {
     /// Numbered lines below a heading that say what to do next (`step_lines`).
     std::vector<std::string> steps = {};
     std::string command = {};  ///< `pendular` command to give next (`next_command`)
-    /// Fitted models, one for each combination of the leading effects. The reader of the page can
-    /// switch these effects on and off.
+    /// Fitted models, one for each combination of the leading effects (effects that the study lists
+    /// or that the diagnosis finds most important). The reader of the page can switch these effects
+    /// on and off.
     SwitchedModels switched;
     /// Panels that show readings, with the curves of the models in `switched`.
     std::vector<PagePanel> panels;
@@ -49,7 +50,7 @@ struct PageContent {
     /// Options with which the results were computed. The page states the name of the fidelity (set
     /// of simulation settings) and the seed.
     SessionOptions options;
-    /// Number of simulations on which the emulator, which interpolates simulations, was trained.
+    /// Number of simulations on which the emulator (interpolation between simulations) was trained.
     std::size_t runs = 0;
     bool calibrated = false;  ///< whether the results folder has a fit of the study
     /// Version number of the page, by which a browser finds out that `pendular serve` has a newer
@@ -62,9 +63,9 @@ struct PageContent {
 };
 
 /// Returns the page of a study as one HTML file that needs no further files. The page shows the
-/// verdict, figures with switches for the leading effects and sliders for the parameters, the fit,
-/// the effects, their impacts on the friction coefficient, the ladder (sequence of the study's
-/// models), the next steps and the provenance.
+/// verdict, figures, the fit, the effects, the shifts of the friction coefficient by the effects,
+/// the ladder (sequence of the study's models), the next steps and the provenance. In the figures,
+/// the reader can switch the leading effects on and off, and change parameters with sliders.
 std::string report_page(const PageContent& content);
 
 /// Returns the HTML page that a server shows until the first results on a study exist.

@@ -12,7 +12,7 @@ struct CellState {
     double angular_velocity = 0;  ///< angular velocity of the lid [rad/s]
     double liquid_content = 0;    ///< liquid volume divided by grain volume in the cell [1]
     double bead_volume = 0;       ///< solid volume of the grains in the cell [m^3]
-    double time = 0;              ///< time since the first recording began [s]
+    double time = 0;              ///< time since the study's first recording began [s]
 
     // No effect changes the quantities below.
     /// Radius of the inner side wall and radius of the outer side wall of the cell [m].

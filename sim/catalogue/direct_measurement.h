@@ -16,11 +16,10 @@ struct DirectMeasurement {
     std::string unit;  ///< SI unit of the measured parameter
     /// Instrument or method that measures the parameter, such as "a viscometer"; empty if unknown.
     std::string by = {};
-    /// Value of the parameter, in the parameter's unit, that a model predicts if the model does not
+    /// Value of the parameter, in the parameter's unit, that a model assumes if the model does not
     /// list the effect (`Effect::unlisted_value`). If the study's liquid gives the parameter
-    /// (`Effect::given_by_liquid`), as for the surface tension, the model predicts the value of the
-    /// liquid. Otherwise the model predicts the value at which the effect vanishes, such as 1 for a
-    /// torque gain.
+    /// (`Effect::given_by_liquid`), as for the surface tension, the value is that of the liquid.
+    /// Otherwise the effect vanishes at this value, such as 1 for a torque gain.
     double neutral = 0;
     /// Measured value of the parameter, in the parameter's unit; 0 if not measured yet.
     double value = 0;
@@ -30,8 +29,9 @@ struct DirectMeasurement {
 /// Converts a table [[direct]] or [[rig.direct]] of study.toml to a direct measurement. Value and
 /// standard error are in the SI unit of the parameter.
 /// @param catalogue all effects available to the study
-/// @throws InputError if the effect is unknown, is only a switch, or does not apply to the study,
-///         if a unit does not fit the parameter, or if the standard error is not positive
+/// @throws InputError if the effect is unknown, can only be switched on or off, or does not apply
+///         to the study, if a unit does not fit the parameter, or if the standard error is not
+///         positive
 DirectMeasurement direct_measurement(const StatedDirect& stated, const Study& study,
                                      const EffectCatalogue& catalogue);
 

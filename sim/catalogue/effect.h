@@ -27,16 +27,16 @@ struct ChangeInstrument {
 };
 
 /// Effect that changes only properties of the study's grains or liquid, such as the contact angle.
-/// The function `change` receives a condition and returns the condition with changed properties. If
-/// the received condition is wet, its member `liquid` is set.
+/// The function `change` receives a condition and returns the condition with changed properties. A
+/// wet condition is passed to the function with the member `liquid` set.
 struct ChangeCondition {
     std::function<EffectiveCondition(EffectiveCondition, const Values&)> change;
 };
 
 /// Effect that makes a model compute the strength (stress ratio) of wet grains by a more accurate
-/// method. The method is the formula (closure) or the simulation that `level` names. A model that
-/// already uses a higher level is not changed. The levels are ordered from the simplest formula to
-/// the simulation.
+/// method. The method is the formula (closure) or the simulation that `level` names. The levels are
+/// ordered from the simplest formula to the simulation. A model that already uses a higher level is
+/// not changed.
 struct ChangeClosure {
     closures::Level level = closures::Level::simulation;
 };
@@ -47,17 +47,18 @@ struct FlowPoint {
 };
 
 /// Effect on the stress ratio and the solid fraction that a model predicts. The function `change`
-/// receives the two values at a condition without the effect, and returns the values with the
+/// receives the stress ratio and the solid fraction without the effect, and the condition (normal
+/// stress, inertial number and liquid content). The function returns the two values with the
 /// effect. Effects of this kind are `peak-strength` and the effects that a user defines by formulas
 /// for the flow.
 struct ChangeFlow {
     std::function<FlowPoint(FlowPoint, const Condition&, const Values&)> change;
 };
 
-/// Change that an effect makes. The effect changes the instrument, the condition, the forces
-/// between grains (`dem::ChangePairs`), the grain sizes (`dem::ChangeSample`), a closure (formula
-/// for the strength of wet grains) or the flow. Only effects on forces and on grain sizes act
-/// inside a simulation.
+/// Way in which an effect acts on a model. The effect changes the instrument, the condition, the
+/// forces between grains (`dem::ChangePairs`), the grain sizes (`dem::ChangeSample`), a closure
+/// (formula for the strength of wet grains), or the predicted stress ratio and solid fraction
+/// (`ChangeFlow`). Only effects on forces and on grain sizes act inside a simulation.
 using Change = std::variant<ChangeInstrument, ChangeCondition, dem::ChangePairs, dem::ChangeSample,
                             ChangeClosure, ChangeFlow>;
 
@@ -65,9 +66,9 @@ using Change = std::variant<ChangeInstrument, ChangeCondition, dem::ChangePairs,
 /// grains, or at points of failure (peaks of the shear stress).
 enum class Touches { all, dry, wet, failure };
 
-/// Physical effect that a model may lack, with its description, its parameters and the change that
-/// it makes. Each built-in effect is defined in the file of sim/effects that has the name of the
-/// effect. CMake collects these files.
+/// Physical effect that a model may lack, with its description, its parameters and the way in which
+/// it acts on a model. Each built-in effect is defined in the file of sim/effects that has the name
+/// of the effect. CMake collects these files.
 struct Effect {
     std::string name = {};  ///< name of the effect, such as "torque-offset"
     std::string summary;    ///< description of the effect in one line

@@ -8,9 +8,9 @@
 
 namespace pendular {
 
-/// Condition that is truly imposed on the grains, with the properties of grains and liquid after
-/// all effects on these properties are applied. Without effects, the condition equals the condition
-/// that the study states.
+/// Condition (normal stress, inertial number and liquid content) that is truly imposed on the
+/// grains, with the properties of grains and liquid after all effects on these properties are
+/// applied. Without effects, the condition equals the condition that the study states.
 struct EffectiveCondition : Condition {
     EffectiveCondition() = default;
     EffectiveCondition(const Condition& imposed) : Condition(imposed) {}

@@ -8,8 +8,8 @@ namespace pendular {
 /// Compiles the effect that a user defines by formulas in a table [[effect]] of study.toml. Each
 /// formula computes a new value for the quantity that the key of the formula names. All variables
 /// have their values without the effect. Quantities without a formula do not change. The variables
-/// are the parameter of the effect and, in SI units, the quantities of one row. The row depends on
-/// what the effect changes:
+/// are the parameter of the effect and, in SI units, the quantities in one line of the following
+/// list. The line depends on what the effect changes:
 ///     the instrument  torque, normal_force, height, angular_velocity, liquid_content,
 ///                     bead_volume, time, inner_radius, outer_radius, density, diameter,
 ///                     normal_stress (normal_force divided by the annulus area)

@@ -72,12 +72,13 @@ double contact_capillary_shear_stress(const State& state);
 /// in units of F0/a^2 [1], with pull-off force F0 and grain diameter a. This shear stress is
 /// negative in steady shear.
 ///     a^2 s12cap,d/F0 = -(3/pi) Phi Z_d (F_d/F0) (l0/a) [F12d + A_force + A_length]
-/// Phi is the solid fraction, Z_d the number of distant bridges per grain, F_d the mean force of
-/// distant bridges, and l0 the mean distance of the centres that distant bridges join. F12d is the
-/// mean of n1 n2 over distant bridges. n1 and n2 are the components of the line of centres along
-/// the flow and along the velocity gradient. A_force and A_length are the anisotropies (component
-/// 12) of force and distance. The formula is of first order in the anisotropies. At a stiffness
-/// number of 1000, simulations gave magnitudes 3 to 9 % larger than the formula.
+/// Phi is the solid fraction, Z_d the number of distant bridges per grain, and F_d the mean force
+/// of distant bridges. l0 is the mean distance between the centres of the two grains that a distant
+/// bridge joins. F12d is the mean of n1 n2 over distant bridges. n1 and n2 are the components of
+/// the line of centres along the flow and along the velocity gradient. A_force and A_length are the
+/// anisotropies (component 12) of force and distance, `State::force_anisotropy_12_distant` and
+/// `State::length_anisotropy_12_distant`. The formula is of first order in the anisotropies. At a
+/// stiffness number of 1000, simulations gave magnitudes 3 to 9 % larger than the formula.
 /// Source: Badetti et al. (2018), Eq. (30).
 double distant_capillary_shear_stress(const State& state);
 

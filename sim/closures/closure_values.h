@@ -6,8 +6,8 @@
 
 namespace pendular::closures {
 
-/// Values of the closures (analytical formulas) of Badetti et al. (2018) for one state of wet
-/// grains. All values are dimensionless.
+/// Dimensionless values of the closures (analytical formulas) of Badetti et al. (2018) for one
+/// state of wet grains.
 struct ClosureValues {
     /// Stress ratio of dry grains that have the friction coefficient and the inertial number of the
     /// wet grains.

@@ -5,11 +5,7 @@
 namespace pendular::closures {
 
 /// Levels of accuracy at which a model computes the stress ratio of wet grains, from the simplest
-/// formula to the simulation. Each level replaces one approximation of the level below. In the
-/// formulas, P* is the reduced pressure, mu*_0 the stress ratio of dry grains, Phi the solid
-/// fraction, and F0 the pull-off force. Z_c is the number of contacts per grain. Distant bridges
-/// join grains that do not touch. Z_d is the number of distant bridges per grain, and F_d the mean
-/// force of distant bridges.
+/// formula to the simulation. Each level replaces one approximation of the level below.
 /// Source: Badetti et al. (2018).
 enum class Level {
     /// Stress ratio of dry grains plus c*/P*. P* is the reduced pressure. The constant reduced
@@ -18,10 +14,17 @@ enum class Level {
     mohr_coulomb,
     /// Stress ratio of wet grains with Rumpf's cohesion, from an approximate coordination number Z:
     ///     mu*_0 [1 + Phi Z/(pi P*)],   Z = Z_c + 0.5 Z_d
+    /// mu*_0 is the stress ratio of dry grains, Phi the solid fraction, P* the reduced pressure,
+    /// and Z_c the number of contacts per grain. Z_d is the number of distant bridges per grain
+    /// (bridges between grains that do not touch).
     /// Source: Badetti et al. (2018), Eq. (24).
     rumpf,
     /// Stress ratio of wet grains from the effective coordination number Z*:
     ///     mu*_0 [1 + Phi Z*/(pi P*)],   Z* = Z_c + Z_d F_d/F0
+    /// mu*_0 is the stress ratio of dry grains, Phi the solid fraction, P* the reduced pressure,
+    /// and Z_c the number of contacts per grain. Z_d is the number of distant bridges per grain
+    /// (bridges between grains that do not touch), F_d the mean force of distant bridges, and F0
+    /// the pull-off force.
     /// Source: Badetti et al. (2018), Eq. (23).
     strength3,
     /// Stress ratio of level `strength3` minus the ratio of the capillary shear stress to the

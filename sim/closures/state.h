@@ -58,7 +58,7 @@ struct CapillaryStress {
     /// pull-off force F0 and grain diameter a. Attraction makes the normal stress negative.
     double normal = 0;
     /// Shear stress of the bridge forces in units of F0/a^2 [1], with pull-off force F0 and grain
-    /// diameter a.
+    /// diameter a. A positive shear stress reduces the magnitude of the total shear stress.
     double shear = 0;
 };
 

@@ -23,10 +23,10 @@ void load(Archive& archive, Vector& v) {
     archive(cereal::binary_data(&v, sizeof v));
 }
 
-/// Input archive of the serialisation library cereal, which reads the bytes that
-/// `cereal::BinaryOutputArchive` wrote. If the bytes state that a container has more elements than
-/// the remaining bytes can contain, the archive throws cereal::Exception.
-/// `cereal::BinaryInputArchive` would instead allocate memory for all stated elements.
+/// Reader of the bytes that `cereal::BinaryOutputArchive` of the serialisation library cereal
+/// wrote. If the bytes state that a container has more elements than the remaining bytes can
+/// contain, the reader throws cereal::Exception. `cereal::BinaryInputArchive` would instead
+/// allocate memory for all stated elements.
 class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyClassElision> {
   public:
     explicit ByteReader(std::string_view bytes) : InputArchive(this), bytes_(bytes) {}
@@ -87,10 +87,10 @@ void load(ByteReader& reader, std::vector<T, Allocator>& elements) {
     }
 }
 
-/// Returns an object, such as the state of a run, as bytes. The serialisation library cereal must
-/// be able to save the object, for example by a member function `serialize`. The function `restore`
-/// restores the object from the bytes, but only in a program with the memory layout of this
-/// program.
+/// Returns an object, such as the state of a simulation run, as bytes. The serialisation library
+/// cereal must be able to save the object, for example by a member function `serialize`. The
+/// function `restore` can read the bytes only if the byte order of the machine and the memory
+/// layout of the saved types are unchanged.
 template <typename State>
 std::string archived(const State& state) {
     std::ostringstream stream(std::ios::binary);
@@ -99,8 +99,10 @@ std::string archived(const State& state) {
     return std::move(stream).str();
 }
 
-/// Restores an object, such as the state of a run, from the bytes that `archived` returned.
-/// @return false if the bytes are too few, too many or invalid for the object
+/// Restores an object, such as the state of a simulation run, from the bytes that `archived`
+/// returned.
+/// @return false if the bytes are too few, too many or invalid for the object, which may then be
+///         changed in part
 template <typename State>
 bool restore(std::string_view bytes, State& state) {
     ByteReader reader(bytes);

@@ -7,11 +7,10 @@
 
 namespace pendular::dem {
 
-/// Parameters of the liquid bridges in a simulation, given by the user. All parameters are
-/// dimensionless.
+/// Dimensionless parameters of the liquid bridges in a simulation.
 struct Wetting {
     /// Reduced pressure a^2 s22/F0 [1], with grain diameter a, imposed normal stress s22 and
-    /// pull-off force F0.
+    /// pull-off force F0 of a bridge.
     double reduced_pressure = 0;
     /// Volume of one liquid bridge divided by the cubed grain diameter [1].
     double bridge_volume = 0;
@@ -25,16 +24,17 @@ struct Wetting {
 /// Source: Badetti et al. (2018), section 3.1.
 constexpr double largest_pendular_volume = 8e-3;
 
-/// Typical number of liquid bridges per grain [1], between touching grains and between grains that
-/// do not touch. The number serves to convert between bridge volume and liquid content before a
-/// simulation gives the true number. At a friction coefficient of 0.09, the liquid contents and
-/// bridge volumes of Badetti et al. (2018) give 7 to 8 bridges per grain.
+/// Typical number of liquid bridges on a grain [1]: bridges to grains that touch the grain plus
+/// bridges to grains that do not touch it. The number serves to convert between bridge volume and
+/// liquid content before a simulation gives the true number. At a friction coefficient of 0.09, the
+/// liquid contents and bridge volumes of Badetti et al. (2018) give 7 to 8 bridges on a grain.
 constexpr double typical_coordination = 7.5;
 
 /// Returns the liquid content of a sample [1]: volume of liquid divided by volume of grains.
 ///     liquid content = 3 Z (V0/a^3)/pi
 /// @param bridge_volume volume V0 of one liquid bridge divided by the cubed grain diameter a^3 [1]
-/// @param coordination mean number Z of bridges per grain [1]
+/// @param coordination mean number Z of bridges on a grain [1]; each bridge counts for both of its
+///         grains
 /// Source: Badetti et al. (2018), Eq. (6).
 inline double liquid_content(double bridge_volume, double coordination) {
     return 3 * coordination * bridge_volume / std::numbers::pi;
@@ -42,7 +42,8 @@ inline double liquid_content(double bridge_volume, double coordination) {
 /// Returns the volume of one liquid bridge, divided by the cubed grain diameter [1], in a sample
 /// with a given liquid content. The function is the inverse of `liquid_content`.
 /// @param liquid_content volume of liquid divided by volume of grains [1]
-/// @param coordination mean number of bridges per grain [1]
+/// @param coordination mean number of bridges on a grain [1]; each bridge counts for both of its
+///         grains
 inline double bridge_volume(double liquid_content, double coordination) {
     return std::numbers::pi * liquid_content / (3 * coordination);
 }
@@ -61,8 +62,8 @@ struct BridgeLaw {
     double pull_off_force = 0;
     /// Gap V0^(1/3) at which a bridge of volume V0 breaks [grain diameters].
     double rupture_distance = 0;
-    /// Constant c in the attraction F0 [1 - 1/sqrt(1 + c/h^2)] of a bridge at gap h [squared grain
-    /// diameters].
+    /// Constant c [squared grain diameters] in the attraction F0 [1 - 1/sqrt(1 + c/h^2)] of a
+    /// bridge with pull-off force F0 at gap h.
     double curvature = 1;
     double volume = 0;  ///< volume V0 of one liquid bridge [cubed grain diameters]
 
@@ -94,8 +95,9 @@ struct BridgeLaw {
         law.curvature /= diameter;
         return law;
     }
-    /// Returns the potential energy of a liquid bridge in units of a^3 s22, with grain diameter a
-    /// and imposed normal stress s22. The energy is zero at the gap at which the bridge breaks.
+    /// Returns the potential energy of a liquid bridge between two grains, in units of a^3 s22,
+    /// with grain diameter a and imposed normal stress s22. The energy is zero at the gap at which
+    /// the bridge breaks, and negative at smaller gaps.
     /// @param gap gap between the grains, zero or more [grain diameters]
     double potential(double gap) const {
         const double root = std::sqrt(gap * gap + curvature);
@@ -106,7 +108,7 @@ struct BridgeLaw {
     /// grains that overlap. Without overlap, a bridge persists up to the rupture distance.
     /// @param overlap overlap of the grains [grain diameters], 0 without contact
     /// @param gap gap between the grains [grain diameters], 0 in contact
-    /// @param before 1 if a bridge joined the grains before the step, else 0
+    /// @param before 1 if a bridge joined the grains before the time step, else 0
     double joined(double overlap, double gap, double before) const {
         return overlap > 0 ? 1.0 : gap > rupture_distance ? 0.0 : before;
     }

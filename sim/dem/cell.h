@@ -9,7 +9,8 @@ namespace pendular::dem {
 /// Periodic cell of a sheared sample (Lees-Edwards boundary conditions). Lengths are in grain
 /// diameters. The lattice vectors of the cell are (length, 0, 0), (offset, height, 0) and (0, 0,
 /// width). Direction 1 is the flow, 2 the velocity gradient, 3 the vorticity. The offset grows with
-/// the shear until a rebuild of the neighbour list reduces the offset by whole lengths.
+/// the shear. When the list of neighbouring grains is rebuilt, the offset is reduced by whole cell
+/// lengths.
 struct Cell {
     double length = 0;
     double height = 0;
@@ -33,7 +34,8 @@ struct Cell {
         const double up = r[1] / height;
         return {(r[0] - up * offset) / length, up, r[2] / width};
     }
-    /// Returns a position [grain diameters] moved into the cell by whole lattice vectors.
+    /// Returns the point inside the cell [grain diameters] to which whole lattice vectors shift a
+    /// position [grain diameters].
     Vector wrapped(const Vector& r) const {
         const Vector at = fractions(r);
         const double n1 = std::floor(at[0]), n2 = std::floor(at[1]), n3 = std::floor(at[2]);
@@ -51,13 +53,14 @@ struct Image {
     }
 };
 
-/// Codes of periodic images of the cell. A code is a number from 0 to 125, so that the neighbour
-/// list needs one byte per pair for the image of the second grain.
+/// Codes of periodic images of the cell. A code is a number from 0 to 124, or 125 for placeholder
+/// pairs (`nowhere`). A neighbour list thus needs one byte per pair of grains for the image of the
+/// second grain.
 namespace image_code {
 constexpr int reach = 2;
 constexpr int per_direction = 2 * reach + 1;
 constexpr int count = per_direction * per_direction * per_direction;
-/// Image code of placeholder pairs, which fill up the last batch of a list of pairs. The code
+/// Image code of placeholder pairs, which fill up the last batch of a neighbour list. The code
 /// stands for a position far outside the cell, so that the two grains of a placeholder pair never
 /// touch.
 constexpr int nowhere = count;

@@ -10,9 +10,9 @@
 
 namespace pendular::dem {
 
-/// Batch of pairs of grains that the force loop passes to an effect on grains. The batch consists
-/// of arrays of `size` elements, one element per pair, in reduced units (grain diameter, grain mass
-/// and imposed normal stress are 1).
+/// Batch of pairs of grains that the solver passes to a physical effect, in reduced units (grain
+/// diameter, grain mass and imposed normal stress are 1). Each pointer points to an array of `size`
+/// elements, one element per pair.
 struct PairBatch {
     std::size_t size = 0;
     double time_step = 0;
@@ -20,14 +20,15 @@ struct PairBatch {
     const double *nx, *ny, *nz;
     /// Gap between the surfaces of each pair [grain diameters]. An overlap is a negative gap.
     const double* gap;
-    /// Diameter 2 d1 d2/(d1 + d2) of each pair, with the diameters d1 and d2 of its two grains
+    /// Harmonic mean 2 d1 d2/(d1 + d2) of the diameters d1 and d2 of the two grains of each pair,
     /// divided by the mean grain diameter [1].
     const double* diameter;
     const double* normal_speed;  ///< rate at which the gap of each pair grows, in reduced units
     /// Components of the angular velocity of the second grain of each pair minus the angular
     /// velocity of the first grain, in reduced units.
     const double *rolling_x, *rolling_y, *rolling_z;
-    /// Components of the angular velocity of each pair as a whole, in reduced units.
+    /// Components of the angular velocity with which each pair of grains rotates as a whole, in
+    /// reduced units.
     const double *pair_rotation_x, *pair_rotation_y, *pair_rotation_z;
     const double* elastic;    ///< elastic normal force of each pair's contact, in reduced units
     const double* stiffness;  ///< tangential stiffness of each pair's contact, in reduced units
@@ -48,34 +49,37 @@ struct PairBatch {
     /// units. The opposite torque acts on the first grain. The torque of the tangential contact
     /// force is not included.
     double *tx, *ty, *tz;
-    /// Values that the effect keeps from step to step for each pair, accessed as
-    /// contact_history[value][pair] with the index of the value and the index of the pair.
+    /// Values that the effect stores for each pair from one time step to the next, such as a
+    /// tangential displacement. The element contact_history[v][k] is value v of pair k.
     double* const* contact_history = nullptr;
 };
 
-/// Quantities that a function of an effect receives with each batch of pairs (`PairBatch`) and that
-/// all pairs of a run share: the material, the bridge law and the parameter values of the effect.
+/// Material of the grains, bridge law and parameter values of a physical effect, which are equal
+/// for all pairs of grains in a run. The functions of the effect receive these data with each batch
+/// of pairs (`PairBatch`).
 struct PairContext {
     const Material& material;
     const BridgeLaw& bridges;
-    const Values& values;  ///< values of the parameters of the effect, in reduced units
+    /// Parameter values of the effect, in reduced units (grain diameter, grain mass and imposed
+    /// normal stress are 1).
+    const Values& values;
 };
 
-/// Physical effect on the forces between grains. The force loop calls the functions `bridge`,
-/// `limit` and `add` of the effect once per batch of pairs, in this order. A null function changes
-/// nothing.
+/// Physical effect on the forces between grains. In each time step, the solver calls the functions
+/// `bridge`, `limit` and `add` of the effect once for each batch of pairs (`PairBatch`), in this
+/// order. A null function changes nothing.
 struct ChangePairs {
     using Stage = void (*)(const PairBatch&, const PairContext&);
 
-    /// Number of values that the effect keeps per pair (`PairBatch::contact_history`). The values
-    /// are preserved when the neighbour lists are renewed. If the two grains of a pair exchange
-    /// their places (first and second), the values change sign, like the components of the force on
-    /// the second grain.
+    /// Number of values that the effect stores for each pair of grains
+    /// (`PairBatch::contact_history`), such as a tangential displacement. The values are kept while
+    /// the pair is in the neighbour lists. If the first and the second grain of the pair exchange
+    /// places, the values change sign, like the components of the force on the second grain.
     std::size_t contact_history = 0;
-    /// Whether the first value of the effect's contact history is the volume of the pair's bridge,
-    /// divided by the mean volume V0 of newly formed bridges. The sign of the value is ignored. If
-    /// an effect in a sample sets this member, the liquid content of the sample follows from the
-    /// sum of the bridge volumes. Otherwise each bridge has the volume V0.
+    /// Whether the first value that the effect stores for a pair (`contact_history`) is the volume
+    /// of the pair's bridge, divided by the mean volume V0 of newly formed bridges. The sign of the
+    /// value is ignored. If this member is true for an effect of a run, the liquid content follows
+    /// from the sum of the bridge volumes. Otherwise each bridge has the volume V0.
     bool volume_in_history = false;
     /// Function that returns the rate [1 per unit of shear strain] at which the volumes of the
     /// bridges on a grain become equal by flow of liquid (`LiquidExchange`). If the function is

@@ -13,13 +13,13 @@ namespace pendular::dem {
 /// crash nor a full disk destroys the previous checkpoint. While the object exists, no other
 /// process can use the file.
 ///
-/// The file begins with lines of text: format, checksum and length, the parameters of the run (one
-/// per line) and an empty line. The state of the run follows in binary.
+/// The file begins with lines of text: version of the file format, checksum and number of bytes,
+/// parameters of the run (one per line), and an empty line. The state of the run follows in binary.
 class Checkpoint {
   public:
     /// Locks the checkpoint file `file`, which need not exist yet. The lock is a second file with
     /// the additional extension .lock.
-    /// @param every time from one checkpoint until the next checkpoint is due (`due`)
+    /// @param every time after which the next checkpoint is due (`due`)
     /// @throws InputError if another process uses the file, if the path exists but is not a regular
     ///         file, or if the folder of the file cannot be written
     explicit Checkpoint(const std::filesystem::path& file,
@@ -27,8 +27,8 @@ class Checkpoint {
     Checkpoint(const Checkpoint&) = delete;
     Checkpoint& operator=(const Checkpoint&) = delete;
 
-    /// Returns the last saved state of a run, as bytes; empty if the checkpoint file does not
-    /// exist.
+    /// Returns the state of a run that the checkpoint file contains, as bytes; empty if the
+    /// checkpoint file does not exist.
     /// @param run parameters of the run as lines "name = value"
     /// @throws InputError if the file belongs to a run with other parameters, has a format other
     ///         than `format`, or is truncated or corrupt; the file is left unchanged
@@ -38,8 +38,8 @@ class Checkpoint {
     /// @param state state of the run as bytes
     /// @throws std::runtime_error if the file cannot be written; the previous file is then kept
     void write(const std::string& run, const std::string& state);
-    /// Deletes the checkpoint file if it exists. The function is to be called once the run is
-    /// complete and saved.
+    /// Deletes the checkpoint file if it exists. The caller must first save the results of the
+    /// complete run.
     void remove();
 
     bool due() const { return std::chrono::steady_clock::now() - written_ >= every_; }

@@ -14,7 +14,8 @@ struct Material {
     double modulus = 0;
     double poisson_ratio = 0.3;  ///< Poisson ratio nu of the grain material [1]
     double friction = 0;         ///< friction coefficient between grains [1]
-    /// Damping of the normal motion in contacts as a fraction of critical damping [1].
+    /// Damping coefficient of the normal motion in contacts, divided by the coefficient of critical
+    /// damping [1].
     double damping = 0.98;
 };
 
@@ -56,19 +57,19 @@ struct Hertz {
 };
 
 /// Returns the factor [1], at most 1, by which a tangential force must be multiplied so that the
-/// force does not exceed Coulomb's limit.
+/// magnitude of the force does not exceed Coulomb's limit.
 /// @param squared squared magnitude of the tangential force
-/// @param limit Coulomb's limit: friction coefficient times elastic normal force, without the
-///         viscous force
+/// @param limit Coulomb's limit: friction coefficient times elastic normal force (the viscous
+///         normal force is not included)
 inline double coulomb_factor(double squared, double limit) {
     return squared > limit * limit ? limit / std::sqrt(squared) : 1.0;
 }
 
-/// Returns the factor [1], at most 1, by which the tangential force of a contact is multiplied in a
-/// time step in which the contact unloads. The factor is the tangential stiffness after the step
-/// divided by the tangential stiffness before the step. Without this factor, a contact that opens
-/// would create elastic energy.
-/// @param root_new,root_old square root of the overlap after and before the step
+/// Returns the factor [1] by which the tangential force of a contact is multiplied in a time step.
+/// If the overlap falls, the factor is the tangential stiffness after the step divided by the
+/// tangential stiffness before the step. Otherwise the factor is 1. Without this factor, a contact
+/// that opens would create elastic energy.
+/// @param root_new,root_old square root of the overlap after and before the time step
 /// Source: Badetti et al. (2018), section 2.2 (simplified Hertz-Mindlin law).
 inline double unloading_factor(double root_new, double root_old) {
     return root_new < root_old ? root_new / root_old : 1.0;
@@ -85,9 +86,10 @@ inline double tangential_energy(double squared, double stiffness) {
 /// Returns the energy that a contact loses by sliding in a time step, in units of a^3 s22, with
 /// grain diameter a and imposed normal stress s22.
 ///     energy = [(1 - allowed) p/stiffness] . [(q + allowed p)/2]
-/// The first factor is the sliding displacement, the second factor the mean tangential force. q is
-/// the tangential force before the step. p is the tangential force after the step if the contact
-/// did not slide. Coulomb's limit reduces p to `allowed` times p.
+/// The first factor is the sliding displacement, the second factor the mean tangential force. The
+/// vector q is the tangential force before the tangential displacement of the time step. The vector
+/// p is the tangential force after this displacement if the contact did not slide. Coulomb's limit
+/// reduces p to `allowed` times p.
 /// @param squared squared magnitude of p
 /// @param along scalar product of p and q
 /// @param allowed factor by which p is reduced [1]
@@ -96,10 +98,10 @@ inline double sliding_loss(double squared, double along, double allowed, double 
     return stiffness > 0 ? 0.5 * (1 - allowed) * (allowed * squared + along) / stiffness : 0.0;
 }
 
-/// Returns the overlap [grain diameters] at which a Hertz contact of two equal grains has a given
-/// elastic normal force.
-/// @param force normal force in units of a^2 s22, with grain diameter a and imposed normal stress
-///         s22
+/// Returns the overlap [grain diameters] at which the Hertz contact of two equal grains has the
+/// elastic normal force `force`.
+/// @param force elastic normal force in units of a^2 s22, with grain diameter a and imposed normal
+///         stress s22
 /// @param modulus E/(1 - nu^2) divided by s22 [1], with Young's modulus E and Poisson ratio nu
 inline double overlap_at(double force, double modulus) {
     return std::cbrt(3 * force / modulus * (3 * force / modulus));

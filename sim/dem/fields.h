@@ -14,12 +14,13 @@
 
 namespace pendular::dem {
 
-/// Coordinate on which a field depends. A field is a quantity that a run measures as a function of
-/// one coordinate. The array `coordinates` lists the name, unit and meaning of each coordinate.
+/// Coordinate on which a field depends. A field is a quantity that a simulation run averages as a
+/// function of one coordinate, such as a velocity profile. The array `coordinates` lists the name,
+/// unit and meaning of each coordinate.
 enum class Coordinate { height, angle, relative_force, gap };
 
-/// Field: quantity that a run measures as a function of one coordinate, such as a velocity profile.
-/// The array `fields` lists the name, unit and meaning of each field.
+/// Field: quantity that a simulation run averages as a function of one coordinate, such as a
+/// velocity profile. The array `fields` lists the name, unit and meaning of each field.
 enum class Field {
     velocity,
     solid_fraction,
@@ -35,7 +36,8 @@ struct CoordinateAbout {
     std::string_view name;     ///< name of the coordinate in JSON and in headers of CSV files
     std::string_view unit;     ///< unit of the coordinate, "1" if dimensionless
     std::string_view meaning;  ///< description of the coordinate in one line
-    std::string_view table;  ///< name of the CSV file with all fields that depend on the coordinate
+    /// Name of the CSV file with all fields that depend on the coordinate, without extension.
+    std::string_view table;
 };
 constexpr std::array coordinates = std::to_array<CoordinateAbout>(
     {{"height", "1", "position along the velocity gradient over the sample's height", "profiles"},
@@ -81,22 +83,22 @@ constexpr const FieldAbout& about(Field which) {
 constexpr const CoordinateAbout& about(Coordinate which) {
     return coordinates[static_cast<std::size_t>(which)];
 }
-/// Whether a field is a profile along the height of the sample rather than a distribution over
-/// pairs of grains.
+/// Whether a field is a profile along the height of the sample, such as a velocity profile, rather
+/// than a distribution over pairs of grains.
 constexpr bool is_profile(Field which) {
     return about(which).coordinate == Coordinate::height;
 }
 
-/// Bins of equal width between 0 and `end`. Values are in the unit of the coordinate that is
-/// divided into bins.
+/// Bins of equal width that divide the range of a coordinate from 0 to `end`. All values are in the
+/// unit of the coordinate.
 struct Bins1d {
     std::size_t count = 0;
     double end = 1;
 
     double width() const { return end / static_cast<double>(count); }
     double middle(std::size_t bin) const { return (static_cast<double>(bin) + 0.5) * width(); }
-    /// Returns the index, from 0, of the bin of a value. The index is 0 for negative values and
-    /// `count` for values beyond the last bin.
+    /// Returns the index, from 0, of the bin that contains a value of the coordinate. The index is
+    /// 0 for negative values and `count` for values beyond the last bin.
     std::size_t of(double value) const {
         const double bin = value < 0 ? 0 : value / width();
         return bin < static_cast<double>(count) ? static_cast<std::size_t>(bin) : count;
@@ -112,15 +114,17 @@ struct Bins1d {
 /// @param rupture_distance gap at which bridges break [grain diameters]
 Bins1d bins_of(Coordinate coordinate, int grains, double rupture_distance);
 
-/// Time averages of a field (quantity as a function of one coordinate) in a run. For each bin of
-/// the coordinate, there is a mean with its standard error. The mean is NaN if a bin has no data.
+/// Time averages of a field (quantity as a function of one coordinate) over a simulation run.
+/// `means` has one mean, with its standard error, for each bin of the coordinate. The mean is NaN
+/// for a bin without data.
 struct BinnedMeans {
     std::vector<double> at;  ///< middle of each bin of the coordinate, in the coordinate's unit
     std::vector<Mean> means;
 };
 
-/// Sums over several states of a sample for one field (quantity as a function of one coordinate).
-/// The value of the field in a bin is the element of `sum` divided by the element of `weight`.
+/// Sums, over several states of a sample, from which one field (quantity as a function of one
+/// coordinate) follows. Both arrays have one element per bin of the coordinate. The value of the
+/// field in bin k is sum[k]/weight[k].
 struct BinnedSums {
     std::vector<double> sum, weight;
 
@@ -132,27 +136,34 @@ struct BinnedSums {
 };
 using FieldSums = std::array<BinnedSums, field_count>;
 
-/// Velocities of the grains as a function of the height in the sample, summed over several states.
+/// Velocities of the grains as a function of the height in the sample, summed over several states
+/// of the sample.
 class MotionProfile {
   public:
     explicit MotionProfile(std::size_t bins = 0) : bins_(bins) {}
 
-    /// Adds the velocities of the grains in one state, without the imposed flow, to the sums.
+    /// Adds the velocities of all grains in one state of the sample, without the imposed flow, to
+    /// the sums.
     /// @param height height of the cell [grain diameters]
     void add(const Grains& grains, double height);
     /// Returns the localization of the shear [1], which is 0 for uniform shear and 1 for an
     /// infinitely thin shear band.
     ///     Delta = 12/(H^3 rate^2) int [v1 - rate x2]^2 dx2
-    /// H is the height of the cell [grain diameters], rate the shear rate in reduced units, and v1
-    /// the mean velocity along the flow at the height x2.
+    /// H is the height of the cell, rate the shear rate, and v1 the mean velocity along the flow at
+    /// the height x2. All quantities are in reduced units (grain diameter, grain mass and imposed
+    /// normal stress are 1).
     /// Source: Badetti et al. (2018), Eq. (17).
     double localization(double height, double shear_rate) const;
-    /// Returns the mean velocity of the grains along the flow, including the imposed flow, in each
-    /// bin of height, divided by (shear rate times height of the cell) [1].
+    /// Returns the profile of the mean velocity of the grains along the flow, including the imposed
+    /// flow, divided by (shear rate times height of the cell) [1]. The profile has one value per
+    /// bin of height.
+    /// @param height height of the cell [grain diameters]
+    /// @param shear_rate shear rate in reduced units, equal to the inertial number
     BinnedSums velocity(double height, double shear_rate) const;
-    /// Returns the granular temperature in each bin of height [1]: the variance of one component of
-    /// the grains' velocities, averaged over the three components and divided by the squared
-    /// product of grain diameter and shear rate.
+    /// Returns the profile of the granular temperature [1]: variance of one velocity component
+    /// about the mean in the bin of height, averaged over the three components, divided by the
+    /// squared product of grain diameter and shear rate.
+    /// @param shear_rate shear rate in reduced units, equal to the inertial number
     BinnedSums temperature(double shear_rate) const;
 
     template <typename Archive>
@@ -173,16 +184,16 @@ class MotionProfile {
     std::vector<Bin> bins_;
 };
 
-/// Adds the profile of the solid fraction along the height of the sample, in one state, to `sums`.
-/// A grain that extends over several bins adds to each bin the part of its volume that is inside
-/// the bin.
+/// Adds the profile of the solid fraction along the height of the sample, in one state of the
+/// sample, to `sums`. A grain that extends over several bins of height adds to each bin the part of
+/// its volume that is inside the bin.
 void add_solid_fraction(const Grains& grains, const Cell& cell, BinnedSums& sums);
 
-/// Adds the distributions of one state to `sums`: directions and forces of contacts, and directions
-/// and gaps of bridges between grains that do not touch. All fields except profiles along the
-/// height are such distributions.
+/// Adds the distributions over the pairs of grains in one state of a sample to `sums`: directions
+/// and forces of contacts, and directions and gaps of bridges between grains that do not touch.
+/// Profiles along the height, the remaining elements of `sums`, are not changed.
 /// @param near pairs of the narrow neighbour list, which contains all contacts
-/// @param distant other pairs that a bridge may join
+/// @param distant pairs outside of `near` that a bridge may join
 void add_distributions(const Grains& grains, const Cell& cell, const Pairs& near,
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges,
                        FieldSums& sums);

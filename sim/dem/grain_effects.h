@@ -19,25 +19,27 @@ namespace pendular::dem {
 struct GrainEffect {
     std::variant<const ChangePairs*, const ChangeSample*> change;
     std::span<const EffectParameter> parameters;
-    std::vector<double> values;  ///< value of each effect parameter, in reduced units
+    /// Value of each parameter of the effect, in reduced units (grain diameter, grain mass and
+    /// imposed normal stress are 1).
+    std::vector<double> values;
 };
 
-/// All physical effects on grains that act in a run, with the functions by which the solver applies
-/// the effects.
+/// All physical effects on the forces between grains and on the grain sizes that act in a
+/// simulation run, with the functions by which the solver applies the effects.
 class GrainEffects {
   public:
     GrainEffects() = default;
     explicit GrainEffects(const std::vector<GrainEffect>& on);
 
-    /// Whether any effect of the run changes or adds forces pair by pair, or lets bridges form
-    /// between grains that do not touch. An effect that changes only the law of the bridges
+    /// Whether any effect of the run changes or adds a force between two grains, or lets bridges
+    /// form between grains that do not touch. An effect that changes only the law of the bridges
     /// (`ChangePairs::bridge_law`) does not count.
     bool changes_forces() const { return changes_forces_; }
     /// Whether any effect of the run changes the grain sizes or the forces between grains
     /// (`changes_forces`).
     bool changes_pairs() const { return changes_forces_ || !samples_.empty(); }
-    /// Returns the number of values that all effects together keep from step to step for each pair
-    /// of grains.
+    /// Returns the number of values that all effects together store for each pair of grains from
+    /// one time step to the next, such as a tangential displacement.
     std::size_t contact_history() const { return contact_history_; }
     bool bridges_without_contact() const { return bridges_without_contact_; }
     BridgeLaw changed(BridgeLaw law) const;
@@ -60,16 +62,16 @@ class GrainEffects {
         stage(&ChangePairs::add, batch, material, bridges);
     }
     bool changes_bridges() const { return changes_bridges_; }
-    /// Returns the index of the bridge volume in the contact history (values that effects keep for
-    /// each pair). The bridge volume is divided by the mean volume V0 of newly formed bridges. The
-    /// result is empty if each bridge has the volume V0.
+    /// Returns the index of the bridge volume in the contact history (values that effects store for
+    /// each pair of grains); empty if all bridges have the volume V0. The stored bridge volume is
+    /// divided by the mean volume V0 of newly formed bridges.
     std::optional<std::size_t> volume_in_history() const { return volume_in_history_; }
     /// Returns the attraction of two grains at rest by a liquid bridge, with all effects of the
     /// run, in units of a^2 s22, with grain diameter a and imposed normal stress s22.
     /// @param gap gap between the surfaces [grain diameters]; negative for an overlap
     /// @param diameter 2 d1 d2/(d1 + d2), with the grain diameters d1 and d2 divided by the mean
     ///         grain diameter [1]
-    /// @param history values that the effects keep for the pair (`contact_history`); if empty, the
+    /// @param history values that the effects store for the pair (`contact_history`); if empty, the
     ///         bridge has the mean volume of newly formed bridges
     double attraction(double gap, double diameter, const Material& material,
                       const BridgeLaw& bridges, std::vector<double> history = {}) const;

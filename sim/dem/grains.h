@@ -13,13 +13,13 @@
 namespace pendular::dem {
 
 /// Grains of a sample in reduced units (mean grain diameter, mass of a grain of mean diameter and
-/// imposed normal stress are 1). The data of a grain that the force loop reads (`motion`) are
-/// adjacent in memory. The data that the force loop writes (`net_force`) are also adjacent. Few
-/// cache lines are therefore needed per pair of grains.
+/// imposed normal stress are 1). The data of a grain from which the forces are computed (`motion`)
+/// are adjacent in memory, and so are the computed force and torque (`net_force`). Few cache lines
+/// are therefore needed per pair of grains.
 struct Grains {
     struct Motion {
-        /// Centre of the grain [mean grain diameters]. The centre was inside the cell when the
-        /// neighbour list was built, but may have left the cell since then.
+        /// Centre of the grain [mean grain diameters]. The centre was inside the cell when the list
+        /// of neighbouring grains was built, but may have left the cell since then.
         Vector position;
         /// Velocity of the grain without the imposed flow, half a time step before the time of
         /// `position`, in reduced units.
@@ -42,11 +42,11 @@ struct Grains {
     /// Net force and torque on each grain in reduced units, summed during a time step and zero
     /// between time steps.
     std::vector<ForceAndTorque> net_force;
-    /// Displacement of each grain, without the imposed flow, since the narrow neighbour list was
-    /// made [mean grain diameters].
+    /// Displacement of each grain, without the imposed flow, since the list of pairs that touch or
+    /// may touch soon (narrow neighbour list) was made [mean grain diameters].
     std::vector<Vector> displacement;
-    /// Original index of each grain. The index is kept because grains are renumbered when shear has
-    /// mixed them.
+    /// Index of each grain, from 0, at the beginning of the simulation. Grains are renumbered when
+    /// shear has mixed them.
     std::vector<std::int32_t> number;
     /// Diameter of each grain divided by the mean diameter [1]. If the list is empty, all diameters
     /// are 1.
@@ -75,8 +75,8 @@ struct Grains {
     double contact_distance(std::size_t i, std::size_t j) const {
         return diameters.empty() ? 1.0 : 0.5 * (diameters[i] + diameters[j]);
     }
-    /// Returns the sizes of the pair of grains i and j that enter the laws of contact and bridge
-    /// (`PairSizes`).
+    /// Returns contact distance, mean diameter, mean mass and lever arm of the pair of grains i and
+    /// j (`PairSizes`), on which contact forces and bridge forces depend [1].
     PairSizes sizes(std::size_t i, std::size_t j) const {
         return diameters.empty() ? PairSizes{} : PairSizes::of(diameters[i], diameters[j]);
     }

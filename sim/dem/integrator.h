@@ -9,9 +9,9 @@
 
 namespace pendular::dem {
 
-/// Sums over a range of grains after one time step, in reduced units (grain diameter, grain mass
-/// and imposed normal stress are 1). Kinetic stress, kinetic energy and the validity of the
-/// neighbour lists follow from the sums.
+/// Sums of squared velocities over a range of grains after one time step, and the largest
+/// displacement, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
+/// Kinetic stress, kinetic energy and the validity of the neighbour lists follow from these data.
 struct MotionSums {
     /// Sums of m v1^2, m v2^2 and m v3^2 over the grains, in reduced units, with mass m and
     /// velocity v without the imposed flow. The kinetic normal stresses follow from these sums.
@@ -22,8 +22,8 @@ struct MotionSums {
     /// Sum of m d^2 omega^2 over the grains, in reduced units, with mass m, diameter d and angular
     /// velocity omega. The kinetic energy of the rotation follows from this sum.
     double angular_velocity = 0;
-    /// Largest squared displacement of a grain, without the imposed flow, since the narrow
-    /// neighbour list was made [squared grain diameters].
+    /// Largest squared displacement of a grain, without the imposed flow, since the list of pairs
+    /// that touch or may touch soon (narrow neighbour list) was made [squared grain diameters].
     double largest_squared = 0;
     MotionSums& operator+=(const MotionSums& other);
     /// Returns the kinetic energy of the grains over which the sums were taken, in units of a^3
@@ -38,13 +38,15 @@ struct MotionSums {
 };
 
 /// Advances velocities, angular velocities and positions of a range of grains by one leapfrog step.
-/// Sets the net forces and torques on these grains to zero. Returns sums over these grains.
+/// Sets the net forces and torques on the grains of the range to zero. Returns the sums of squared
+/// velocities over the grains of the range (`MotionSums`).
 ///     dv/dt = f/m - L v,   dx/dt = v + L x
 /// The vector x is the position of a grain, v the velocity without the imposed flow, f the net
 /// force on the grain, m the mass of the grain, t the time, and L the imposed velocity gradient.
 /// @param range first the index of the first grain, second the index after the last grain
 /// @param net_forces net force and torque on each grain
-/// @param time_step length of the time step in reduced units
+/// @param time_step length of the time step in reduced units (grain diameter, grain mass and
+///         imposed normal stress are 1)
 MotionSums advance(Grains& grains, std::pair<std::size_t, std::size_t> range,
                    std::vector<Grains::ForceAndTorque>& net_forces, const Flow& flow,
                    double time_step);

@@ -6,15 +6,15 @@
 
 namespace pendular::dem {
 
-/// Observable: quantity whose average a run measures, such as the stress ratio. The table
-/// data/quantities/observables.def lists all observables. Observables of liquid bridges are zero in
-/// dry runs.
+/// Observable: quantity that a simulation run averages over time, such as the stress ratio. The
+/// table data/quantities/observables.def lists all observables. Observables of liquid bridges are
+/// zero in runs with dry grains.
 enum class Observable {
 #define OBSERVABLE(name, ...) name,
 #include "data/quantities/observables.def"
 };
 
-/// Names of all observables in JSON and in files of stored runs, in the order of `Observable`.
+/// Names of all observables in JSON and in files of simulation runs, in the order of `Observable`.
 constexpr std::array observable_names = std::to_array<std::string_view>({
 #define OBSERVABLE(name, ...) #name,
 #include "data/quantities/observables.def"

@@ -51,8 +51,8 @@ struct PairMotion {
     Xyz angular_velocity;
 };
 
-/// Geometry and relative velocities of two grains, including the imposed flow, in reduced units
-/// (grain diameter, grain mass and imposed normal stress are 1).
+/// Distance, direction and relative velocities of two grains, including the imposed flow, in
+/// reduced units (grain diameter, grain mass and imposed normal stress are 1).
 struct ContactKinematics {
     double distance;  ///< distance between the centres of the two grains [grain diameters]
     Xyz normal;       ///< unit vector from the first to the second grain's centre [1]
@@ -61,8 +61,8 @@ struct ContactKinematics {
     /// Tangential velocity, at the contact point, of the second grain's surface relative to the
     /// first grain's surface, in reduced units.
     Xyz sliding_velocity;
-    /// Angular velocity of the pair of grains as a whole, including the rotation about the line of
-    /// centres, in reduced units.
+    /// Angular velocity with which the pair of grains rotates as a whole, including the rotation
+    /// about the line of centres, in reduced units.
     Xyz rotation_rate;
 
     [[gnu::always_inline]] static ContactKinematics of(const PairMotion& motion, const Flow& flow) {
@@ -104,6 +104,7 @@ struct ContactKinematics {
 /// Returns the viscous normal force of a contact in units of a^2 s22, with grain diameter a and
 /// imposed normal stress s22. The force is positive while the grains approach each other.
 /// @param normal_speed rate at which the distance between the centres grows, in reduced units
+///         (grain diameter, grain mass and imposed normal stress are 1)
 /// @param damping fraction of critical damping [1]
 [[gnu::always_inline]] inline double viscous_force(const Hertz& hertz, double normal_speed,
                                                    const PairSizes& sizes, double damping) {
@@ -190,12 +191,12 @@ struct TangentialStep {
     /// Returns the tangential force of a contact after one time step, with the energies of the
     /// contact. The function rotates the force with the pair of grains, projects the force onto the
     /// plane of contact, and multiplies the force by `unloading_factor`. The function then
-    /// subtracts the tangential stiffness times the sliding displacement. Finally, Coulomb's law
-    /// limits the force.
-    /// @param force tangential force on the second grain before the time step
-    /// @param old_root square root of the overlap before the time step
-    /// @param old_stiffness tangential stiffness before the time step
-    /// @param dt length of the time step
+    /// subtracts the tangential stiffness times the tangential displacement in the step. Finally,
+    /// Coulomb's law limits the force.
+    /// @param force tangential force on the second grain before the time step, in reduced units
+    /// @param old_root square root of (overlap divided by grain diameter) before the time step [1]
+    /// @param old_stiffness tangential stiffness before the time step, in reduced units
+    /// @param dt length of the time step, in reduced units
     [[gnu::always_inline]] static TangentialStep of(const Xyz& force,
                                                     const ContactKinematics& kinematics,
                                                     const NormalForces& normal, double old_root,

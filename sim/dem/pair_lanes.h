@@ -27,9 +27,9 @@ struct alignas(64) XyzLanes {
     }
 };
 
-/// Relative positions and velocities of the grains in a batch of pairs (`PairList::batch` pairs
-/// that the force loop processes at once), and the forces and torques on the grains, in reduced
-/// units (grain diameter, grain mass and imposed normal stress are 1).
+/// Relative positions and velocities of the grains in a batch of pairs (`PairList::batch` pairs for
+/// which forces are computed at once), and the forces and torques on the grains, in reduced units
+/// (grain diameter, grain mass and imposed normal stress are 1).
 struct Batch {
     /// Vector from the first to the second grain, relative velocity, and weighted sum of the
     /// angular velocities of each pair (see `PairMotion`), in reduced units.
@@ -45,7 +45,7 @@ struct Batch {
     }
 };
 
-/// Sizes (`PairSizes`: mean diameter, mean mass and distances) of the pairs of grains in a batch.
+/// Mean diameters, mean masses and distances (`PairSizes`) [1] of the pairs of grains in a batch.
 /// Each member is an array with one element per pair.
 struct alignas(64) SizeLanes {
     Lane contact_distance, diameter, mass, second_arm;
@@ -68,7 +68,7 @@ struct alignas(64) SizeLanes {
 struct alignas(64) LaneSums {
     Lane virial_11{}, virial_22{}, virial_33{}, virial_12{}, largest_overlap{};
     /// Sums of the stored energies and of the lost energies of the pairs (see `PairEnergy`), in
-    /// reduced units.
+    /// units of a^3 s22, with grain diameter a and imposed normal stress s22.
     Lane elastic{}, capillary{}, friction{}, bridges{}, unloading{};
 
     [[gnu::always_inline]] void add_virial(std::size_t k, const Xyz& force, const Xyz& separation) {
@@ -81,7 +81,7 @@ struct alignas(64) LaneSums {
 };
 
 /// Displacement [grain diameters] from the periodic cell to each of its periodic images, indexed by
-/// the code of the image (`image_code`).
+/// the code of the image (`image_code`). The last element is for placeholder pairs.
 using Shifts = std::array<Vector, image_code::count + 1>;
 
 inline Shifts image_shifts(const Cell& cell) {
@@ -128,8 +128,8 @@ inline Shifts image_shifts(const Cell& cell) {
     transpose(in, out);
 }
 
-/// Computes, from the grain diameters, the reduced lengths and masses (`PairSizes`) of the pairs in
-/// a batch.
+/// Computes, from the grain diameters, the mean diameters, mean masses and distances (`PairSizes`)
+/// [1] of the pairs in a batch.
 /// @param begin index in `pairs` of the first pair of the batch
 /// @param sizes receives the result, one element for each pair
 [[gnu::always_inline]] inline void gather_sizes(const Grains& grains, const Pairs& pairs,
@@ -143,7 +143,7 @@ inline Shifts image_shifts(const Cell& cell) {
     }
 }
 
-/// Part of the relative motion of two grains that the function `gather` reads.
+/// Quantities of the relative motion of two grains that the function `gather` reads.
 enum class Gathered {
     separation,  ///< positions only, for pairs that cannot touch
     motion,      ///< positions and velocities of pairs of equal grains
@@ -152,8 +152,9 @@ enum class Gathered {
     weighted_motion,
 };
 
-/// Reads the relative positions and, depending on `part`, the relative velocities of the pairs in a
-/// batch, and writes positions and velocities to `b`.
+/// Reads the relative positions and, unless `part` is `separation`, the relative velocities of the
+/// two grains of each pair in a batch, and writes positions and velocities to the members
+/// `separation`, `velocity` and `angular_velocity` of `b`.
 /// @param begin index in `pairs` of the first pair of the batch
 /// @param shifts displacement from the cell to each periodic image [grain diameters]
 template <Gathered part>
@@ -187,8 +188,8 @@ template <Gathered part>
     }
 }
 
-/// Torques on the grains of the pairs in a batch: no torques, equal torques or different torques on
-/// the two grains of a pair.
+/// Kind of the torques in a batch of pairs: no torques, equal torques or different torques on the
+/// two grains of a pair.
 enum class Torques {
     none,      ///< no torques, for pairs of grains that cannot touch
     shared,    ///< equal torques on both grains of a pair, in `Batch::torque`

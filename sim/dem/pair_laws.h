@@ -11,9 +11,9 @@
 
 namespace pendular::dem {
 
-/// Energies of all pairs of grains in a sample, in units of a^3 s22, with grain diameter a and
-/// imposed normal stress s22. The members `elastic` and `capillary` are stored energies. The other
-/// members are energies lost during one time step.
+/// Energies of all pairs of grains in a sample, in the reduced unit a^3 s22, with grain diameter a
+/// and imposed normal stress s22. The members `elastic` and `capillary` are stored energies. The
+/// other members are energies lost during one time step.
 struct PairEnergy {
     /// Elastic energy stored in all contacts, in reduced units. A contact stores (2/15) E~ h^(5/2)
     /// in normal direction and s^2/(2 K_T) in tangential direction, with overlap h, tangential
@@ -31,18 +31,19 @@ struct PairEnergy {
     /// Energy lost in one time step when liquid bridges form, in reduced units. The energy is lost
     /// because the potential energy of a bridge falls abruptly below zero when the bridge forms.
     double bridges = 0;
-    /// Energy lost in one time step by the tangential springs of contacts other than by sliding, in
-    /// reduced units. The energy is lost because the stiffness of a loaded spring changes with the
-    /// overlap, and because the component of the tangential force along the new normal is removed.
+    /// Energy lost in one time step by the tangential springs of contacts in other ways than by
+    /// sliding, in reduced units. The energy is lost because the stiffness of a loaded spring
+    /// changes with the overlap, and because the component of the tangential force along the new
+    /// normal is removed.
     double unloading = 0;
 
     PairEnergy& operator+=(const PairEnergy& other);
 };
 
-/// Sums over the pairs of grains in one evaluation of the forces, in reduced units (grain diameter,
-/// grain mass and imposed normal stress are 1). In a virial, F is the force on the second grain of
-/// a pair, and r the vector from the first to the second centre. Direction 1 is the flow, 2 the
-/// velocity gradient, 3 the vorticity.
+/// Sums over the pairs of grains in one computation of the forces, in reduced units (grain
+/// diameter, grain mass and imposed normal stress are 1). In a virial, F is the force on the second
+/// grain of a pair, and r the vector from the first to the second centre. Direction 1 is the flow,
+/// 2 the velocity gradient, 3 the vorticity.
 struct PairSums {
     /// Sum of F1 r1 over the pairs of grains, in reduced units, positive in compression. The sum
     /// divided by the volume is the contribution of the forces to the normal stress s11.
@@ -58,8 +59,8 @@ struct PairSums {
     PairSums& operator+=(const PairSums& other);
 };
 
-/// Whether the stored and lost energies (`PairEnergy`) are also summed when forces are computed.
-/// The summation of energies nearly doubles the computing time of a time step.
+/// Whether stored and lost energies (`PairEnergy`) are summed while the forces are computed. The
+/// summation of energies nearly doubles the computing time of a time step.
 enum class EnergyAccounting { off, on };
 
 class GrainEffects;

@@ -259,15 +259,15 @@ Neighbours find_pairs(const Grains& grains, const Cell& cell, double gap, int pa
     return std::move(found.front());
 }
 
-PairList::PairList(double rupture_distance, int parts, const ListWants& wants)
+PairList::PairList(double rupture_distance, int parts, const ListRequirements& requirements)
     : wide_skin_(std::max(shortest_wide_skin, rupture_distance)),
       parts_(parts),
-      wants_(wants),
-      narrow_({}, wants.contact_history),
-      distant_({}, wants.contact_history),
-      old_narrow_({}, wants.contact_history),
-      old_distant_({}, wants.contact_history) {
-    if (wants.all_in_reach) {
+      requirements_(requirements),
+      narrow_({}, requirements.contact_history),
+      distant_({}, requirements.contact_history),
+      old_narrow_({}, requirements.contact_history),
+      old_distant_({}, requirements.contact_history) {
+    if (requirements.all_in_reach) {
         reach_ = std::max(reach_, rupture_distance);
         wide_skin_ = std::max(wide_skin_, reach_ + narrow_skin + shortest_wide_skin / 2);
     }
@@ -290,7 +290,7 @@ void PairList::update(Grains& grains, Cell& cell, double affine_strain, double s
     // The wide list must hold every pair that the other lists need. Until these are selected again,
     // grains come closer by less than the narrow skin.
     const double known =
-        wants_.all_in_reach ? largest_ + reach_ + narrow_skin : largest_ + narrow_skin;
+        requirements_.all_in_reach ? largest_ + reach_ + narrow_skin : largest_ + narrow_skin;
     if (outdated(std::sqrt(largest_squared(moved_)), wide_strain_, largest_ + wide_skin_, known)) {
         rebuild(grains, cell);
     } else {
@@ -374,7 +374,7 @@ void PairList::select(Grains& grains, const Cell& cell) {
                 narrow_.remember_effects(narrow_.size() - 1, old_distant_, far);
             }
             narrow_.bridge.back() = joined;
-        } else if (joined || wants_.all_in_reach) {
+        } else if (joined || requirements_.all_in_reach) {
             distant_.add(i, j, wide_.image[k]);
             if (near != none) {
                 distant_.remember_effects(distant_.size() - 1, old_narrow_, near);

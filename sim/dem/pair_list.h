@@ -30,8 +30,8 @@ struct Neighbours {
     }
 };
 
-/// Pairs of grains with their contact history (values that are kept from step to step). Each
-/// quantity is an array with one element for each pair.
+/// Pairs of grains with their contact history (values that are kept from one time step to the
+/// next). Each quantity is an array with one element for each pair.
 struct Pairs : Neighbours {
     /// Components of the tangential force on the second grain of each pair, in units of a^2 s22,
     /// with grain diameter a and imposed normal stress s22.
@@ -41,8 +41,8 @@ struct Pairs : Neighbours {
     std::vector<double> root;
     /// State of the liquid bridge of each pair of grains: 1 if a bridge joins the grains, else 0.
     std::vector<double> bridge;
-    /// Values that physical effects keep from step to step for each pair, accessed as
-    /// contact_history[value][pair] with the index of the value and the index of the pair.
+    /// Values that physical effects store for each pair from one time step to the next, such as a
+    /// tangential displacement. The element contact_history[v][k] is value v of pair k.
     std::vector<std::vector<double>> contact_history;
 
     Pairs() = default;
@@ -54,16 +54,18 @@ struct Pairs : Neighbours {
     /// `batch`.
     void fill_up(std::size_t batch);
     /// Copies the contact history of a pair from the list `other` to this list. The contact history
-    /// consists of the tangential force, the overlap, the bridge and the values that effects keep.
+    /// consists of the tangential force, the overlap, the state of the bridge and the values that
+    /// physical effects store.
     /// @param to index of the pair in this list
     /// @param from index of the pair in the list `other`
     void remember(std::size_t to, const Pairs& other, std::size_t from);
-    /// Copies the values that effects keep for a pair, such as the volume of its bridge, from the
-    /// list `other` to this list.
+    /// Copies the values that physical effects store for a pair, such as the volume of its bridge,
+    /// from the list `other` to this list.
     /// @param to index of the pair in this list
     /// @param from index of the pair in the list `other`
     void remember_effects(std::size_t to, const Pairs& other, std::size_t from);
-    /// Returns the values that physical effects keep for the pair with index `k`.
+    /// Returns the values that physical effects store for pair number `k`, counted from 0, such as
+    /// the volume of the pair's bridge.
     std::vector<double> history_of(std::size_t k) const;
 
     template <typename Archive>
@@ -73,9 +75,9 @@ struct Pairs : Neighbours {
     }
 };
 
-/// Requirements of the physical effects of a run for its neighbour lists (`PairList`).
-struct ListWants {
-    std::size_t contact_history = 0;  ///< number of values that effects keep for each pair
+/// Data that the physical effects of a run need in the neighbour lists (`PairList`).
+struct ListRequirements {
+    std::size_t contact_history = 0;  ///< number of values that effects store for each pair
     /// Whether the distant neighbour list (pairs of grains that do not touch) must contain all
     /// pairs that a liquid bridge could join, rather than only the pairs that a bridge joins. The
     /// member must be true if bridges can form between grains that do not touch.
@@ -85,7 +87,8 @@ struct ListWants {
 /// Neighbour lists of a sample. The wide list contains all pairs whose grains may come close or be
 /// joined by a bridge. The narrow list contains the pairs of the wide list whose grains touch or
 /// may touch soon. The distant list contains the remaining pairs of the wide list that a bridge
-/// joins. If `ListWants::all_in_reach` is true, the distant list contains all remaining pairs.
+/// joins. If `ListRequirements::all_in_reach` is true, the distant list contains all remaining
+/// pairs.
 ///
 /// When the wide or the narrow list is made, the list contains all pairs whose gap is smaller than
 /// a length, the skin of the list. Two grains whose centres were further apart than D + skin at
@@ -96,8 +99,8 @@ struct ListWants {
 /// cell's edges) since the list was made.
 class PairList {
   public:
-    /// Number of pairs that the force loop processes at once. Placeholder pairs fill the narrow and
-    /// the distant list up to whole batches.
+    /// Number of pairs in a batch, for which the forces are computed at once. Placeholder pairs,
+    /// whose grains never touch, fill the narrow and the distant list up to whole batches.
     static constexpr std::size_t batch = 64;
     static constexpr double shortest_wide_skin = 0.2;
     static constexpr double narrow_skin = 0.02;
@@ -106,24 +109,26 @@ class PairList {
     /// @param rupture_distance gap at which liquid bridges break [grain diameters], 0 without
     ///         bridges
     /// @param parts number of threads that renew the lists; the lists do not depend on this number
-    /// @param wants requirements of the physical effects of the run
-    explicit PairList(double rupture_distance = 0, int parts = 1, const ListWants& wants = {});
+    /// @param requirements data that the physical effects of the run need in the lists
+    explicit PairList(double rupture_distance = 0, int parts = 1,
+                      const ListRequirements& requirements = {});
 
-    /// Renews the neighbour lists that are no longer valid after a time step. When the wide list is
-    /// renewed, the grains are moved into the cell by whole lattice vectors and may be renumbered.
+    /// Renews each neighbour list that may no longer contain all close pairs after a time step.
+    /// When the wide list is renewed, the grains are moved into the cell by whole lattice vectors
+    /// and may be renumbered.
     /// @param affine_strain strain of the cell in the step [1]: shear plus changes of the cell's
     ///         edges
     void update(Grains& grains, Cell& cell, double affine_strain);
-    /// Renews the neighbour lists that are no longer valid after a time step. This overload takes
-    /// the largest displacement of a grain from the caller.
+    /// Renews each neighbour list that may no longer contain all close pairs after a time step. The
+    /// caller states the largest displacement of a grain.
     /// @param affine_strain strain of the cell in the step [1]: shear plus changes of the cell's
     ///         edges
     /// @param largest_squared largest squared displacement of a grain, without the imposed flow,
     ///         since the narrow list was made [squared grain diameters]
     void update(Grains& grains, Cell& cell, double affine_strain, double largest_squared);
 
-    /// Renews the wide, the narrow and the distant neighbour list, even if they are still valid,
-    /// and keeps the contact history of their pairs. Grains are moved into the cell by whole
+    /// Renews the wide, the narrow and the distant neighbour list, even if all three are still
+    /// valid, and keeps the contact history of the pairs. Grains are moved into the cell by whole
     /// lattice vectors. Grains are renumbered if shear has mixed them.
     void rebuild(Grains& grains, Cell& cell);
 
@@ -133,17 +138,18 @@ class PairList {
     /// placeholder pairs, which fill up the last batch.
     std::size_t live() const { return live_; }
     /// Returns the distant list: pairs of grains that did not touch when the list was made and that
-    /// a bridge joined or could join. While the list is valid, no pair in the list comes into
+    /// a bridge joined or could join. The list is renewed before any of its pairs comes into
     /// contact.
     Pairs& distant() { return distant_; }
     const Pairs& distant() const { return distant_; }
     std::size_t live_distant() const { return live_distant_; }
     std::size_t wide_rebuilds() const { return wide_rebuilds_; }
-    /// Returns the number of times that the narrow and the distant neighbour list were renewed.
+    /// Returns how many times the narrow and the distant neighbour list were renewed, always
+    /// together.
     std::size_t renewals() const { return renewals_; }
 
     /// Saves or loads the neighbour lists. The lists can be loaded only into an object that was
-    /// constructed with the rupture distance of the saved object.
+    /// constructed with the rupture distance and the `ListRequirements` of the saved object.
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(wide_, narrow_, distant_, live_, live_distant_, moved_, wide_strain_,
@@ -157,10 +163,10 @@ class PairList {
 
     double wide_skin_;
     /// Gap between surfaces below which the wide neighbour list must contain all pairs [grain
-    /// diameters].
+    /// diameters], if `ListRequirements::all_in_reach` is true.
     double reach_ = narrow_skin;
     int parts_;
-    ListWants wants_;
+    ListRequirements requirements_;
     /// Largest diameter of a grain in the sample divided by the mean diameter [1].
     double largest_ = 1;
     Neighbours wide_;

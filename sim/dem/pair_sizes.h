@@ -2,8 +2,9 @@
 
 namespace pendular::dem {
 
-/// Sizes that the laws of contact and bridge need for a pair of grains [1]. Diameters are divided
-/// by the mean grain diameter, masses by the mass of a grain of mean diameter.
+/// Lengths and masses of a pair of grains on which contact forces and bridge forces depend [1].
+/// Diameters are divided by the mean grain diameter, masses by the mass of a grain of mean
+/// diameter.
 struct PairSizes {
     /// Distance between the centres at which the two grains touch [1]: (d1 + d2)/2, with the grain
     /// diameters d1 and d2 divided by the mean diameter of all grains.
@@ -18,7 +19,7 @@ struct PairSizes {
     /// distance between the centres [1].
     double second_arm = 1;
 
-    /// Returns the sizes of a pair of grains.
+    /// Returns contact distance, mean diameter, mean mass and lever arm of a pair of grains.
     /// @param first diameter of the first grain divided by the mean grain diameter [1]
     /// @param second diameter of the second grain divided by the mean grain diameter [1]
     [[gnu::always_inline]] static PairSizes of(double first, double second) {

@@ -9,13 +9,14 @@
 // and effects change the forces between the stages.
 namespace pendular::dem {
 
-/// Kinematics and forces of a batch of pairs in a run with effects on grains, in reduced units
-/// (grain diameter, grain mass and imposed normal stress are 1). The first stage of the force loop
-/// computes the normal forces, the second stage the tangential forces. After each stage, effects
+/// Kinematics and forces of a batch of pairs in a run with physical effects on the forces, in
+/// reduced units (grain diameter, grain mass and imposed normal stress are 1). The solver first
+/// computes the normal forces, then the tangential forces. After each of the two stages, effects
 /// read and change the forces.
 struct alignas(64) Stages {
     XyzLanes normal, sliding_velocity;
-    XyzLanes rotation_rate;  ///< angular velocity of each pair as a whole, in reduced units
+    /// Angular velocity with which each pair of grains rotates as a whole, in reduced units.
+    XyzLanes rotation_rate;
     /// Angular velocity of the second grain of each pair minus the angular velocity of the first
     /// grain, in reduced units.
     XyzLanes rolling;
@@ -55,9 +56,10 @@ struct alignas(64) Stages {
 };
 
 /// Computes, for each pair of a batch, the angular velocity of the second grain minus the angular
-/// velocity of the first grain, in reduced units.
+/// velocity of the first grain, in reduced units (grain diameter, grain mass and imposed normal
+/// stress are 1).
 /// @param begin index in `pairs` of the first pair of the batch
-/// @param rolling receives the differences of the angular velocities
+/// @param rolling receives the differences of the angular velocities, one vector for each pair
 [[gnu::always_inline]] inline void gather_rolling(const Grains::Motion* motion, const Pairs& pairs,
                                                   std::size_t begin, XyzLanes& rolling) {
     const std::int32_t* first = pairs.first.data() + begin;
@@ -72,10 +74,10 @@ struct alignas(64) Stages {
     }
 }
 
-/// Returns a batch of pairs as a `PairBatch`, the form in which effects on grains receive a batch.
+/// Returns a `PairBatch`, with which physical effects read and change the data of a batch of pairs.
 /// The data are not copied.
-/// @param contact_history one pointer for each value that effects keep per pair, to the elements of
-///         this value for the batch
+/// @param contact_history for each value that effects store per pair, a pointer to the values of
+///         the pairs of the batch
 inline PairBatch batch_for_effects(Batch& b, Stages& s, const SizeLanes& sizes, double time_step,
                                    double* const* contact_history) {
     return {.size = lanes,

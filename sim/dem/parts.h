@@ -7,9 +7,8 @@
 
 namespace pendular::dem {
 
-/// Calls work(part) for part = 0 to parts - 1, each call on a thread of its own. The work of a part
-/// may depend only on the number of the part, so that results do not depend on the scheduling of
-/// the threads.
+/// Calls work(part) for part = 0 to parts - 1, each call on a thread of its own. If each call
+/// depends only on the number `part`, the results do not depend on the scheduling of the threads.
 template <typename Work>
 void in_parts(int parts, const Work& work) {
     if (parts == 1) {

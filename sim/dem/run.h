@@ -21,8 +21,8 @@ class Checkpoint;
 class GrainEffects;
 
 /// Averages of the observables of one simulation run over its steady part, with standard errors. If
-/// the run never becomes steady, the averages are over the end of the run. The standard errors
-/// allow for the autocorrelation of the averages over successive blocks of strain.
+/// the run never becomes steady, the averages are over the last shear strain
+/// `RunParameters::strain`. The standard errors allow for the autocorrelation of the time series.
 struct RunResult {
     RunParameters parameters;
     int threads = 1;  ///< number of threads that the run used
@@ -30,7 +30,8 @@ struct RunResult {
     /// `Observable`.
     std::array<Mean, observable_count> means;
     /// Time average of each field of the run, in the order of `Field`. A field is a quantity as a
-    /// function of one coordinate. Fields of bridges are empty in dry runs.
+    /// function of one coordinate, such as a velocity profile. Fields of bridges are empty in runs
+    /// with dry grains.
     std::array<BinnedMeans, field_count> fields;
     /// Covariance of the errors of the run's mean stress ratio and mean solid fraction [1].
     double covariance = 0;
@@ -65,18 +66,18 @@ struct RunResult {
     }
 };
 
-/// Version of the solver, which distinguishes stored runs of different solvers. The version is
-/// increased when a change of the solver changes the results of runs with equal parameters by more
-/// than rounding.
+/// Version of the solver, which is stored with each run. The version is increased when a change of
+/// the solver changes the results of runs with equal parameters by more than rounding.
 constexpr int physics_version = 1;
 
-/// Callback for the progress of a run. The callback is called about once per shear strain of 0.02.
+/// Callback for the progress of a run. The solver calls the callback about once per shear strain of
+/// 0.02.
 /// @param done shear strain so far [1]
 /// @param expected expected total shear strain [1]
 using Progress = std::function<void(double done, double expected)>;
 
-/// Callback that receives the states of a run. The callback is called when the flow begins, when a
-/// checkpoint resumes the run, and after every shear strain of about 0.02 (a block).
+/// Callback that receives the states of a run. The solver calls the callback when the flow begins,
+/// when a checkpoint resumes the run, and after every shear strain of about 0.02.
 /// @param strain shear strain since the flow began [1]
 using Observer = std::function<void(const ShearCell& sample, double strain)>;
 
@@ -93,15 +94,14 @@ struct RunOptions {
     /// file when a checkpoint is due (`Checkpoint::due`) and when the run is stopped. If the
     /// pointer is null, no checkpoints are written.
     Checkpoint* checkpoint = nullptr;
-    /// Parameters of the run as lines "name = value". The lines are stored in the checkpoint, so
-    /// that a run whose parameters differ from the stored parameters cannot resume from the
-    /// checkpoint.
+    /// Parameters of the run as lines "name = value". The lines are stored in the checkpoint. A run
+    /// with other parameters cannot resume from the checkpoint.
     std::string description = {};
 };
 constexpr int most_threads = 1024;
 
-/// Solid fraction [1] above which a sample counts as crystallised. The solid fraction is first
-/// corrected to the solid fraction of rigid grains (`rigidity_shift`).
+/// Solid fraction [1] above which a sample counts as crystallised. The solid fraction of the sample
+/// is first reduced by `rigidity_shift`, the increase that the overlap of grains causes.
 constexpr double crystal_solid_fraction = 0.645;
 
 /// Localization of the shear [1] above which the program warns the user that a flow is not uniform.
@@ -109,10 +109,10 @@ constexpr double crystal_solid_fraction = 0.645;
 /// Badetti et al. (2018) have smaller values.
 constexpr double localised_above = 0.05;
 
-/// Simulates a sample in steady shear and returns the averages of the observables over the strain
-/// `parameters.strain`. The averages exclude the transient, whose end the function determines. The
-/// run ends earlier if it reaches the standard errors `parameters.precision`.
-/// @param effects the effects on grains that `parameters.effects` names
+/// Simulates a sample in steady shear and returns the averages of the observables over the shear
+/// strain `parameters.strain`. The function determines the end of the transient, which the averages
+/// exclude. The run ends earlier if it reaches the standard errors `parameters.precision`.
+/// @param effects the physical effects on grains that `parameters.effects` names
 /// @throws std::invalid_argument if `check_run_parameters` does not accept the parameters, if the
 ///         number of threads is impossible, if the initial state is missing, or if the number of
 ///         grains in the initial state differs from `parameters.grains`
@@ -125,7 +125,7 @@ RunResult run(const RunParameters& parameters, const GrainEffects& effects,
               const RunOptions& options = {});
 
 /// Returns the amount by which the overlap of grains in contact increases the solid fraction of a
-/// run, compared with rigid grains [1]:
+/// sample, compared with rigid grains [1]:
 ///     1.23 x 3 solid_fraction mean_overlap
 /// The factor 1.23 +- 0.15 was measured in dry samples with a friction coefficient of 0.12 at
 /// stiffness numbers between 300 and 4000.

@@ -26,9 +26,9 @@ void for_each_pair(const Grains& grains, const Cell& cell, const Pairs& pairs, c
     }
 }
 
-/// Returns the elastic normal force and the normal stiffness of the contact of pair k, in reduced
-/// units (grain diameter, grain mass and imposed normal stress are 1). Force and stiffness follow
-/// from the overlap in the last time step. Without contact, both are zero.
+/// Returns the elastic normal force and the normal stiffness of the contact of pair number k, in
+/// reduced units (grain diameter, grain mass and imposed normal stress are 1). Force and stiffness
+/// follow from the overlap in the last time step. Without contact, force and stiffness are zero.
 /// @param modulus E/(1 - nu^2) divided by the imposed normal stress [1], with Young's modulus E and
 ///         Poisson ratio nu
 inline Hertz contact_of(const Grains& grains, const Pairs& pairs, std::size_t k, double modulus) {
@@ -37,8 +37,8 @@ inline Hertz contact_of(const Grains& grains, const Pairs& pairs, std::size_t k,
     return hertz_contact(pairs.root[k] * pairs.root[k], sizes, modulus);
 }
 
-/// Returns the gap between the surfaces of the two grains of pair k [grain diameters]. An overlap
-/// is a negative gap.
+/// Returns the gap between the surfaces of the two grains of pair number k [grain diameters]. An
+/// overlap is a negative gap.
 /// @param r vector from the first to the second centre [grain diameters]
 inline double gap_of(const Grains& grains, const Pairs& pairs, std::size_t k, const Vector& r) {
     return std::sqrt(dot(r, r)) -

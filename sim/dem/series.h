@@ -17,7 +17,7 @@ namespace pendular::dem {
 /// series of the run.
 constexpr double block_strain = 0.02;
 
-/// Averages of a simulation over one block, a shear strain of `block_strain`. Stresses are divided
+/// Averages of a simulation over one block (shear strain of `block_strain`). Stresses are divided
 /// by the imposed normal stress [1]. Compression is positive.
 struct Block {
     double strain = 0;
@@ -39,9 +39,9 @@ struct Block {
     }
 };
 
-/// Block of a run that is not complete yet. A block is a shear strain of `block_strain`. The
-/// quantities to be averaged are summed step by step, so that the run can be stopped and resumed
-/// between any two steps.
+/// Block (shear strain of `block_strain`) of a run that is not complete yet. The quantities to be
+/// averaged are summed step by step, so that the run can be stopped and resumed between any two
+/// time steps.
 class OpenBlock {
   public:
     OpenBlock() = default;
@@ -51,15 +51,16 @@ class OpenBlock {
     /// Returns the shear strain of the sample when the block began [1].
     double begin() const { return begin_; }
     /// Advances the sample by one time step and adds the stress and the solid fraction of the
-    /// sample to the sums of the block. Dissipation, velocities and the observables of contacts and
-    /// bridges are added after some of the steps only.
+    /// sample to the sums of the block. Dissipation, velocities, and observables of contacts and
+    /// bridges are added only after some of the time steps.
     void step(ShearCell& sample);
-    /// Whether a run should check now for stop requests and due checkpoints: every 16 steps, right
-    /// after the step in which the velocities of all grains were added to the sums of the block.
+    /// Whether a run should check now for stop requests and due checkpoints: every 16 time steps,
+    /// right after the velocities of all grains were added to the sums of the block.
     static bool pauses(const ShearCell& sample);
     /// Ends the block and returns its averages. Stresses and solid fraction are averages over all
-    /// steps of the block. Profiles of solid fraction and distributions over pairs of grains come
-    /// from the last state only. All other quantities are averages over some steps of the block.
+    /// time steps of the block. Profiles of solid fraction and distributions over pairs of grains
+    /// come from the last state only. All other quantities are averages over some time steps of the
+    /// block.
     /// @param sample state at the end of the block
     Block close(const ShearCell& sample);
 
@@ -80,8 +81,8 @@ class OpenBlock {
     int structures_ = 0;
 };
 
-/// Time series of a run. The series consists of the complete blocks of the run, from which averages
-/// and the end of the transient are computed.
+/// Time series of a run: averages over successive blocks (shear strains of `block_strain`).
+/// Averages of the run and the end of the transient are computed from the time series.
 class Series {
   public:
     void add(Block block) { blocks_.push_back(std::move(block)); }
@@ -106,9 +107,9 @@ class Series {
         return result;
     }
     /// Returns a time series of the ratio of two quantities, with one value per block, from block
-    /// number `from` on, counted from 0. The mean of the values is the mean of `numerator(block)`
-    /// divided by the mean of `denominator(block)`. Each value is
-    /// numerator(block)/denominator(block), linearised about these two means.
+    /// number `from` on, counted from 0. Each value is numerator(block)/denominator(block),
+    /// linearised about the means of numerator and denominator. The mean of the values is therefore
+    /// the mean numerator divided by the mean denominator.
     template <typename Numerator, typename Denominator>
     std::vector<double> ratio(std::size_t from, Numerator numerator,
                               Denominator denominator) const {
@@ -135,13 +136,13 @@ class Series {
     }
     /// Returns the average of the field `which` (quantity as a function of one coordinate) in each
     /// bin, with its standard error. The average is over the blocks from number `from` on, counted
-    /// from 0. The average is the mean of the blocks' sums divided by the mean of the blocks'
-    /// weights. If a bin has no data, the average is NaN.
+    /// from 0: the mean of `BinnedSums::sum` divided by the mean of `BinnedSums::weight`. If a bin
+    /// has no data, the average is NaN.
     BinnedMeans field(std::size_t from, Field which, const Bins1d& bins) const;
     /// Returns the number of blocks at the start of a run in which the flow is not yet steady;
     /// empty if the flow has not become steady so far. Averages must exclude these blocks. The
-    /// function examines stress ratio, solid fraction and, if `wet` is true, the number per grain
-    /// of bridges between grains that do not touch.
+    /// function examines the stress ratio and the solid fraction. If `wet` is true, the function
+    /// also examines the number of bridges on a grain to grains that it does not touch.
     std::optional<std::size_t> transient(bool wet) const;
     Trace trace() const;
 

@@ -10,10 +10,11 @@
 namespace pendular::dem {
 
 /// Part of the work of one thread in a time step, as ranges of indices. The range `near` contains
-/// pairs of the narrow neighbour list, the range `distant` pairs of the distant neighbour list.
-/// Both ranges of pairs consist of whole batches (`PairList::batch` pairs). The range `grains`
-/// contains grains that occur in no pair of a later section. The thread can therefore move these
-/// grains once the forces of the section's pairs are summed.
+/// pairs of the narrow neighbour list (pairs that touch or may touch soon). The range `distant`
+/// contains pairs of the distant neighbour list (pairs that do not touch but may be joined by a
+/// bridge). Both ranges of pairs consist of whole batches (`PairList::batch` pairs each). The range
+/// `grains` contains grains that occur in no pair of a later section. The thread can therefore move
+/// these grains once the forces of the section's pairs are summed.
 struct Section {
     using Range = std::pair<std::size_t, std::size_t>;
     Range grains, near, distant;
@@ -33,9 +34,9 @@ struct Share {
     }
 };
 
-/// Divides the pairs and grains of a sample among `parts` threads, and returns one share per
-/// thread. All shares have equal numbers of pairs of the narrow neighbour list, except that each
-/// share consists of whole batches.
+/// Divides the pairs and grains of a sample among `parts` threads, and returns the work of each
+/// thread in a time step. All threads receive nearly equal numbers of pairs of the narrow neighbour
+/// list, in whole batches (`PairList::batch` pairs each).
 /// @param grains number of grains in the sample
 std::vector<Share> shares_of(const PairList& pairs, std::size_t grains, int parts);
 

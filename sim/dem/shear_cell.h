@@ -15,10 +15,10 @@
 
 namespace pendular::dem {
 
-/// Mean stress in a sample, divided by the imposed normal stress [1]. The stress is the sum of the
-/// contribution of the forces between grains and of the kinetic contribution of velocity
-/// fluctuations. Compression is positive. Direction 1 is the flow, 2 the velocity gradient, 3 the
-/// vorticity.
+/// Stress, averaged over the volume of a sample, divided by the imposed normal stress [1]. The
+/// stress is the sum of the contribution of the forces between grains and of the kinetic
+/// contribution of velocity fluctuations. Compression is positive. Direction 1 is the flow, 2 the
+/// velocity gradient, 3 the vorticity.
 struct Stress {
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0;
 
@@ -35,8 +35,8 @@ struct Sample {
 };
 
 /// Returns a sample of `count` grains at rest, at random positions without contact, at a solid
-/// fraction of 0.3. The cell is tall and becomes approximately a cube once the sample is compressed
-/// and flows.
+/// fraction of 0.3. The cell is so tall that it becomes approximately a cube once the sample is
+/// compressed and flows.
 /// @param seed seed of the random positions
 /// @param diameters diameters of the grains divided by their mean [1]; if empty, all diameters are
 ///         1
@@ -53,7 +53,8 @@ Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diam
 /// The time average of s22 is therefore 1.
 ///
 /// The time step is a fixed fraction of sqrt(m/K_N), with grain mass m and normal stiffness K_N of
-/// the stiffest contact. If the damping is more than critical, the time step is smaller.
+/// the stiffest contact. The time step is smaller if the damping is more than critical, if the
+/// grains differ in size, or if an effect damps the motion of pairs strongly.
 class ShearCell {
   public:
     /// Makes a simulation that begins with `count` grains at random positions without contact
@@ -64,8 +65,8 @@ class ShearCell {
     /// @throws std::invalid_argument for fewer than 64 grains
     ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
-    /// Makes a simulation that begins with a given sample in a given uniform flow. The servo that
-    /// keeps the normal stress is off until `hold_normal_stress(true)`. No liquid bridges form
+    /// Makes a simulation that begins with the state `sample` in the uniform flow `flow`. The servo
+    /// that keeps the normal stress is off until `hold_normal_stress(true)`. No liquid bridges form
     /// until `let_bridges_form(true)`.
     ShearCell(Sample sample, const Material& material, const Flow& flow,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
@@ -77,17 +78,19 @@ class ShearCell {
     static constexpr int fewest_grains = 64;
     static constexpr double time_step_fraction = 0.2;
 
-    /// Advances the sample by one leapfrog step of length dt. The forces are computed from the
-    /// positions at time t and the velocities at t - dt/2. Then velocities, positions and the cell
-    /// are advanced, in this order.
-    /// @param accounting whether stored and lost energies are summed too
+    /// Advances the sample by one leapfrog step of length dt (`time_step`). The function computes
+    /// the forces from the positions at time t and the velocities at t - dt/2. The function then
+    /// advances velocities, positions and the cell, in this order.
+    /// @param accounting whether the stored and lost energies of pairs of grains are summed too
+    ///         (`energy`)
     /// @throws SimulationError if the stress is not finite or an overlap exceeds half a grain
     ///         diameter
     void step(EnergyAccounting accounting = EnergyAccounting::off);
 
     /// Compresses the initial sample until the normal stress first reaches its imposed value. From
     /// then on, a servo keeps this normal stress, and liquid bridges form.
-    /// @return false if the solid fraction reaches 0.8 before the normal stress is reached
+    /// @return false if the solid fraction reaches 0.8 before the normal stress reaches its imposed
+    ///         value
     /// @throws Interrupted if a stop is requested
     /// @throws SimulationError if the stress is not finite or an overlap exceeds half a grain
     ///         diameter
@@ -97,11 +100,12 @@ class ShearCell {
     const Cell& cell() const { return cell_; }
     const PairList& pairs() const { return pairs_; }
     const Material& material() const { return material_; }
-    /// Returns the law of the liquid bridges, including the changes by effects on grains.
+    /// Returns the law of the attraction by liquid bridges, including the changes by physical
+    /// effects.
     const BridgeLaw& bridges() const { return bridges_; }
     const GrainEffects& effects() const { return effects_; }
-    /// Returns the mean stress of the sample in the last time step, computed from the positions
-    /// before the time step, divided by the imposed normal stress [1].
+    /// Returns the stress in the last time step, averaged over the sample and divided by the
+    /// imposed normal stress [1]. The stress is computed from the positions before the time step.
     const Stress& stress() const { return stress_; }
     const Flow& flow() const { return flow_; }
     double shear_rate() const { return flow_.shear_rate; }
@@ -119,7 +123,7 @@ class ShearCell {
     std::uint64_t steps() const { return steps_; }
     double solid_fraction() const;
 
-    /// Sets the imposed velocity gradient. While the servo that keeps the normal stress is on, the
+    /// Sets the imposed velocity gradient. If the servo that keeps the normal stress is on, the
     /// servo continues to adjust the rate of change of the height (`Flow::height_rate`).
     void set_flow(const Flow& flow) { flow_ = flow; }
     /// Switches on or off the servo that keeps the normal stress at its imposed value by changing
@@ -133,8 +137,8 @@ class ShearCell {
     void set_time_step_fraction(double fraction) { fraction_ = fraction; }
 
     /// Saves or loads the state of the simulation. The state can be loaded only into a ShearCell
-    /// that was constructed with the number of grains, the material, the bridge law, the effects
-    /// and the number of threads (parts) of the saved ShearCell.
+    /// that has the number of grains, the material, the bridge law, the effects and the number of
+    /// threads (`parts`) of the saved ShearCell.
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(grains_, cell_, pairs_, flow_, stress_, motion_, servo_, bridging_, fraction_,
@@ -147,10 +151,10 @@ class ShearCell {
     void exchange_liquid();
     void check_state() const;
     PairSums sum_forces(const PairLaws& laws);
-    /// Adds the forces of the pairs of one share (work of one thread) to `net_forces`. If `moved`
-    /// is given, each grain of the share is also moved as soon as the forces of all its pairs are
-    /// added, and its contributions to sums over the grains, such as the kinetic energy, are added
-    /// to `moved`.
+    /// Adds the forces of the pairs of one share (work of one thread) to `net_forces`, and returns
+    /// the sums of virials and energies over these pairs. If `moved` is given, the function also
+    /// moves each grain of the share once the forces on it are complete, and adds the contributions
+    /// of the grain, for example to the kinetic energy, to `moved`.
     PairSums sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces,
                         const PairLaws& laws, MotionSums* moved = nullptr);
     /// Adds the forces that other threads summed for the grains of thread `part` to the net forces
@@ -174,8 +178,8 @@ class ShearCell {
     int parts_ = 1;
     std::vector<Share> shares_;
     std::size_t shares_made_at_ = 0;  ///< value of PairList::renewals when `shares_` were made
-    /// Sums of the forces and torques on each grain by each thread, one array for each thread
-    /// except the first.
+    /// For each thread except the first, the forces and torques on each grain that the thread
+    /// summed, in reduced units.
     std::vector<std::vector<Grains::ForceAndTorque>> other_net_forces_;
     Stress stress_;
     PairEnergy energy_;
@@ -187,7 +191,8 @@ class ShearCell {
     double strain_ = 0;
     /// Largest overlap of contacts in the last time step [grain diameters].
     double largest_overlap_ = 0;
-    /// Largest overlap of contacts since `time_step_` was last updated [grain diameters].
+    /// Largest overlap of contacts since `time_step_` was last updated [grain diameters], but at
+    /// least the overlap at a normal force of 0.1 in reduced units.
     double recent_overlap_ = 0;
     std::uint64_t steps_ = 0;
 };

@@ -6,14 +6,14 @@
 namespace pendular::dem {
 
 /// Error of a simulation that cannot continue, because its stress is not finite, an overlap is too
-/// large, or the sample does not reach or keep its normal stress.
+/// large, or the sample does not reach or keep the imposed normal stress.
 class SimulationError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// Exception that ends a simulation or other work when the user stops the program. The message
-/// states what was saved.
+/// Exception that ends a simulation or another computation when the user stops the program. The
+/// message states what was saved.
 class Interrupted : public std::runtime_error {
   public:
     explicit Interrupted(const std::string& what_remains = "nothing was written")

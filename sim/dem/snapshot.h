@@ -9,8 +9,9 @@
 
 namespace pendular::dem {
 
-/// Pair of grains in contact or joined by a bridge, which other programs draw as a line between the
-/// centres. Forces are in units of a^2 s22, with grain diameter a and imposed normal stress s22.
+/// Pair of grains in contact or joined by a liquid bridge. Other programs draw the pair as a line
+/// between the centres. Forces are in units of a^2 s22, with grain diameter a and imposed normal
+/// stress s22.
 struct DrawnPair {
     /// Centres of the first and the second grain of the pair [grain diameters]; `to` may be in a
     /// periodic image outside the cell.
@@ -37,8 +38,8 @@ struct Snapshot {
     std::uint64_t step = 0;
     double time = 0;    ///< time of the snapshot since the flow began, in reduced units
     double strain = 0;  ///< shear strain of the snapshot since the flow began [1]
-    /// Periodic cell that contains the grains. The offset of the cell is between -length/2 and
-    /// length/2.
+    /// Periodic cell that contains the grains. The shear offset of its images (Lees-Edwards
+    /// boundary conditions) is between -length/2 and length/2.
     Cell cell;
     std::vector<Grain> grains;
     std::vector<DrawnPair> pairs;
@@ -46,24 +47,26 @@ struct Snapshot {
 Snapshot snapshot_of(const ShearCell& sample, double strain);
 
 /// Returns a snapshot as one frame of a LAMMPS text dump, which OVITO reads. The cell is triclinic,
-/// with a corner at the origin and the bounds of the surrounding box. The columns are id, type,
-/// radius, position, velocity, angular velocity and number of contacts.
+/// with a corner at the origin, and is given by the bounds of the surrounding box and the tilt
+/// factors. The columns are id, type, radius, position, velocity, angular velocity and number of
+/// contacts.
 std::string dump_frame(const Snapshot& snapshot);
 
-/// Returns the grains of a snapshot as the text of a ParaView PolyData file (XML). Each grain is a
-/// point with id, radius, velocity, angular velocity and number of contacts (coordination).
+/// Returns the grains of a snapshot as the text of a VTK PolyData file (XML) for ParaView. Each
+/// grain is a point with id, radius, velocity, angular velocity and number of contacts
+/// (coordination), in reduced units (grain diameter, grain mass and imposed normal stress are 1).
 std::string grains_vtp(const Snapshot& snapshot);
-/// Returns the contacts and bridges of a snapshot as the text of a ParaView PolyData file (XML).
-/// Each pair is a line between the centres of two grains, with normal_force, bridge_force and
-/// touching (1 or 0). Forces are in units of a^2 s22, with grain diameter a and imposed normal
+/// Returns the contacts and bridges of a snapshot as the text of a VTK PolyData file (XML) for
+/// ParaView. Each pair is a line between the centres of two grains, with normal_force, bridge_force
+/// and touching (1 or 0). Forces are in units of a^2 s22, with grain diameter a and imposed normal
 /// stress s22. A line that crosses a face of the cell ends outside the cell.
 std::string pairs_vtp(const Snapshot& snapshot);
 
 /// Writer of snapshots of a run into a folder, at shear strains 0, `every`, 2 `every` and so on.
 /// The file `beads.dump` (LAMMPS text dump) contains all snapshots. Until the object is destroyed,
 /// the name of this file is `.beads.dump.part`. For ParaView, `snapshots.pvd` lists the files
-/// `vtk/beads_NNNNN.vtp` and `vtk/pairs_NNNNN.vtp` with the strain as time. If a checkpoint resumes
-/// the run, the object writes all snapshots after the checkpoint anew.
+/// `vtk/beads_NNNNN.vtp` and `vtk/pairs_NNNNN.vtp` with the strain as time. If a run resumes from a
+/// checkpoint, the object writes all snapshots after the checkpoint anew.
 class Snapshots {
   public:
     Snapshots(std::filesystem::path folder, double every);
@@ -92,7 +95,7 @@ class Snapshots {
     std::filesystem::path folder_, dump_, growing_dump_;
     double every_;
     bool begun_ = false;
-    std::uint64_t next_ = 0;  ///< number of the next frame to be written
+    std::uint64_t next_ = 0;  ///< number, from 0, of the next snapshot to be written
     std::vector<Frame> frames_;
 };
 

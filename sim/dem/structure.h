@@ -11,17 +11,17 @@
 
 namespace pendular::dem {
 
-/// Observables of the networks of contacts and bridges in one state, or means over several states,
-/// in reduced units (grain diameter and imposed normal stress are 1). Each STRUCTURE_OBSERVABLE of
-/// data/quantities/observables.def is a member. Forces of bridges are divided by the pull-off
-/// force. Capillary stresses are positive in compression. "Distant" pairs are joined by a bridge
-/// but do not touch. In dry states, the members about bridges are zero.
+/// Observables of the networks of contacts and bridges in one state of a sample, or means over
+/// several states, in reduced units (grain diameter and imposed normal stress are 1). Each
+/// STRUCTURE_OBSERVABLE of data/quantities/observables.def is a member. Forces of bridges are
+/// divided by the pull-off force. Capillary stresses are positive in compression. "Distant" pairs
+/// are joined by a bridge but do not touch. In dry states, the members about bridges are zero.
 struct Structure {
 #define STRUCTURE_OBSERVABLE(name, ...) double name = 0;
 #include "data/quantities/observables.def"
 
-    /// Adds the observables of the state `other`, member by member. To obtain means, the sum over
-    /// several states is divided by the number of states with `/=`.
+    /// Adds the observables of the state `other`, member by member. Divide the sum over several
+    /// states by the number of states with `/=` to obtain means.
     Structure& operator+=(const Structure& other);
     Structure& operator/=(double count);
 
@@ -36,9 +36,9 @@ struct Structure {
     static std::span<double Structure::*const> members();
 };
 
-/// Returns the observables of the networks of contacts and bridges in one state. Pairs of `near`
-/// that overlapped in the last time step are contacts. The forces of bridges include the changes by
-/// `effects`.
+/// Returns the observables of the networks of contacts and bridges in one state of a sample. Pairs
+/// of `near` that overlapped in the last time step are contacts. The forces of bridges include the
+/// changes by the physical effects `effects`.
 ///
 /// The bond order Q6 measures how regularly the directions n of contacts are ordered. Q6 is 0 for
 /// random directions (up to 1/sqrt(number of contacts)), 0.575 in an fcc lattice and 0.485 in an
@@ -49,16 +49,16 @@ struct Structure {
 /// n, divided by 4 pi and the mean of q. The function fits spherical harmonics of order 0 and 2 to
 /// the q of all pairs. With fewer than 12 pairs, the anisotropy is 0.
 /// @param near pairs of the narrow neighbour list, which contains all contacts
-/// @param distant other pairs that a bridge may join
+/// @param distant pairs outside of `near` that a bridge may join
 /// Source: Steinhardt, Nelson, Ronchetti, Phys. Rev. B 28 (1983) 784 (Q6); Badetti et al. (2018),
 /// Eq. (29) (anisotropy).
 Structure structure_of(const Grains& grains, const Cell& cell, const Pairs& near,
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges,
                        const GrainEffects& effects = {});
 
-/// Returns the mean volume of the liquid bridges of a sample divided by the mean volume V0 of newly
-/// formed bridges [1]. The result is 1 if all bridges have the volume V0, or if the sample has no
-/// bridges.
+/// Returns the mean volume of all liquid bridges of a sample, divided by the mean volume V0 of
+/// newly formed bridges [1]. The result is 1 if all bridges have the volume V0, or if the sample
+/// has no bridges.
 double mean_bridge_volume(const PairList& pairs, const GrainEffects& effects);
 
 }  // namespace pendular::dem

@@ -5,7 +5,8 @@
 namespace pendular::dem {
 
 /// Vector of three components in a vector register of four lanes. The fourth lane is unused.
-/// Operators work lane by lane, so that every instruction set gives identical bits.
+/// Operators work component by component, so that every instruction set of the processor gives
+/// identical bits.
 struct alignas(32) Vector {
     using Lanes = double __attribute__((vector_size(32)));
     Lanes lanes{};

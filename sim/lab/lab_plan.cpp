@@ -122,7 +122,7 @@ bool changes_nothing(const LabPlan& plan, const ActiveEffect& active) {
 void check_effects(const LabPlan& plan) {
     for (const ActiveEffect& active : plan.effects) {
         const std::string what = to_string(active);
-        if (const std::string why = why_no_lab_has(*active.effect); !why.empty()) {
+        if (const std::string why = why_not_in_lab(*active.effect); !why.empty()) {
             throw InputError(what + " " + why);
         }
         if (active.effect->touches == Touches::wet && plan.liquid_contents.empty()) {
@@ -139,7 +139,7 @@ void check_effects(const LabPlan& plan) {
 
 }  // namespace
 
-std::string why_no_lab_has(const Effect& effect) {
+std::string why_not_in_lab(const Effect& effect) {
     if (effect.of_instrument() || effect.of_grains() || effect.of_condition()) return "";
     return "cannot be hidden in a virtual laboratory: it changes how readings are predicted, not "
            "how "

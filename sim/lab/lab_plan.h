@@ -14,8 +14,9 @@
 namespace pendular {
 
 /// Plan of a virtual laboratory, which simulates rheometer recordings to test whether a calibration
-/// finds the true friction coefficient and the true effects. The plan contains the true values, the
-/// conditions and the instrument of the recordings. Values are in SI units.
+/// finds the true friction coefficient and the true physical effects. The plan contains the true
+/// values, the conditions (normal stress, inertial number and liquid content) and the properties of
+/// the instrument. Values are in SI units.
 struct LabPlan {
     double friction = 0.09;  ///< true friction coefficient between the simulated grains [1]
     GrainProperties grains = {.diameter = 500e-6, .density = 1050, .poisson_ratio = 0.3};
@@ -31,10 +32,10 @@ struct LabPlan {
     /// Inertial numbers of the recordings of dry grains and of wet grains [1].
     std::vector<double> inertial_numbers = {3e-3, 3e-2};
     /// Physical effects, with parameter values, that act in the simulated recordings. The file
-    /// study.toml that the virtual laboratory writes does not list these effects, since a
-    /// calibration has to find them.
+    /// study.toml that the virtual laboratory writes does not list the effects, since a calibration
+    /// has to find them.
     std::vector<ActiveEffect> effects;
-    int replicates = 2;  ///< number of recordings at each liquid content, including 0 (dry)
+    int replicates = 2;  ///< number of recordings of dry grains, and at each liquid content
     Instrument instrument;
     Fidelity fidelity;
     std::uint64_t seed = 1;
@@ -50,47 +51,49 @@ struct PlannedRecording {
     /// Number of the recording, from 1, among the recordings at equal liquid content.
     int replicate = 1;
     std::uint64_t seed = 0;  ///< seed of the random numbers for the noise of the recording
-    /// Requested condition of each step of the recording. The time of a condition is the mean time
-    /// [s] of the part of the step after the start-up transient.
+    /// Requested condition (normal stress, inertial number and liquid content) of each step of the
+    /// recording. The member `time` of a condition is the mean time [s], since the first recording
+    /// began, of the part of the step after the start-up transient.
     std::vector<Condition> conditions;
 };
 
 /// Returns all recordings of a plan in the order of measurement, without pauses between recordings.
 /// The recordings of dry grains come first, followed by the recordings at each liquid content. The
-/// time of a step of constant set points is the mean time [s] of the part of the step after the
-/// start-up transient. An effect on the grains that depends on time has its strength at this mean
-/// time during the whole step.
+/// time of a step of constant set points is the mean time [s], since the first recording began, of
+/// the part of the step after the start-up transient. An effect on the grains that depends on time
+/// acts during the whole step as at this mean time.
 std::vector<PlannedRecording> recordings_of(const LabPlan& plan);
 
-/// Returns the true condition of the grains, in SI units, at which the instrument shows the
-/// requested condition. The function inverts the effects on the instrument. It applies the effects
-/// on properties of grains and liquid (`ChangeCondition`). The member `grain_effects` of the result
-/// lists the effects on grains that a simulation must contain.
+/// Returns the true condition of the grains (normal stress, inertial number and liquid content, in
+/// SI units) at which the instrument shows the requested condition. The function inverts the
+/// effects on the instrument and applies the effects on properties of grains and liquid
+/// (`ChangeCondition`). The member `grain_effects` of the result lists the effects on grains that a
+/// simulation must contain.
 ///
 /// The height of the sample follows from a typical solid fraction of 0.6, since the simulated
 /// height is not known yet. The resulting error of the condition is about 0.1 %.
-/// @param asked requested condition
+/// @param asked requested condition, which the instrument shows
 /// @throws InputError if there is no true state that the instrument shows as the requested
 ///         condition
 EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked);
 
 /// Returns a function that computes the state of the cell that the instrument shows, without noise,
-/// from the time [s] since the first recording began. At the time of the requested condition, the
-/// instrument shows the requested condition. At other times the instrument may show another state,
-/// since an effect on the instrument, such as a wobble of the lid, may depend on time. The true
-/// state is constant.
-/// @param asked requested condition
+/// from the time [s] since the first recording began. At the time `asked.time`, the instrument
+/// shows the requested condition. At other times, the instrument may show another state, since an
+/// effect on the instrument, such as a wobble of the lid, may depend on time. The true state is
+/// constant.
+/// @param asked requested condition: normal stress, inertial number, liquid content and time
 /// @param flow true stress ratio [1] and true solid fraction [1] of the grains
 /// @throws InputError if there is no true state that the instrument shows as the requested
 ///         condition
 std::function<CellState(double)> shown_over_time(const LabPlan& plan, const Condition& asked,
                                                  const FlowPoint& flow);
 
-/// Returns the reason why an effect cannot act in a virtual laboratory, for messages that begin
-/// with the name of the effect. The text is empty if the effect can act. An effect on closures
-/// (formulas for the strength of wet grains) or on the predicted flow cannot act, since closures
-/// and predictions belong to models only.
-std::string why_no_lab_has(const Effect& effect);
+/// Returns the reason why a physical effect cannot act in a virtual laboratory, as the end of a
+/// message that begins with the name of the effect. The text is empty if the effect can act. An
+/// effect on closures (formulas for the strength of wet grains) or on the predicted flow cannot
+/// act, since closures and predicted flows belong to models only.
+std::string why_not_in_lab(const Effect& effect);
 
 /// Checks that a plan can be simulated and recorded. Any two planned values of a quantity must
 /// differ by at least 5 %. The quantities are the normal stress of dry grains, the normal stress of
@@ -98,8 +101,8 @@ std::string why_no_lab_has(const Effect& effect);
 /// @throws InputError if the plan fails a check; the message names the mistake
 void check_plan(const LabPlan& plan);
 
-/// Returns the requested condition of each step of a planned recording, in the order of
-/// measurement. The times of the conditions are not set.
+/// Returns the requested condition (normal stress, inertial number and liquid content) of each step
+/// of a planned recording, in the order of measurement. The times of the conditions are not set.
 /// @param liquid_content liquid content of the recording [1]: liquid volume divided by grain volume
 std::vector<Condition> conditions_of(const LabPlan& plan, double liquid_content);
 
@@ -107,17 +110,18 @@ std::vector<Condition> conditions_of(const LabPlan& plan, double liquid_content)
 /// of `plan.liquid_contents`. A liquid content is the liquid volume divided by the grain volume.
 std::vector<double> contents_of(const LabPlan& plan);
 
-/// Returns the parameters of the simulation run at a true condition of the grains, in reduced units
-/// (grain diameter, grain mass and normal stress are 1). The caller must set the seed of the run.
+/// Returns the parameters of the simulation run for a true condition of the grains, in reduced
+/// units (grain diameter, grain mass and normal stress are 1). The caller must set the seed of the
+/// run.
 /// @param condition true condition of the grains (`imposed_condition`)
 /// @param bridge_volume volume of a liquid bridge divided by the cubed grain diameter [1], used for
 ///         wet grains only
 dem::RunParameters run_at(const LabPlan& plan, const EffectiveCondition& condition,
                           double bridge_volume);
 
-/// Returns the parameters of a pilot run at a true condition of the grains, in reduced units (grain
-/// diameter, grain mass and normal stress are 1). A pilot run is a simulation with few grains and a
-/// short strain that measures the liquid content at a given bridge volume.
+/// Returns the parameters of a pilot run for a true condition of the grains, in reduced units
+/// (grain diameter, grain mass and normal stress are 1). A pilot run is a simulation with few
+/// grains and a short strain that measures the liquid content at a given bridge volume.
 /// @param condition true condition of the grains (`imposed_condition`)
 /// @param bridge_volume volume of a liquid bridge divided by the cubed grain diameter [1]
 dem::RunParameters pilot_at(const LabPlan& plan, const EffectiveCondition& condition,

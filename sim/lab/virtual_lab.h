@@ -10,12 +10,13 @@
 
 namespace pendular {
 
-/// One step of constant set points in a virtual recording, with its requested condition, its true
-/// condition, and the simulation that gives the true state of the grains.
+/// One step of constant set points in a virtual recording: requested condition (normal stress,
+/// inertial number and liquid content), true condition, and the simulation that gives the true
+/// state of the grains.
 struct LabStep {
     Condition condition;         ///< requested condition of the step, which the instrument shows
     EffectiveCondition imposed;  ///< true condition of the grains in the step (`imposed_condition`)
-    dem::RunResult run;          ///< simulation of the grains at their true condition in the step
+    dem::RunResult run;          ///< result of the simulation at the true condition of the step
 };
 
 /// Simulated recording of a virtual laboratory: one pass through all steps of constant set points
@@ -37,19 +38,19 @@ struct LabResult {
     std::vector<LabRecording> recordings;
     /// Number of pilot runs: short simulations that determine the volumes of the liquid bridges.
     std::size_t pilots = 0;
-    /// Messages for the user about the simulations, for example about repeated runs.
+    /// Messages for the user about the simulations, for example about runs that were repeated.
     std::vector<std::string> notes;
 };
 
-/// Callback that receives the name of each phase of a virtual laboratory's work, before the
-/// simulations of the phase begin. The names are "simulations that seek the bridge volumes",
-/// "second simulations that seek the bridge volumes" and "recordings".
+/// Callback that receives the name of a group of simulations of a virtual laboratory before the
+/// group begins. The names are "simulations that seek the bridge volumes", "second simulations that
+/// seek the bridge volumes" and "recordings".
 using AnnouncePhase = std::function<void(const std::string&)>;
 
 /// Simulates each step of each planned recording, and returns the recordings in the order of the
-/// plan. Short pilot runs first determine the bridge volumes that give the liquid contents. Each
-/// step has a run with a seed of its own and 1.5 times as many grains as `plan.fidelity`
-/// prescribes. The seeds differ from the seeds of a calibration (`SeedDomain`).
+/// plan. Short pilot runs first determine the bridge volumes that give the planned liquid contents.
+/// Each step has a simulation run with a seed of its own and 1.5 times as many grains as
+/// `plan.fidelity` prescribes. The seeds differ from the seeds of a calibration (`SeedDomain`).
 ///
 /// A run that fails, crystallises or is not steady is repeated with a new seed, at most three
 /// times. A pilot run need not be steady.
@@ -60,9 +61,9 @@ using AnnouncePhase = std::function<void(const std::string&)>;
 LabResult simulate_lab(const LabPlan& plan, const Workers& workers,
                        const AnnouncePhase& announce = {});
 
-/// Returns the typical relative standard error of an observable in the simulations [1]: the median,
-/// over all steps, of standard error divided by mean. The recordings use the typical errors of
-/// stress ratio and solid fraction as the relative standard errors of every step.
+/// Returns the typical relative standard error of an observable in the simulations [1]: the median
+/// of standard error divided by mean, over all steps of all recordings. In the recordings, every
+/// step has the typical relative standard errors of stress ratio and solid fraction.
 double typical_error(const LabResult& result, dem::Observable which);
 
 }  // namespace pendular

@@ -24,20 +24,21 @@ namespace pendular {
 ///     inertial_number = [1e-3, 0.1]
 ///     logarithmic = ["inertial_number"]
 ///
-/// Each table may contain parameters of a run, effects on grains, and the key `repeats`. A
+/// Each table may contain parameters of a run, physical effects on grains, and the key `repeats`. A
 /// parameter of a run is a dimensionless number or an array of numbers. The parameter
 /// `reduced_pressure` makes the grains wet. An effect on grains is a table of the effect's
 /// parameters. The value of `repeats` is the number of runs that differ only in their seeds. The
 /// seed of a run follows from the file's seed, the parameters of the run and the number of the
 /// repeat.
-/// @throws InputError if the file cannot be read, or requests no run or too many runs; at the line
-///         of a syntax error, an unknown key, a value out of range or a run that cannot be
-///         simulated
+/// @throws InputError if the file cannot be read, requests no run or too many runs, or contains a
+///         syntax error, an unknown key, a value out of range or a run that cannot be simulated;
+///         the error names the line
 std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file);
 
 /// Divides the runs of a campaign (list of simulations) into groups of about equal expected
-/// computing time, for example one group for each machine. Returns the runs of one group, with the
-/// longest run first. The division does not depend on which runs were already carried out.
+/// computing time, for example one group for each machine. Returns the parameters of the runs of
+/// one group, with the longest run first. The division does not depend on which runs were already
+/// carried out.
 /// @param share number of the group, from 1
 /// @param shares number of groups
 std::vector<dem::RunParameters> share_of(const std::vector<dem::RunParameters>& runs, int share,

@@ -15,8 +15,8 @@ class RunStore;
 struct EnsembleProgress {
     std::size_t runs_done = 0;
     std::size_t runs = 0;  ///< number of simulations in the group
-    /// Completed fraction of the expected computing time of the runs that are carried out [1]. Runs
-    /// that are read from the store do not count.
+    /// Completed fraction of the expected computing time of all simulations of the group [1].
+    /// Simulations whose results are read from a store do not count.
     double fraction = 0;
     /// Estimated time until all runs of the group are complete [s], 0 while unknown.
     double seconds_left = 0;
@@ -24,20 +24,20 @@ struct EnsembleProgress {
 /// Callback that receives the progress of a running group of simulations.
 using EnsembleReport = std::function<void(const EnsembleProgress&)>;
 
-/// Settings with which simulations are carried out: number of threads, stop request, progress
-/// callback and store.
+/// Settings with which a group of simulations is carried out: number of threads, stop request,
+/// progress callback and store (SQLite file of runs).
 struct Workers {
     int threads = 1;
     std::stop_token stop;
     /// Callback that receives the progress of the simulations. Only one thread at a time calls the
     /// callback.
     EnsembleReport report;
-    /// Store (SQLite file of runs) to which every run is added when the run ends, with its time
-    /// series and final state. The results that are returned to the caller then lack time series
-    /// and final state. If the pointer is null, no store is used.
+    /// Store (SQLite file of runs) to which every run is added when it ends, with its time series
+    /// and final state; null for no store. With a store, the results that are returned to the
+    /// caller lack time series and final state.
     RunStore* store = nullptr;
-    /// Whether a run that the store already contains is read from the store instead of being
-    /// simulated again.
+    /// Whether the result of a run that the store already contains is read from the store.
+    /// Otherwise the run is simulated again.
     bool reads_store = true;
 };
 
@@ -71,10 +71,10 @@ std::vector<std::size_t> longest_first(const std::vector<dem::RunParameters>& ru
 double expected_cost(const dem::RunParameters& run);
 
 /// Returns the expected wall time [s] of `runs` on `threads` threads, one run per thread; empty if
-/// no measured run succeeded. The time of a run is its `expected_cost` times the median, over
-/// measured runs, of wall time divided by expected cost. The median is over measured runs of the
-/// same kind: dry or wet, with or without effects. If no measured run is of this kind, the median
-/// is over all measured runs. The result is at least the time of the longest run.
+/// no measured run succeeded. The time of a run is its `expected_cost` times the median of (wall
+/// time divided by `expected_cost`) over the measured runs of equal kind: dry or wet, with or
+/// without physical effects. If no measured run is of equal kind, the median is over all measured
+/// runs. The result is at least the time of the longest run.
 /// @param measured runs that were already carried out
 std::optional<double> expected_seconds(const std::vector<dem::RunParameters>& runs,
                                        const std::vector<dem::RunResult>& measured, int threads);

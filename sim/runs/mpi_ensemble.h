@@ -11,7 +11,7 @@ namespace pendular {
 class MpiProcesses {
   public:
     /// Whether mpirun, mpiexec or srun started this process with MPI. The function reads only
-    /// environment variables, so that MPI need not be initialised.
+    /// environment variables and may be called before MPI is initialised.
     static bool there();
 
     MpiProcesses();
@@ -19,10 +19,11 @@ class MpiProcesses {
     MpiProcesses(const MpiProcesses&) = delete;
     MpiProcesses& operator=(const MpiProcesses&) = delete;
 
-    /// Whether this process has rank 0 and therefore distributes the runs.
+    /// Whether this process has rank 0 and therefore distributes the simulations to the processes
+    /// of the other ranks.
     bool manager() const { return rank_ == 0; }
-    /// Returns the number of MPI processes that carry out runs: all processes except the process of
-    /// rank 0.
+    /// Returns the number of MPI processes that carry out simulations: all processes except the
+    /// process of rank 0.
     int workers() const { return size_ - 1; }
 
     /// Distributes simulations to the processes of the other ranks, the longest simulation first,
@@ -36,8 +37,8 @@ class MpiProcesses {
     void manage(const std::vector<dem::RunParameters>& runs, const Workers& workers) const;
 
     /// Carries out the simulations that rank 0 sends and returns each result to rank 0, until rank
-    /// 0 reports that no simulations are left. This function is to be called on all ranks other
-    /// than 0.
+    /// 0 reports that no simulations are left. The processes of all ranks other than 0 must call
+    /// this function.
     /// @throws dem::Interrupted if a stop is requested
     void work(const std::stop_token& stop) const;
 

@@ -11,8 +11,9 @@
 
 namespace pendular {
 
-/// Converts effects on grains into the object with which the solver applies the effects in a run.
-/// An effect is left out if all its parameters have their neutral values.
+/// Converts physical effects on grains into the object with which the solver applies the effects in
+/// a run. An effect is left out if all its parameters have their neutral values, at which the
+/// effect vanishes.
 /// @param effects names of the effects, with parameter values in reduced units (grain diameter,
 ///         grain mass and imposed normal stress are 1)
 /// @param wet whether the run has liquid bridges
@@ -20,15 +21,17 @@ namespace pendular {
 ///         in a dry run, or if a value is out of its bounds
 dem::GrainEffects grain_effects(const std::vector<EffectValues>& effects, bool wet);
 
-/// Returns effects on grains, with their parameter values in reduced units, as text such as
+/// Returns physical effects on grains, with their parameter values in reduced units (grain
+/// diameter, grain mass and imposed normal stress are 1), as text such as
 ///     rolling-resistance.coefficient=0.1 willett-bridges.on=1
 std::string effects_text(const std::vector<EffectValues>& effects);
-/// Returns the effects on grains and the parameter values that a text describes, sorted by the name
-/// of the effect. The function is the inverse of `effects_text`.
-/// @throws std::invalid_argument if the text does not have this form or contains an unknown name
+/// Returns the physical effects on grains, with their parameter values, that a text states, such as
+/// "rolling-resistance.coefficient=0.1". The effects are sorted by name. The function is the
+/// inverse of `effects_text`.
+/// @throws std::invalid_argument if the text has another form or contains an unknown name
 std::vector<EffectValues> effects_from(const std::string& text);
 
-/// Checks, before any computation, that a run with its effects on grains can be simulated.
+/// Checks, before any computation, that a run with its physical effects on grains can be simulated.
 /// @throws std::invalid_argument for a parameter out of range, which the message names, and for an
 ///         effect that is unknown, does not act on grains, or acts on bridges in a dry run
 void check_run(const dem::RunParameters& run);
@@ -42,9 +45,9 @@ std::string run_description(const dem::RunParameters& run, int threads = 1);
 /// run.
 std::uint64_t fingerprint(std::string_view text);
 
-/// Carries out a simulation with the effects on grains in `run.effects`, and returns the averages
-/// of the observables. The function replaces `options.description` by the `run_description` of the
-/// run.
+/// Carries out a simulation with the physical effects on grains in `run.effects`, and returns the
+/// averages of the observables. The function replaces `options.description` by the
+/// `run_description` of the run.
 /// @throws std::invalid_argument for a run or effect that cannot be simulated
 /// @throws dem::SimulationError if the simulation fails
 /// @throws dem::Interrupted if a stop is requested

@@ -10,12 +10,12 @@ namespace pendular {
 /// virtual measurement without using the initial samples of the virtual measurement.
 enum class SeedDomain : std::uint64_t { calibration, instrument, virtual_lab, run_places };
 
-/// Returns the seed of run number `run`: a hash of the user's seed, the number of the run and the
-/// purpose of the random numbers.
+/// Returns the seed of run number `run`, counted from 0: a hash of the user's seed, the number of
+/// the run and the purpose of the random numbers (`domain`).
 ///     z = seed x A + (run + 1) x B + domain x 2^62 (mod 2^64),  A and B odd
-/// The finalizer of splitmix64 then maps different z to different seeds. With one user's seed, two
-/// runs of one domain never have equal seeds. Two runs of different domains can have equal seeds
-/// only if the numbers of the runs differ by a multiple of 2^62.
+/// The finalizer of splitmix64 then maps different z to different seeds. For one value of `seed`,
+/// two runs of one purpose never have equal seeds. Two runs of different purposes can have equal
+/// seeds only if the numbers of the runs differ by a multiple of 2^62.
 /// Source: Steele, Lea and Flood, OOPSLA (2014) 453, "Fast splittable pseudorandom number
 /// generators".
 constexpr std::uint64_t seed_of_run(std::uint64_t seed, std::uint64_t run,

@@ -23,7 +23,7 @@ EffectiveCondition condition_of(const dem::RunParameters& run, const RunScale& s
 }
 
 void demand_possible(const Effect& effect, bool wet) {
-    if (const std::string why = why_no_run_has(effect); !why.empty()) {
+    if (const std::string why = why_not_in_run(effect); !why.empty()) {
         throw std::invalid_argument(fmt::format("{}: {}", effect.name, why));
     }
     if (effect.touches == Touches::wet && !wet) {
@@ -47,7 +47,7 @@ RunScale RunScale::of(const dem::RunParameters& run) const {
     return result;
 }
 
-std::string why_no_run_has(const Effect& effect) {
+std::string why_not_in_run(const Effect& effect) {
     if (effect.of_instrument()) {
         return "it acts on what an instrument shows, and a single simulation has no instrument; "
                "'pendular virtual-lab' has one";

@@ -43,7 +43,8 @@ double true_share(const LinearSpace& space, const Diagnosis& truth, const Eigen:
     Measuring measuring(17);
     std::size_t same = 0;
     for (std::size_t k = 0; k < repetitions; ++k) {
-        same += comes_again(truth, diagnose(space, measuring.of(values), quickly(k + 1))) ? 1 : 0;
+        same +=
+            confirms_verdict(truth, diagnose(space, measuring.of(values), quickly(k + 1))) ? 1 : 0;
     }
     return static_cast<double>(same) / repetitions;
 }

@@ -30,7 +30,7 @@ TEST(EffectOptions, AreThereForEveryParameterThatCanBeSimulated) {
     ASSERT_EQ(help.code, 0);
     int hidden = 0;
     for (const auto& effect : pendular::built_in_effects()) {
-        const bool of_models = !pendular::why_no_lab_has(effect).empty();
+        const bool of_models = !pendular::why_not_in_lab(effect).empty();
         hidden += of_models ? 1 : 0;
         for (const auto& parameter : effect.parameters) {
             const auto option = HasSubstr("--" + effect.name + "." + parameter.name + " ");

@@ -35,11 +35,11 @@ TEST(RunEffects, AreOptionsOfSimulateWhereARunCanHaveThem) {
     for (const auto& effect : pendular::built_in_effects()) {
         for (const auto& parameter : effect.parameters) {
             const std::string option = "--" + effect.name + "." + parameter.name + " ";
-            if (pendular::why_no_run_has(effect).empty()) {
+            if (pendular::why_not_in_run(effect).empty()) {
                 EXPECT_THAT(help.output, HasSubstr(option));
             } else {
                 EXPECT_THAT(help.output, Not(HasSubstr(option)));
-                expect_refused("simulate " + option + "1", pendular::why_no_run_has(effect));
+                expect_refused("simulate " + option + "1", pendular::why_not_in_run(effect));
             }
         }
     }

@@ -182,7 +182,7 @@ TEST_F(ReadMeasurements, NotesAWeightOfTheGrainsThatIsNotSmall) {
     const auto note = weight_note(heavy);
     ASSERT_TRUE(note);
     EXPECT_THAT(*note, HasSubstr("118 Pa"));
-    EXPECT_THAT(*note, HasSubstr("in 3 of 3 readings (1005 Pa)"));
+    EXPECT_THAT(*note, HasSubstr("in 3 of 3 readings, those at 1005 Pa"));
     EXPECT_THAT(*note, HasSubstr("'pendular diagnose' tests the effect grain-weight"));
     EXPECT_FALSE(weight_note(study_text));
     EXPECT_FALSE(weight_note(heavy + "[model]\neffects = [\"grain-weight\"]\n"));

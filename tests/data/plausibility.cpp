@@ -138,9 +138,10 @@ TEST_F(ImplausibleStudy, NamesThePowerOfTenThatWouldMendIt) {
     // 20 g at 6.3 mm make 0.6076. Micrometres read as millimetres, and a mass off by ten.
     EXPECT_THAT(of_recording(6.3, "20").doubts, IsEmpty());
     EXPECT_THAT(of_recording(6300, "20").doubts.at(0).what,
-                HasSubstr("a bead mass 1000 times larger or a gap 1000 times smaller"));
-    EXPECT_THAT(of_recording(6.3, "200").doubts.at(0).what,
-                HasSubstr("a bead mass 10 times smaller or a gap 10 times larger would give 0.61"));
+                HasSubstr("a total bead mass 1000 times larger or a gap 1000 times smaller"));
+    EXPECT_THAT(
+        of_recording(6.3, "200").doubts.at(0).what,
+        HasSubstr("a total bead mass 10 times smaller or a gap 10 times larger would give 0.61"));
     // No power of ten mends 0.86.
     const Measurements off = of_recording(6.3, "28.3");
     EXPECT_THAT(off.readings, IsEmpty());

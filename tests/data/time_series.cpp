@@ -213,7 +213,7 @@ TEST(LaggedCovariances, AreTheSameOneByOneAndAllAtOnce) {
     }
     LaggedCovariances alone(first, second), at_once(first, second);
     at_once(n - 1);
-    for (std::size_t lag = 0; lag < LaggedCovariances::lags_alone; ++lag)
+    for (std::size_t lag = 0; lag < LaggedCovariances::first_lag_by_fourier_transform; ++lag)
         EXPECT_NEAR(at_once(lag), alone(lag), 1e-11);
     double by_hand = 0, mean1 = plain_mean(first), mean2 = plain_mean(second);
     for (std::size_t i = 0; i + 1000 < n; ++i)

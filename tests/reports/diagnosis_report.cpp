@@ -94,8 +94,9 @@ TEST(DiagnosisTable, SaysWhatEachEffectLeaves) {
     diagnosis.scan[0].refitted_reduction = 480;
     diagnosis.scan[1].candidate = 1;
     diagnosis.scan[1].test.predicted_reduction = 100;
-    EXPECT_EQ(left_text(diagnosis, diagnosis.scan[0], space), "2.00");  // one parameter more
-    EXPECT_EQ(left_text(diagnosis, diagnosis.scan[1], space), "~40.00");
+    EXPECT_EQ(remaining_chi2_text(diagnosis, diagnosis.scan[0], space),
+              "2.00");  // one parameter more
+    EXPECT_EQ(remaining_chi2_text(diagnosis, diagnosis.scan[1], space), "~40.00");
     const auto rows = diagnosis_table(diagnosis, space, false);
     EXPECT_THAT(rows.front(), testing::Not(testing::HasSubstr("power")));
     EXPECT_THAT(rows.back(), testing::HasSubstr("now 45.45"));

@@ -73,7 +73,7 @@ TEST_F(NextSteps, MeasureAMissingEffectDirectlyBeforeItIsAdded) {
     EXPECT_EQ(lines[4], "       friction: 0.1 -> 0.05");
     EXPECT_THAT(lines[5], HasSubstr("[[direct]]"));
     EXPECT_THAT(friction_line(d_),
-                AllOf(HasSubstr("0.0918 +- 0.0037 with wall-friction"), HasSubstr("and 0.18")));
+                AllOf(HasSubstr("0.0918 +- 0.0037 with wall-friction"), HasSubstr("; 0.18")));
 }
 
 TEST_F(NextSteps, CheckTheSensorAndRepeatSuspectReadings) {

@@ -184,7 +184,7 @@ TEST_F(Sessions, KeepTheRivalOfAnAddedEffect) {
     // An effect that the study lists by now stays in the model beside the rival.
     Ladder ladder = added.ladder;
     ladder.back().rivals = {{"gain-b", "gain-a"}, {"gain-a"}};
-    const auto alive = rivals_alive(diagnosis, after.resolved(), ladder);
+    const auto alive = rivals_not_ruled_out(diagnosis, after.resolved(), ladder);
     ASSERT_EQ(alive.size(), 1u);
     EXPECT_THAT(alive[0].effects, testing::ElementsAre("gain-b"));
     std::ofstream(study_ / "out/ladder.json") << "{";

@@ -65,8 +65,8 @@ struct SkippedRows {
     bool points = true;
 };
 
-/// Numbers of intervals and cells read from a file. The numbers are limited so that reading a small
-/// file cannot use much memory.
+/// Numbers of intervals (steps of a rheometer's test) and table cells read from a file. The numbers
+/// are limited so that reading a small file cannot use much memory.
 struct FileCounts {
     std::size_t intervals = 0;
     /// Number of header cells read from the file: sum of the columns of all intervals.
@@ -74,8 +74,8 @@ struct FileCounts {
     std::size_t cells = 0;  ///< number of table cells read from the file: rows times columns
 };
 
-/// Maximum number of intervals that are read from one file, and maximum number of header cells
-/// (intervals times columns) that are read from one file.
+/// Maximum number of intervals (steps of a rheometer's test) that are read from one file, and
+/// maximum number of header cells (intervals times columns) that are read from one file.
 constexpr std::size_t most_intervals = 10'000, most_header_cells = 1'000'000;
 
 /// Content of a file of measurements, independent of the layout of the file.
@@ -131,10 +131,11 @@ int count_of(const std::string& cell);
 /// "[mN·m]" or "(mN·m)".
 std::string bare_unit(std::string_view cell);
 
-/// Sets the columns and the header of an interval from the names and units in the file. If several
-/// columns contain one quantity, the column with the most specific name is used ("Time" rather than
-/// "Run time"). The first of several equally specific columns is used.
-/// @param file file to which the interval belongs; its number of intervals is increased
+/// Sets the columns and the header of an interval (step of a rheometer's test) from the names and
+/// units in the file. If several columns contain one quantity, the column with the most specific
+/// name is used ("Time" rather than "Run time"). The first of several equally specific columns is
+/// used.
+/// @param file file to which the interval belongs; the numbers in `file.counts` are increased
 /// @param header row whose cells have the positions of the columns in the file
 /// @param details further text on each column, such as "Constant component"; the list may be
 ///         shorter than the list of columns
@@ -144,11 +145,11 @@ void set_columns(BlockFile& file, Block& block, Row header, const std::vector<st
                  const std::vector<std::string>& units,
                  const std::vector<std::string>& details = {});
 
-/// Adds a row to an interval. Missing cells at the end of the row become empty, as do cells such as
-/// "---" and "***". A row counts as cut off if it ends before a used column in which the preceding
-/// row has a value. The function leaves out a row that is cut off, and lists the row in
-/// `file.skipped`.
-/// @param file file to which the interval belongs; its number of cells is increased
+/// Adds a row to an interval (step of a rheometer's test). Missing cells at the end of the row
+/// become empty, as do cells such as "---" and "***". A row counts as cut off if it ends before a
+/// used column in which the preceding row has a value. The function leaves out a row that is cut
+/// off, and lists the row in `file.skipped`.
+/// @param file file to which the interval belongs; the number `file.counts.cells` is increased
 /// @throws InputError if a cell beyond the last column is not empty, or if the file has more than
 ///         `most_cells` cells
 void add_row(BlockFile& file, Block& block, Row row);
@@ -159,7 +160,8 @@ void add_row(BlockFile& file, Block& block, Row row);
 /// @param points whether the line is one of the points (rows) whose number the file declares
 void skip_line(BlockFile& file, int line, const char* reason, bool points = true);
 
-/// Increases the number of intervals of a file by one and checks the limits.
+/// Adds an interval (step of a rheometer's test) and its header cells to the counts of a file,
+/// `file.counts`, and checks the limits of the counts.
 /// @param line line number at which the interval begins
 /// @param columns number of columns of the interval
 /// @throws InputError for more than `most_intervals` intervals or `most_header_cells` header cells

@@ -26,7 +26,8 @@ ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit);
 /// empty for columns without set points.
 std::string_view set_point_of(std::string_view name, std::string_view unit);
 
-/// Whether a column with a given name, such as "Point No.", numbers the points of an interval.
+/// Whether a column with a given name, such as "Point No.", contains the numbers of the points
+/// (rows) of an interval.
 bool counts_points(std::string_view name);
 
 }  // namespace pendular

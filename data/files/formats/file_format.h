@@ -20,8 +20,9 @@ struct FileFormat {
     /// Names and units of all columns, each as `name [unit]`, which replace the header of a file
     /// that has no header or no units.
     std::vector<std::string> columns;
-    /// Intervals whose role the user states. The key is a role such as "failure". The value is the
-    /// list of the numbers or names of the intervals, such as "4".
+    /// Intervals (steps of a rheometer's test) whose role in the test the user states. The key is a
+    /// role such as "failure". The value is the list of the numbers or names of the intervals, such
+    /// as "4".
     std::map<std::string, std::vector<std::string>> roles;
     /// Whether torques whose decimal mark or thousands mark was lost in the file are corrected by
     /// means of the shear stresses (`repair_torques`). Corrections are reported.

@@ -21,19 +21,20 @@ struct NamesAndUnits {
 /// Returns the names and units of the columns in the user's settings (`FileFormat::columns`).
 NamesAndUnits stated_columns(const FileFormat& format);
 
-/// Reads intervals that follow each other in one table, and adds the intervals to `file.blocks`. A
-/// row of two whole numbers (number of the interval, number of its points) announces an interval.
-/// An interval also begins at a row in which a counter of points in the first column restarts.
+/// Reads intervals (steps of a rheometer's test) that follow each other in one table, and adds the
+/// intervals to `file.blocks`. A row of two whole numbers (number of the interval, number of its
+/// points) announces an interval. An interval also begins at a row in which a counter of points in
+/// the first column restarts.
 /// @param begin index of the line of the first row, from 0
-/// @param header row whose cells have the positions of the columns
+/// @param header row whose cells have the positions of the columns in the file
 void read_stacked_rows(const SourceLines& source, std::size_t begin, const Row& header,
                        const NamesAndUnits& columns, BlockFile& file);
 
 /// Whether all cells of a row are numbers, with decimal point or decimal comma.
 bool all_numbers(const Row& row);
 
-/// Returns the first line of a file without header as a row, and sets `delimiter` to the delimiter
-/// of the file. The row has no cells if the file is blank.
+/// Returns the first line, not counting blank lines, of a file without header as a row, and sets
+/// `delimiter` to the delimiter of the file. The row has no cells if the file is blank.
 Row headerless_first_row(const SourceLines& source, char& delimiter);
 
 /// Returns the header cells in the user's settings (`FileFormat::columns`) as a row.

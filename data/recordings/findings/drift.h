@@ -43,6 +43,7 @@ std::optional<Course> course_of(std::span<const double> samples);
 /// step. Returns one entry for each test, significant or not. The p value tests the change over the
 /// second half of the step. The p value is 1 if the trend does not clearly bend towards a constant
 /// value, or if the constant value is less than 0.5 % away at the end of the step.
+/// @param file path of the recording
 std::vector<RecordingFinding> run_in_tests(const std::string& file,
                                            const std::vector<RecordedStep>& steps);
 
@@ -60,10 +61,10 @@ struct StepTrend {
 std::vector<StepTrend> step_trends(const std::string& file, const std::vector<RecordedStep>& steps);
 
 /// Tests whether torque or gap drifts in one direction through the steps of a study. Returns at
-/// most one test for each column, and none for fewer than three steps. The test compares the
-/// weighted mean of the relative changes over the second halves of the steps with the standard
-/// error of this mean. The p value is 1 if less than three of four steps change in the direction of
-/// the mean.
+/// most one test for each column, and no test of a column with fewer than three steps. The test
+/// compares the weighted mean of the relative changes (change divided by mean) over the second
+/// halves of the steps with the standard error of this mean. The p value is 1 if fewer than three
+/// quarters of the steps change in the direction of the mean.
 /// @param trends trends of torque and gap in the steps, from `step_trends`
 /// @param unfinished findings on steps in which torque or gap still approaches its steady value;
 ///         these steps are left out

@@ -16,9 +16,10 @@ namespace pendular {
 /// requested, since the number of tests determines which findings are significant.
 class InsideRecordings {
   public:
-    /// Tests the steps of one recording for wobble, stick-slip, drift and an unfinished approach to
-    /// the steady state. Steps with a shear strain below `least_strain` [1], such as consolidation
-    /// and shear to failure, are not steady and are left out.
+    /// Tests the steps of one recording for wobble, stick-slip and an unfinished approach to the
+    /// steady state, and stores the trends of torque and gap for the test for drift. Steps with a
+    /// shear strain below `least_strain` [1], such as consolidation and shear to failure, are not
+    /// steady and are left out.
     /// @param file path of the recording
     void look_at(const std::string& file, std::vector<RecordedStep> steps, const AnnularCell& cell,
                  double least_strain);

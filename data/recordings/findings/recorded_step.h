@@ -34,8 +34,8 @@ struct RecordedStep {
     std::size_t beyond_whole_turns = 0;
 };
 
-/// Splits a recording into steps, replaces spikes, and finds the transient and the periodic parts
-/// of each step with at least `shortest_step` rows in which the lid turns.
+/// Splits a recording into steps and replaces spikes. Finds the transient and the periodic parts of
+/// each step that has at least `shortest_step` rows and in which the lid turns.
 /// @throws InputError if the torque has both signs within a step
 std::vector<RecordedStep> recorded_steps(const Recording& recording);
 

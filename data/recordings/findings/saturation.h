@@ -29,9 +29,10 @@ struct Saturation {
 /// - The torques of at least three steps with the largest forces agree within 0.5 %, while the
 ///   force increases by at least 20 % from each step to the next.
 ///
-/// Rows are saturated if they are within half the resolution or within 2e-4 of the largest value.
-/// The first two reasons require at least three saturated rows, p < 1e-4, and clearly lower rows
-/// beside the saturated rows.
+/// Rows are saturated if they differ from the largest value by at most half the resolution or at
+/// most 2e-4 of the largest value. For the third reason, all rows of the steps are saturated. The
+/// first two reasons require at least three saturated rows, p < 1e-4, and clearly lower rows beside
+/// the saturated rows.
 std::vector<Saturation> saturations(const Recording& recording,
                                     const std::vector<RecordedStep>& steps);
 
@@ -47,6 +48,7 @@ void separate_from_spikes(const std::vector<Saturation>& saturated, const std::s
 /// `choice.keep_implausible` is set, readings of which more than 1 in 100 rows are saturated are
 /// moved to `part.excluded`.
 /// @param saturated saturated columns of the recording
+/// @param part readings that were made from the recording
 void set_aside_saturated(const std::vector<Saturation>& saturated, const Recording& recording,
                          const std::vector<RecordedStep>& steps, const ImportSettings& choice,
                          Measurements& part);

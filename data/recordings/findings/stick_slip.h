@@ -19,11 +19,15 @@ struct Slips {
     double p = 1;
 };
 
-/// Finds sudden drops of a series and tests whether drops are more frequent than sudden rises. The
-/// result is empty for less than 40 values. A sudden change is a run of increments of one sign.
-/// Each increment differs from the median increment by more than three times the robust deviation
-/// of all increments and by more than 2.5 times the resolution. The p value is binomial with
-/// probability 1/2, since rises and drops are equally frequent in noise.
+/// Finds sudden drops of a series and tests whether drops are more frequent than sudden rises. A
+/// sudden change is a run of increments of one sign. Each increment of the run differs from the
+/// median increment by more than three times the robust deviation of all increments and by more
+/// than 2.5 times the resolution. The p value is binomial with probability 1/2, since rises and
+/// drops are equally frequent in noise.
+///
+/// The test is repeated with means of 2, 4 and 8 neighbouring values. The result is that of the
+/// test with the smallest p value, which is multiplied by the number of tests. The result is empty
+/// for fewer than 40 values.
 /// @param resolution resolution of the series, in the unit of the series
 std::optional<Slips> slips(std::span<const double> samples, double resolution);
 

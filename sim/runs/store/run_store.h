@@ -24,11 +24,11 @@ struct StoredRun {
     dem::RunResult run;
 };
 
-/// Store: SQLite file of simulation runs that were carried out. The parameters of a run, its number
-/// of threads and the version of the solver identify the run. No run is stored twice. Several
-/// processes and threads may read and write at once. A process that is killed loses only its
-/// current run. Any SQLite tool can query the table `runs`, which has a column for each of
-/// `run_columns()`.
+/// Store: SQLite file of the parameters and results of simulation runs. The parameters of a run,
+/// its number of threads and the version of the solver identify the run. No run is stored twice.
+/// Several processes and threads may read and write at once. If a process is killed, only the run
+/// that it is carrying out is lost. Any SQLite tool can query the table `runs`, which has a column
+/// for each of `run_columns()`.
 ///
 /// All functions throw InputError for a file that is not a store, is corrupt or was written by a
 /// newer version of the program. All functions throw std::runtime_error, naming the file and the
@@ -62,7 +62,8 @@ class RunStore {
     /// distance between the parameters of two runs is
     ///     (d friction/0.1)^2 + (d ln I)^2 + (d ln kappa)^2 + (d ln P*)^2 + (d ln V0)^2
     /// with differences d, inertial number I, stiffness number kappa, reduced pressure P* and
-    /// bridge volume V0. The terms of P* and V0 count for wet runs only.
+    /// bridge volume V0. The terms of P* and V0 count for wet runs only. Other parameters and the
+    /// version of the solver do not count.
     std::optional<StoredRun> nearest(const dem::RunParameters& parameters) const;
 
     /// Returns the number of runs in the store, including failed runs and runs of all versions of
@@ -98,8 +99,8 @@ class RunStore {
     /// Path that makes the constructor open a store in memory, without a file.
     static constexpr const char* in_memory = store_in_memory;
 
-    /// Checks that the file of the store is still the file that was opened.
-    /// @throws std::runtime_error if the file was removed or replaced
+    /// Checks that the path of the store still leads to the file that was opened.
+    /// @throws std::runtime_error if the file of the store was removed or replaced
     void demand_present() const;
 
   private:

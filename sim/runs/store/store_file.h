@@ -15,7 +15,7 @@ namespace pendular {
 
 /// Version of the file format of stores (SQLite files of simulation runs).
 constexpr int store_format = 1;
-/// Path that stands for a store (SQLite database of runs) in memory, without a file.
+/// Path that stands for a store (SQLite database of simulation runs) in memory, without a file.
 constexpr const char* store_in_memory = ":memory:";
 
 /// Opens a store (SQLite file of simulation runs). Views, triggers and functions in the schema of
@@ -30,13 +30,15 @@ constexpr const char* store_in_memory = ":memory:";
 std::unique_ptr<SQLite::Database> open_store_file(const std::filesystem::path& file,
                                                   bool must_exist);
 
-/// Throws an error with advice for the user in place of an error of SQLite.
-/// @throws InputError if the file cannot be opened or is not a valid store
+/// Throws, in place of the error of SQLite, an error whose message names the file and advises the
+/// user.
+/// @throws InputError if the file cannot be opened or is not a valid store, or if a query exceeds a
+///         limit of size or is forbidden
 /// @throws std::runtime_error for any other error
 [[noreturn]] void explain(const std::filesystem::path& file, const SQLite::Exception& error);
 
 /// Returns the device number and the inode number of a file. The numbers change if a new file
-/// replaces the file. Both are zero if the file does not exist.
+/// replaces the file. Both numbers are zero if the file does not exist.
 std::array<std::uint64_t, 2> identity_of(const std::filesystem::path& file);
 
 }  // namespace pendular
