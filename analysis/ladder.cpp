@@ -63,7 +63,11 @@ void add_step(Ladder& ladder, LadderStep before, LadderStep after) {
 bool fell_by_chance(const LadderStep& from, const LadderStep& to) {
     // A switch changes chi2 without a further fitted parameter: it counts as one parameter.
     const boost::math::chi_squared law(std::max(1, from.dof - to.dof));
-    return from.chi2 - to.chi2 <= boost::math::quantile(law, 0.95);
+    // Where a misfit remains, the readings scatter about the model by more than their errors.
+    const bool misfit =
+        to.dof > 0 && to.chi2 > boost::math::quantile(boost::math::chi_squared(to.dof), 0.95);
+    const double scatter = misfit ? to.chi2_per_dof() : 1;
+    return (from.chi2 - to.chi2) / scatter <= boost::math::quantile(law, 0.95);
 }
 
 }  // namespace pendular

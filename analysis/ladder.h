@@ -82,8 +82,11 @@ LadderStep ladder_step_of(const Calibration& calibration, const Comparison& comp
 void add_step(Ladder& ladder, LadderStep before, LadderStep after);
 
 /// Whether chance can explain the reduction of chi2 from the model `from` to the model `to` of a
-/// study, by a likelihood ratio test at 5 % significance. The number of additional parameters
-/// counts as at least one, since an effect that is a switch (on or off) adds no parameter.
+/// study, by a likelihood ratio test at 5 % significance. If a misfit remains in `to` (5 %
+/// significance), its chi2 per degree of freedom divides the reduction. The number of additional
+/// parameters counts as at least one, since an effect that is a switch (on or off) adds no
+/// parameter.
+/// Source: McCullagh and Nelder, Generalized Linear Models, 2nd ed. (1989), section 9.2.
 bool fell_by_chance(const LadderStep& from, const LadderStep& to);
 
 }  // namespace pendular

@@ -114,10 +114,13 @@ std::string beginning(const StudyChange& change, Outcome outcome) {
 std::string reason_for(Outcome outcome, const std::string& effect, const LadderStep& without,
                        const LadderStep& with) {
     if (outcome == Outcome::by_chance) {
+        constexpr double by_one_parameter = 3.84;  // what chance takes off chi2 (95 %)
         return fmt::format(
-            "{} adds a parameter but lowers chi2 by only {:.1f} (from {} to {}): chance explains "
-            "such a reduction.",
-            effect, without.chi2 - with.chi2, number(without.chi2), number(with.chi2));
+            "{} adds a parameter but lowers chi2 by only {:.1f} (from {} to {}): {}.", effect,
+            without.chi2 - with.chi2, number(without.chi2), number(with.chi2),
+            without.chi2 - with.chi2 > by_one_parameter
+                ? "that is little beside the misfit that remains"
+                : "chance explains such a reduction");
     }
     if (outcome == Outcome::left_out_worse) {
         return fmt::format(

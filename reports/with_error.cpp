@@ -20,8 +20,10 @@ struct Scale {
 /// unit itself for ratios and rates.
 Scale scale_of(double size, const std::string& unit) {
     if (unit == "rad") return {std::numbers::pi / 180, "deg"};
-    const bool scaled = unit == "N m" || unit == "N" || unit == "m" || unit == "N/m" ||
-                        unit == "Pa" || unit == "Pa s";
+    // The prefix belongs to the first symbol, which must not have an exponent.
+    const std::string first = unit.substr(0, unit.find_first_of(" /^"));
+    const bool scaled = (first == "N" || first == "m" || first == "Pa") &&
+                        !unit.substr(first.size()).starts_with('^');
     if (!scaled || !(size > 0)) return {1, unit};
     for (const auto& [factor, letter] :
          {std::pair{1e3, "k"}, {1.0, ""}, {1e-3, "m"}, {1e-6, "u"}}) {

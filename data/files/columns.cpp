@@ -108,7 +108,12 @@ const Columns::Column* Columns::find(std::string_view name, bool deviation) cons
 }
 
 void Columns::require(std::string_view name) const {
-    if (!has(name)) refuse_missing(fmt::format("'{} [{}]'", name, quantity(name).unit));
+    if (has(name)) return;
+    const std::string wanted = fmt::format("'{} [{}]'", name, quantity(name).unit);
+    refuse_missing(name == "height" ? wanted +
+                                          " (the gap; without a gap sensor, enter the solid "
+                                          "fractions in a table [[readings]])"
+                                    : wanted);
 }
 
 std::string_view Columns::require_one_of(std::string_view first, std::string_view second) const {

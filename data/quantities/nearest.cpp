@@ -51,7 +51,13 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
             best = name;
         }
     }
-    return best;
+    if (best) return best;
+    // A name that was cut short, such as the first of its words.
+    constexpr std::size_t least = 3;
+    const auto begins = [&](const std::string& name) { return name.starts_with(word); };
+    const auto found = std::ranges::find_if(known, begins);
+    const bool only = word.size() >= least && std::ranges::count_if(known, begins) == 1;
+    return only ? std::optional(*found) : std::nullopt;
 }
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> known) {

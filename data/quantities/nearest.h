@@ -14,7 +14,8 @@ int edit_distance(std::string_view first, std::string_view second);
 
 /// Returns the known name that differs from a misspelt word by the fewest edits (`edit_distance`).
 /// The number of edits must not exceed a third of the number of bytes of the word; one edit is
-/// always allowed. The result is empty if every known name differs by more edits.
+/// always allowed. If every known name differs by more edits, the result is the only known name
+/// that begins with the word (of at least three bytes), or empty.
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> known);
 
 /// Returns a hint for the end of an error message about an unknown word, such as "did you mean

@@ -267,6 +267,14 @@ NumberAndUnit split_quantity(std::string_view text) {
 
 }  // namespace
 
+std::string missing_unit(std::string_view number, const Unit& expected) {
+    const std::string& unit = expected.spelling();
+    const bool scaled = unit == "m" || unit == "N m" || unit == "Pa";
+    const char* const prefix = unit == "Pa" ? "k" : "m";
+    return fmt::format("has no unit; write \"{} {}\"{} or another unit of the same kind", number,
+                       unit, scaled ? fmt::format(", \"{} {}{}\"", number, prefix, unit) : "");
+}
+
 double quantity_in_si(std::string_view text, const Unit& expected) {
     const auto [number, unit_text] = split_quantity(text);
     const auto value = parse_number(number);
@@ -277,9 +285,7 @@ double quantity_in_si(std::string_view text, const Unit& expected) {
     }
     const Unit unit(unit_text);
     if (unit_text.empty() && !unit.same_dimension(expected))
-        throw std::invalid_argument(
-            fmt::format("\"{}\" has no unit; write \"{} {}\" or another unit of the same kind",
-                        text, number, expected.spelling()));
+        throw std::invalid_argument(fmt::format("\"{}\" {}", text, missing_unit(number, expected)));
     if (!unit.same_dimension(expected))
         throw std::invalid_argument(
             fmt::format("\"{}\": {}", text, wrong_dimension(unit, expected)));

@@ -41,6 +41,11 @@ class Unit {
 ///     'g cm' measures kg m, not kg m^2 s^-2 as 'N m' does; did you mean 'gf cm'?
 std::string wrong_dimension(const Unit& unit, const Unit& expected);
 
+/// Returns an error message for a number that lacks its unit, with examples of what to write:
+///     has no unit; write "500 m", "500 mm" or another unit of the same kind
+/// @param number number as the user wrote it
+std::string missing_unit(std::string_view number, const Unit& expected);
+
 /// Returns the common spelling of the SI unit with the dimension of `unit`, such as "Pa" for "kPa".
 /// The result is "1" if `unit` is dimensionless. If the dimension has no common spelling, the
 /// result is the spelling of `unit` without prefixes: "N m s/rad" for "mN m s/rad". If `unit`

@@ -8,10 +8,10 @@
 #include "data/files/formats/layouts.h"
 #include "data/recordings/contradictions.h"
 #include "data/recordings/copies.h"
-#include "data/recordings/cut_files.h"
 #include "data/recordings/findings/look_inside.h"
 #include "data/recordings/findings/saturation.h"
 #include "data/recordings/grain_weight.h"
+#include "data/recordings/incomplete_files.h"
 #include "data/recordings/plausibility.h"
 #include "data/recordings/quick_recording.h"
 #include "data/recordings/readings.h"
@@ -19,6 +19,7 @@
 #include "data/recordings/repair.h"
 #include "data/recordings/replicates.h"
 #include "data/recordings/set_points.h"
+#include "data/recordings/speed_units.h"
 #include "data/recordings/stated_cell.h"
 #include "data/recordings/steady_state.h"
 #include "data/study/study.h"
@@ -196,9 +197,10 @@ Measurements read_measurements(const Study& study) {
     count_readings_once(all);
     doubt_impossible_readings(all, study);
     doubt_saturated(all, study.import);
+    doubt_speed_units(all);
     append(all.findings, inside_findings(all.readings, study, before.inside));
     append(all.notes, notes_on_missing_files(study));
-    append(all.notes, notes_on_cut_files(study, all));
+    append(all.notes, notes_on_incomplete_files(study, all));
     pool_replicates(all, study.scatter);
     if (const auto note = merging_note(all.readings)) all.notes.push_back(*note);
     if (const auto note = note_on_failure(all.readings)) all.notes.push_back(*note);

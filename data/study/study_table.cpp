@@ -120,8 +120,7 @@ double StudyTable::quantity_of(std::string_view key, const toml::node& node,
     const Unit expected(unit);
     if (!node.is_number()) return quantity_from_text(key, node, expected);
     if (!expected.same_dimension(Unit("1")))
-        refuse(key, fmt::format("has no unit; write \"{} {}\" or another unit of the same kind",
-                                *node.value<double>(), unit));
+        refuse(key, missing_unit(fmt::format("{}", *node.value<double>()), expected));
     return finite_number(key, node);
 }
 

@@ -153,8 +153,8 @@ class ShearCell {
     PairSums sum_forces(const PairLaws& laws);
     /// Adds the forces of the pairs of one share (work of one thread) to `net_forces`, and returns
     /// the sums of virials and energies over these pairs. If `moved` is given, the function also
-    /// moves each grain of the share once the forces on it are complete, and adds the contributions
-    /// of the grain, for example to the kinetic energy, to `moved`.
+    /// moves each grain of the share once the forces on it are complete, and adds the grain's
+    /// kinetic energy and similar terms to `moved`.
     PairSums sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces,
                         const PairLaws& laws, MotionSums* moved = nullptr);
     /// Adds the forces that other threads summed for the grains of thread `part` to the net forces

@@ -268,6 +268,16 @@ TEST(StudyChangeAdvice, SaysWhenAnEffectDidNotHelp) {
                       HasSubstr("by 3.3 standard errors"), HasSubstr("pendular compare beads")));
 }
 
+TEST(StudyChangeAdvice, DoesNotNeedAnEffectThatLeavesTheMisfit) {
+    const LadderStep without = ladder_step(655, 41, 7.7, 7.7),
+                     with = with_torque(ladder_step(634, 40, 7.5, 7.6));
+    EXPECT_THAT(advice(Action::add, without, with),
+                AllOf(HasSubstr("added, but the readings do not need it"),
+                      HasSubstr("little beside the misfit that remains")));
+    EXPECT_THAT(advice(Action::drop, with, without),
+                HasSubstr("dropped; the readings do not need it"));
+}
+
 TEST(StudyChangeAdvice, IsTheSameWhenTheEffectIsDropped) {
     const LadderStep before = with_torque(ladder_step(44, 40, 1, 1.1));
     EXPECT_THAT(advice(Action::drop, before, ladder_step(402, 41, 4, 4.3)),
@@ -288,6 +298,8 @@ TEST(WithError, IsReadableForSmallForces) {
     EXPECT_EQ(with_error(1.0321e-6, 1.2e-8), "(1.032 +- 0.012)e-6");
     EXPECT_EQ(with_error(0, 3.4e-8), "(0.0 +- 3.4)e-8");
     EXPECT_EQ(with_error(0.02063, 0.00042), "0.02063 +- 0.00042");
+    EXPECT_EQ(with_error(1.71e-5, 4.1e-6, "N m s/rad"), "17.1 +- 4.1 uN m s/rad");
+    EXPECT_EQ(with_error(2e-3, 1e-4, "m^2"), "0.00200 +- 0.00010 m^2");
 }
 
 }  // namespace app_add_test

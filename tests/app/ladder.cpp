@@ -225,6 +225,11 @@ TEST(Ladder, KnowsAFallByChance) {
     EXPECT_FALSE(fell_by_chance(before, after));
     after.dof = before.dof - 2;  // 5.99 with two
     EXPECT_TRUE(fell_by_chance(before, after));
+    // Ten times the errors: readings that scatter more make chi2 fall by more.
+    before.chi2 = 10 * before.dof, after.dof = before.dof - 1, after.chi2 = before.chi2 - 30;
+    EXPECT_TRUE(fell_by_chance(before, after));
+    after.chi2 = before.chi2 - 60;
+    EXPECT_FALSE(fell_by_chance(before, after));
 }
 
 TEST(LadderFigure, ShowsEveryRung) {

@@ -132,6 +132,8 @@ TEST_F(ColumnsOf, NameAMissingColumnAndThoseFound) {
     EXPECT_THAT(input_error([&] { columns.require("torque"); }),
                 AllOf(HasSubstr("t.csv:1: column 'torque [N m]' is missing"),
                       HasSubstr("'Time [s]', 'Gap [mm]'")));
+    EXPECT_THAT(error("Time [s]\n1\n", "height"),
+                AllOf(HasSubstr("'height [m]' (the gap;"), HasSubstr("[[readings]]) is missing")));
     EXPECT_THAT(input_error([&] { columns.require_one_of("shear_stress", "stress_ratio"); }),
                 HasSubstr("'shear_stress [Pa]' or 'stress_ratio [1]' is missing"));
 }

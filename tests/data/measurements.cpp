@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "data/files/write_tables.h"
@@ -146,17 +147,30 @@ TEST(Examples, PolystyreneHoldsThePublishedDryReading) {
     EXPECT_DOUBLE_EQ(study.liquid->viscosity, 50e-3);
 }
 
-TEST_F(ReadMeasurements, NotesAFileThatEndsBeforeItsReplicate) {
-    // Two steps, the second at twice the force; the other file ends after the first.
-    const std::string one = recording(1, 1);
-    std::string two = recording(1.01, 2);
-    std::istringstream rows(recording(2, 3));
+/// Two steps, the second at twice the normal force.
+std::string two_steps(double scale, unsigned seed) {
+    std::string text = recording(scale, seed);
+    std::istringstream rows(recording(2 * scale, seed + 1));
     std::string row;
     std::getline(rows, row);
     for (int i = 0; std::getline(rows, row); ++i) {
         row.replace(row.find(",5,"), 3, ",10,");
-        two += fmt::format("{}{}\n", 0.1 * (200 + i), row.substr(row.find(',')));
+        text += fmt::format("{}{}\n", 0.1 * (200 + i), row.substr(row.find(',')));
     }
+    return text;
+}
+
+/// The first lines of a text.
+std::string first_lines(const std::string& text, int count) {
+    std::size_t end = 0;
+    while (count-- > 0)
+        end = text.find('\n', end) + 1;
+    return text.substr(0, end);
+}
+
+TEST_F(ReadMeasurements, NotesAFileThatEndsBeforeItsReplicate) {
+    const std::string one = recording(1, 1);
+    const std::string two = two_steps(1.01, 2);
     folder_.write("dry_1.csv", one);
     folder_.write("dry_2.csv", two);
     const auto notes = read_measurements(read_study(folder_.path())).notes;
@@ -165,6 +179,58 @@ TEST_F(ReadMeasurements, NotesAFileThatEndsBeforeItsReplicate) {
     folder_.write("dry_2.csv", recording(1.01, 4));
     EXPECT_THAT(read_measurements(read_study(folder_.path())).notes,
                 testing::Not(testing::Contains(HasSubstr("ends after"))));
+}
+
+TEST_F(ReadMeasurements, NotesAFileThatEndsWithinAStep) {
+    folder_.write("dry_1.csv", first_lines(two_steps(1, 1), 1 + 200 + 15));
+    folder_.write("dry_2.csv", two_steps(1.01, 3));
+    EXPECT_THAT(read_measurements(read_study(folder_.path())).notes,
+                testing::Contains(
+                    testing::AllOf(HasSubstr("dry_1.csv gives no reading at step 2 ("),
+                                   HasSubstr("), but dry_2.csv does."), HasSubstr("cut off"))));
+}
+
+TEST_F(ReadMeasurements, NotesAFileWithoutAReading) {
+    folder_.write("dry_1.csv", first_lines(recording(1, 1), 1 + 8));
+    EXPECT_THAT(
+        read_measurements(read_study(folder_.path())).notes,
+        testing::Contains(HasSubstr("No step of dry_1.csv gave a reading (step 1: has 8 rows")));
+    // Nothing is lost of the others.
+    folder_.write("dry_1.csv", recording(1, 1));
+    EXPECT_THAT(read_measurements(read_study(folder_.path())).notes,
+                testing::Not(testing::Contains(HasSubstr("gave a reading"))));
+}
+
+/// Two steps whose angular velocities are multiplied by a factor.
+std::string faster(double factor, unsigned seed) {
+    std::string text;
+    std::istringstream rows(two_steps(1, seed));
+    for (std::string row; std::getline(rows, row);) {
+        const std::size_t last = row.rfind(',') + 1;
+        text += row.starts_with("Time") ? row + "\n"
+                                        : fmt::format("{}{}\n", row.substr(0, last), 0.1 * factor);
+    }
+    return text;
+}
+
+TEST_F(ReadMeasurements, DoubtVelocitiesThatDifferByAFactorBetweenUnits) {
+    const auto doubts = [&](double factor) {
+        folder_.write("dry_1.csv", faster(1, 1));
+        folder_.write("dry_2.csv", faster(factor, 3));
+        std::vector<std::string> texts;
+        for (const Doubt& doubt : read_measurements(read_study(folder_.path())).doubts)
+            texts.push_back(doubt.what);
+        return texts;
+    };
+    for (const double rpm : {30 / std::numbers::pi, std::numbers::pi / 30}) {
+        EXPECT_THAT(doubts(rpm),
+                    testing::Contains(testing::AllOf(HasSubstr("dry_1.csv and dry_2.csv differ"),
+                                                     HasSubstr("factor of 9.55"),
+                                                     HasSubstr("1/min (rpm) and rad/s"))));
+    }
+    EXPECT_THAT(doubts(2 * std::numbers::pi), testing::Contains(HasSubstr("turn/s")));
+    for (const double other : {1.0, 5.0, 10.0})
+        EXPECT_THAT(doubts(other), testing::Not(testing::Contains(HasSubstr("factor of"))));
 }
 
 TEST_F(ReadMeasurements, NotesAWeightOfTheGrainsThatIsNotSmall) {

@@ -22,6 +22,7 @@ TEST(Nearest, CountsInsertionsDeletionsReplacementsAndSwaps) {
 TEST(Nearest, FindsTheWordMeant) {
     EXPECT_EQ(nearest("diametre", keys), "diameter");
     EXPECT_EQ(nearest("young_modulus", keys), "youngs_modulus");
+    EXPECT_EQ(nearest("youngs", keys), "youngs_modulus");
 }
 
 TEST(Nearest, IsSilentAboutStrangers) {

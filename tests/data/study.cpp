@@ -157,7 +157,7 @@ TEST_F(ReadStudy, RefusesMissingKeys) {
 
 TEST_F(ReadStudy, RefusesQuantitiesWithoutOrWithTheWrongUnit) {
     EXPECT_THAT(error("[grains]\ndiameter = 500\n"),
-                at(":2:12: 'diameter': has no unit; write \"500 m\""));
+                at(":2:12: 'diameter': has no unit; write \"500 m\", \"500 mm\" or another unit"));
     EXPECT_THAT(error("[grains]\ndiameter = \"500\"\n"), at(":2:12: 'diameter': "));
     EXPECT_THAT(error("[grains]\ndiameter = \"500 kg\"\n"),
                 AllOf(at(":2:12: 'diameter': "), HasSubstr("measures kg, not m")));
