@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <utility>
 
@@ -60,14 +61,17 @@ void add_step(Ladder& ladder, LadderStep before, LadderStep after) {
     append(after);
 }
 
-bool fell_by_chance(const LadderStep& from, const LadderStep& to) {
+Reduction reduction_of(const LadderStep& from, const LadderStep& to) {
+    const auto limit = [](const auto& law) { return boost::math::quantile(law, 0.95); };
     // A switch changes chi2 without a further fitted parameter: it counts as one parameter.
-    const boost::math::chi_squared law(std::max(1, from.dof - to.dof));
-    // Where a misfit remains, the readings scatter about the model by more than their errors.
-    const bool misfit =
-        to.dof > 0 && to.chi2 > boost::math::quantile(boost::math::chi_squared(to.dof), 0.95);
-    const double scatter = misfit ? to.chi2_per_dof() : 1;
-    return (from.chi2 - to.chi2) / scatter <= boost::math::quantile(law, 0.95);
+    const int added = std::max(1, from.dof - to.dof);
+    const double reduction = from.chi2 - to.chi2;
+    if (reduction <= limit(boost::math::chi_squared(added))) return Reduction::by_chance;
+    const bool misfit = to.dof > 0 && to.chi2 > limit(boost::math::chi_squared(to.dof));
+    if (misfit &&
+        reduction / added <= to.chi2_per_dof() * limit(boost::math::fisher_f(added, to.dof)))
+        return Reduction::beside_misfit;
+    return Reduction::significant;
 }
 
 }  // namespace pendular

@@ -81,12 +81,19 @@ LadderStep ladder_step_of(const Calibration& calibration, const Comparison& comp
 /// (`LadderStep::step`).
 void add_step(Ladder& ladder, LadderStep before, LadderStep after);
 
-/// Whether chance can explain the reduction of chi2 from the model `from` to the model `to` of a
-/// study, by a likelihood ratio test at 5 % significance. If a misfit remains in `to` (5 %
-/// significance), its chi2 per degree of freedom divides the reduction. The number of additional
-/// parameters counts as at least one, since an effect that is a switch (on or off) adds no
-/// parameter.
+/// Explanation of the reduction of chi2 by a further effect.
+enum class Reduction {
+    significant,   ///< the effect describes the readings better
+    by_chance,     ///< chance explains the reduction
+    beside_misfit  ///< the reduction is small compared with the misfit that remains
+};
+
+/// Judges the reduction of chi2 from the model `from` to the model `to` of a study, at 5 %
+/// significance: first by a likelihood ratio test and then, if a misfit remains in `to` (5 %
+/// significance), by an F test that takes the misfit as scatter of the readings. The number of
+/// additional parameters counts as at least one, since an effect that is a switch (on or off) adds
+/// no parameter.
 /// Source: McCullagh and Nelder, Generalized Linear Models, 2nd ed. (1989), section 9.2.
-bool fell_by_chance(const LadderStep& from, const LadderStep& to);
+Reduction reduction_of(const LadderStep& from, const LadderStep& to);
 
 }  // namespace pendular

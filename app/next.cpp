@@ -80,11 +80,13 @@ int next(const std::vector<std::string>& arguments) {
     if (d.diagnosis.verdict == Verdict::inconclusive) {
         impacts = impacts_of(d, static_cast<std::size_t>(session->options().threads));
     }
-    const std::vector<NextStep> steps =
-        next_steps(d, impacts, session->resolved(), common->study_word());
+    std::vector<NextStep> steps = next_steps(d, impacts, session->resolved(), common->study_word());
+    const bool possible = !next.points.empty();
+    if (!possible) std::erase_if(steps, &NextStep::readings);
     json["to_do"] = texts_of(steps);
     write_json(common->out_folder() / "next.json", json);
-    const std::vector<std::string> lines = step_lines(steps, plan_lines(next));
+    const std::vector<std::string> plan = plan_lines(next);
+    const std::vector<std::string> lines = steps.empty() ? plan : step_lines(steps, plan);
     console.answer(lines.front());
     for (std::size_t k = 1; k < lines.size(); ++k) {
         console.line(lines[k]);
@@ -96,10 +98,12 @@ int next(const std::vector<std::string>& arguments) {
             "plan stays near the conditions already measured. 'pendular next --help' shows an "
             "example.");
     }
-    if (next.unsupported > 0 && !next.points.empty()) {
+    if (!possible && !steps.empty()) {
+        console.note(plan.front());
+    } else if (possible && next.unsupported > 0) {
         console.note(
             fmt::format("The simulations in atlas and store do not cover {} of {} conditions; the "
-                        "plan leaves them out.",
+                        "plan leaves them out. 'pendular campaign' makes simulations there.",
                         next.unsupported, next.unsupported + next.points.size()));
     }
     console.json(json);  // before the figure, which needs gnuplot

@@ -67,12 +67,15 @@ enum class Outcome {
     better,  ///< chi2 falls by more than chance, and left-out conditions are predicted as well
     left_out_worse,  ///< chi2 falls, but left-out conditions are predicted worse
     by_chance,       ///< chi2 falls by no more than chance
+    beside_misfit,   ///< chi2 falls by little compared with the misfit that remains
     worse            ///< chi2 does not fall
 };
 
 Outcome outcome_of(const LadderStep& without, const LadderStep& with) {
     if (with.chi2 >= without.chi2) return Outcome::worse;
-    if (fell_by_chance(without, with)) return Outcome::by_chance;
+    const Reduction reduction = reduction_of(without, with);
+    if (reduction == Reduction::by_chance) return Outcome::by_chance;
+    if (reduction == Reduction::beside_misfit) return Outcome::beside_misfit;
     return left_out_rose(without, with).empty() ? Outcome::better : Outcome::left_out_worse;
 }
 
@@ -104,6 +107,9 @@ std::string beginning(const StudyChange& change, Outcome outcome) {
         case Outcome::by_chance:
             return effect + (adds ? " added, but the readings do not need it"
                                   : " dropped; the readings do not need it");
+        case Outcome::beside_misfit:
+            return effect + (adds ? " added, but it leaves the misfit as it is"
+                                  : " dropped; the misfit is as with it");
         default:
             return effect + (adds ? " added, but it does not improve the model"
                                   : " dropped; it did not improve the model");
@@ -113,14 +119,12 @@ std::string beginning(const StudyChange& change, Outcome outcome) {
 /// Reason for the judgement on an effect, as a sentence; empty where chi2 states it.
 std::string reason_for(Outcome outcome, const std::string& effect, const LadderStep& without,
                        const LadderStep& with) {
-    if (outcome == Outcome::by_chance) {
-        constexpr double by_one_parameter = 3.84;  // what chance takes off chi2 (95 %)
+    if (outcome == Outcome::by_chance || outcome == Outcome::beside_misfit) {
         return fmt::format(
             "{} adds a parameter but lowers chi2 by only {:.1f} (from {} to {}): {}.", effect,
             without.chi2 - with.chi2, number(without.chi2), number(with.chi2),
-            without.chi2 - with.chi2 > by_one_parameter
-                ? "that is little beside the misfit that remains"
-                : "chance explains such a reduction");
+            outcome == Outcome::by_chance ? "chance explains such a reduction"
+                                          : "that is little beside the misfit that remains");
     }
     if (outcome == Outcome::left_out_worse) {
         return fmt::format(
@@ -152,8 +156,9 @@ std::string verdict_of(const StudyChange& change, const LadderStep& before,
 
 std::string next_after(const StudyChange& change, const LadderStep& before, const LadderStep& after,
                        bool believable, const std::string& study) {
-    const bool improved = outcome_of(change, before, after) == Outcome::better;
-    if (change.change == Action::add && !improved)
+    const Outcome outcome = outcome_of(change, before, after);
+    const bool undecided = outcome == Outcome::better || outcome == Outcome::beside_misfit;
+    if (change.change == Action::add && !undecided)
         return fmt::format("pendular drop {} {}", study, change.effect);
     return fmt::format("pendular {} {}", believable ? "compare" : "diagnose", study);
 }

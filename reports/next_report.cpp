@@ -194,7 +194,7 @@ std::vector<std::string> plan_lines(const NextMeasurement& next) {
     if (next.points.empty()) {
         return {
             "No reading can be planned: the simulations in atlas and store cover none of the "
-            "conditions in section [rig] of study.toml. 'pendular campaign' makes simulations "
+            "conditions that the rheometer can reach. 'pendular campaign' makes simulations "
             "there."};
     }
     return next.plans.empty() ? sharpening_lines(next) : separating_lines(next);

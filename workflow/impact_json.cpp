@@ -19,7 +19,7 @@ Json by_parameter(const ImpactTable& table, const Eigen::VectorXd& values) {
 
 Json to_json(const ImpactTable& table, const Shift& shift) {
     Json json = {{"size", shift.size},
-                 {"shift", by_parameter(table, shift.linear)},
+                 {"shift", by_parameter(table, shift.bounded)},
                  {"refitted_shift", nullptr}};
     if (shift.refitted.size() > 0) json["refitted_shift"] = by_parameter(table, shift.refitted);
     return json;

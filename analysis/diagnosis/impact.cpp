@@ -84,6 +84,14 @@ class Impacts {
         return (fit_.parameters + shift).cwiseMax(bounds.lower).cwiseMin(bounds.upper) -
                fit_.parameters;
     }
+    Shift shift_of(double size, const Eigen::VectorXd& linear) const {
+        return {size, linear, within_bounds(linear), {}};
+    }
+    /// Limits the step from the estimate to `end`, rather than `end`, so that a step from an
+    /// estimate beyond the bounds does not vanish.
+    void bound_step(const Shift& estimate, Shift& end) const {
+        end.bounded = estimate.bounded + within_bounds(end.linear - estimate.linear);
+    }
     /// Shift of the parameters by a refit with the effect at `size`; the fit starts from `start`.
     Eigen::VectorXd refitted(const Impact& impact, double size, const Eigen::VectorXd& start) const;
 
@@ -123,7 +131,7 @@ std::vector<Impact> Impacts::impact_of(const Finding& finding) const {
         const double within =
             is_switch ? std::clamp(size, 0.0, 1.0) : std::clamp(size, p.lower, p.upper);
         const double amplitude = is_switch ? within : addition.amplitude_at(within, one_sided);
-        return Shift{within, within_bounds(unit * amplitude), {}};
+        return shift_of(within, unit * amplitude);
     };
     Impact impact{.name = candidate.name,
                   .quantity = p.name,
@@ -153,6 +161,8 @@ std::vector<Impact> Impacts::impact_of(const Finding& finding) const {
     }
     impact.above = shift(estimate + impact.error);
     impact.below = shift(estimate - impact.error);
+    bound_step(impact.at_estimate, impact.above);
+    bound_step(impact.at_estimate, impact.below);
     return {impact};
 }
 
@@ -167,7 +177,7 @@ std::vector<Impact> Impacts::impacts_of_suspect(std::size_t k) const {
     const Eigen::VectorXd errors = root.rowwise().norm();
     for (Eigen::Index column = 0; column < suspect.columns.cols(); ++column) {
         const Eigen::VectorXd unit = shift_by(suspect.columns.col(column));
-        const auto shift = [&](double size) { return Shift{size, within_bounds(unit * size), {}}; };
+        const auto shift = [&](double size) { return shift_of(size, unit * size); };
         Impact impact{.name = suspect.name,
                       .unit = "1",
                       .group = suspect.group,
@@ -183,6 +193,8 @@ std::vector<Impact> Impacts::impacts_of_suspect(std::size_t k) const {
         impact.at_estimate = shift(estimates(column));
         impact.above = shift(estimates(column) + errors(column));
         impact.below = shift(estimates(column) - errors(column));
+        bound_step(impact.at_estimate, impact.above);
+        bound_step(impact.at_estimate, impact.below);
         impacts.push_back(std::move(impact));
     }
     return impacts;
@@ -227,7 +239,7 @@ void Impacts::refit_leading(std::size_t most, std::size_t threads) {
     }
     side_by_side(wanted.size(), threads, nullptr, [&](std::size_t k) {
         const auto [impact, shift] = wanted[k];
-        shift->refitted = refitted(*impact, shift->size, fit_.parameters + shift->linear);
+        shift->refitted = refitted(*impact, shift->size, fit_.parameters + shift->bounded);
     });
 }
 
@@ -237,12 +249,13 @@ void Impacts::sum_groups() {
     for (const Impact& impact : table_.impacts) {
         GroupImpact& sum =
             sums.emplace(impact.group, GroupImpact{impact.group, none, none, none}).first->second;
-        sum.at_interest += impact.at_interest.linear.cwiseAbs2();
-        sum.at_estimate += impact.at_estimate.linear.cwiseAbs2();
-        sum.by_error += (impact.above.linear - impact.at_estimate.linear)
-                            .cwiseAbs()
-                            .cwiseMax((impact.below.linear - impact.at_estimate.linear).cwiseAbs())
-                            .cwiseAbs2();
+        sum.at_interest += impact.at_interest.bounded.cwiseAbs2();
+        sum.at_estimate += impact.at_estimate.bounded.cwiseAbs2();
+        sum.by_error +=
+            (impact.above.bounded - impact.at_estimate.bounded)
+                .cwiseAbs()
+                .cwiseMax((impact.below.bounded - impact.at_estimate.bounded).cwiseAbs())
+                .cwiseAbs2();
     }
     for (auto& [name, sum] : sums) {
         sum.at_interest = sum.at_interest.cwiseSqrt();

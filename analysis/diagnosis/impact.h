@@ -18,16 +18,18 @@ struct Shift {
     ///     -(J'J)^-1 J' g A,
     /// with the derivatives J of the predictions with respect to the parameters, the change g of
     /// the readings by the effect or error per unit of its amplitude (J and g in units of the
-    /// readings' errors, whitened), and the amplitude A at `size`. Limited to the bounds of the
-    /// parameters.
+    /// readings' errors, whitened), and the amplitude A at `size`.
     Eigen::VectorXd linear;
+    /// Shift of the calibrated parameters [their units] in the linear approximation, limited to
+    /// values that leave the parameters within their bounds.
+    Eigen::VectorXd bounded;
     /// Shift of the calibrated parameters [their units] after a refit with the effect or error
     /// fixed at `size`. Empty if the model was not refitted.
     Eigen::VectorXd refitted;
 
     /// Returns the shift of the calibrated parameters [their units] after a refit or, if the model
-    /// was not refitted, in the linear approximation.
-    const Eigen::VectorXd& best() const { return refitted.size() > 0 ? refitted : linear; }
+    /// was not refitted, in the linear approximation within the bounds of the parameters.
+    const Eigen::VectorXd& best() const { return refitted.size() > 0 ? refitted : bounded; }
 };
 
 /// Impact of one physical effect, or of one error of measurement, on the calibrated parameters:
@@ -88,7 +90,7 @@ struct Impact {
     Eigen::VectorXd difference(const Shift& end) const {
         return end.refitted.size() > 0 && at_estimate.refitted.size() > 0
                    ? Eigen::VectorXd(end.refitted - at_estimate.refitted)
-                   : Eigen::VectorXd(end.linear - at_estimate.linear);
+                   : Eigen::VectorXd(end.bounded - at_estimate.bounded);
     }
 };
 

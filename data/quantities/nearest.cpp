@@ -51,17 +51,29 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
             best = name;
         }
     }
-    if (best) return best;
-    // A name that was cut short, such as the first of its words.
-    constexpr std::size_t least = 3;
-    const auto begins = [&](const std::string& name) { return name.starts_with(word); };
+    return best;
+}
+
+namespace {
+
+/// The only known name that begins with a word of at least three bytes; empty if there is none.
+std::optional<std::string> only_name_from(std::string_view word,
+                                          std::span<const std::string> known) {
+    const auto begins = [&](const std::string& name) {
+        return name.size() >= word.size() &&
+               std::ranges::equal(word, name.substr(0, word.size()), same_letter);
+    };
     const auto found = std::ranges::find_if(known, begins);
-    const bool only = word.size() >= least && std::ranges::count_if(known, begins) == 1;
+    const bool only = word.size() >= 3 && std::ranges::count_if(known, begins) == 1;
     return only ? std::optional(*found) : std::nullopt;
 }
 
+}  // namespace
+
 std::string did_you_mean(std::string_view word, std::span<const std::string> known) {
-    if (const auto name = nearest(word, known)) return fmt::format("did you mean '{}'?", *name);
+    auto name = nearest(word, known);
+    if (!name) name = only_name_from(word, known);
+    if (name) return fmt::format("did you mean '{}'?", *name);
     return fmt::format("known are '{}'", fmt::join(known, "', '"));
 }
 

@@ -14,13 +14,13 @@ int edit_distance(std::string_view first, std::string_view second);
 
 /// Returns the known name that differs from a misspelt word by the fewest edits (`edit_distance`).
 /// The number of edits must not exceed a third of the number of bytes of the word; one edit is
-/// always allowed. If every known name differs by more edits, the result is the only known name
-/// that begins with the word (of at least three bytes), or empty.
+/// always allowed. The result is empty if every known name differs by more edits.
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> known);
 
 /// Returns a hint for the end of an error message about an unknown word, such as "did you mean
-/// 'diameter'?". If no known name is similar to the word, the hint lists all known names: "known
-/// are 'density', 'diameter'".
+/// 'diameter'?". The hint states the name that `nearest` finds, or the only known name that begins
+/// with the word. If there is neither, the hint lists all known names: "known are 'density',
+/// 'diameter'".
 std::string did_you_mean(std::string_view word, std::span<const std::string> known);
 
 }  // namespace pendular

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <map>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,18 +24,25 @@ struct UnitFactor {
 constexpr UnitFactor unit_factors[] = {{30 / std::numbers::pi, "1/min (rpm) and rad/s"},
                                        {2 * std::numbers::pi, "turn/s and rad/s"}};
 
-/// Readings of recordings by file, in the order of the steps.
+/// Readings of recordings in steady shear, by file.
 std::map<std::string, Steps> steps_by_file(const std::vector<Reading>& readings) {
     std::map<std::string, Steps> files;
     for (const Reading& reading : readings) {
-        if (reading.step > 0 && !reading.condition.at_failure)
+        const bool has_speed = reading.shear_rate > 0 && reading.condition.height;
+        if (reading.within_run_only && reading.step > 0 && has_speed &&
+            !reading.condition.at_failure)
             files[reading.origin.file].push_back(&reading);
     }
     return files;
 }
 
-/// Quotient of the angular velocities of each step that two files took at equal normal stress and
-/// liquid content. The inertial number, at equal normal stress, is proportional to the velocity.
+/// Speed of the lid at the mean radius [m/s]: shear rate times height.
+double speed_of(const Reading& reading) {
+    return reading.shear_rate * *reading.condition.height;
+}
+
+/// Quotient of the speeds of each step that two files took at equal normal stress and liquid
+/// content.
 std::vector<double> quotients(const Steps& first, const Steps& second) {
     constexpr double same = 0.02;  // relative difference of equal normal stresses
     std::vector<double> found;
@@ -44,53 +50,83 @@ std::vector<double> quotients(const Steps& first, const Steps& second) {
         const auto b = std::ranges::find(second, a->step, &Reading::step);
         if (b == second.end()) continue;
         const Condition &one = a->condition, &other = (*b)->condition;
-        const double stresses = one.normal_stress / other.normal_stress;
-        if (one.liquid_content != other.liquid_content || std::abs(stresses - 1) > same ||
-            !(one.inertial_number > 0) || !(other.inertial_number > 0))
-            continue;
-        found.push_back(one.inertial_number / other.inertial_number * std::sqrt(stresses));
+        if (one.liquid_content == other.liquid_content &&
+            std::abs(one.normal_stress / other.normal_stress - 1) <= same)
+            found.push_back(speed_of(*a) / speed_of(**b));
     }
     return found;
 }
 
-/// The units between whose numbers all quotients (at least two), or all their reciprocals, are the
-/// factor.
-std::optional<UnitFactor> unit_factor_of(const std::vector<double>& quotients) {
-    constexpr double tolerance = 0.02;
-    if (quotients.size() < 2) return std::nullopt;
-    for (const UnitFactor& each : unit_factors) {
-        const auto close = [&](double value) { return std::abs(value - 1) < tolerance; };
-        if (std::ranges::all_of(quotients, [&](double q) { return close(q / each.factor); }) ||
-            std::ranges::all_of(quotients, [&](double q) { return close(q * each.factor); }))
-            return each;
-    }
-    return std::nullopt;
+/// Whether there are at least two quotients, all equal to `factor`. The tolerance is below the
+/// difference between 2 pi and the ratio 10^0.8 of speeds in a series of five for each decade.
+bool all_are(double factor, const std::vector<double>& quotients) {
+    constexpr double tolerance = 0.002;
+    return quotients.size() >= 2 && std::ranges::all_of(quotients, [&](double quotient) {
+               return std::abs(quotient / factor - 1) < tolerance;
+           });
 }
 
 std::string name_of(const std::string& file) {
     return std::filesystem::path(file).filename().string();
 }
 
+/// Names of files: "a.csv", "a.csv and b.csv", "a.csv, b.csv and 5 more".
+std::string names_of(const std::vector<std::string>& files) {
+    const std::string first = name_of(files.front());
+    if (files.size() == 1) return first;
+    const std::string second = name_of(files[1]);
+    return files.size() == 2 ? first + " and " + second
+                             : fmt::format("{}, {} and {} more", first, second, files.size() - 2);
+}
+
+/// Files whose speeds differ by the factor from more files than they agree with, and the files from
+/// which they differ.
+struct OddFiles {
+    std::vector<std::string> odd, others;
+};
+
+OddFiles odd_files(const std::map<std::string, Steps>& files, double factor) {
+    OddFiles found;
+    for (const auto& [name, steps] : files) {
+        if (std::ranges::find(found.others, name) != found.others.end()) continue;
+        std::vector<std::string> different;
+        std::size_t equal = 0;
+        for (const auto& [other, other_steps] : files) {
+            if (other == name) continue;
+            const std::vector<double> ratios = quotients(steps, other_steps);
+            if (all_are(factor, ratios) || all_are(1 / factor, ratios)) different.push_back(other);
+            if (all_are(1, ratios)) ++equal;
+        }
+        if (different.size() <= equal) continue;
+        found.odd.push_back(name);
+        for (const std::string& other : different) {
+            if (std::ranges::find(found.others, other) == found.others.end())
+                found.others.push_back(other);
+        }
+    }
+    return found;
+}
+
 }  // namespace
 
 void doubt_speed_units(Measurements& all) {
     const auto files = steps_by_file(all.readings);
-    for (auto second = files.begin(); second != files.end(); ++second) {
-        for (auto first = files.begin(); first != second; ++first) {
-            const auto factor = unit_factor_of(quotients(first->second, second->second));
-            if (!factor) continue;
-            std::vector<Position> origins;
-            for (const Reading* reading : second->second)
+    constexpr std::size_t most = 500;  // the time grows with the square
+    if (files.size() > most) return;
+    for (const UnitFactor& unit : unit_factors) {
+        const OddFiles found = odd_files(files, unit.factor);
+        if (found.odd.empty()) continue;
+        std::vector<Position> origins;
+        for (const std::string& file : found.odd) {
+            for (const Reading* reading : files.at(file))
                 origins.push_back(reading->origin);
-            all.doubts.push_back(
-                {fmt::format("The angular velocities of {} and {} differ by a factor of {:.3g} at "
-                             "the same steps, the factor between {}; check the unit in the header "
-                             "of both files.",
-                             name_of(first->first), name_of(second->first), factor->factor,
-                             factor->units),
-                 "angular_velocity", origins, false});
-            break;  // one doubt for each file is enough
         }
+        all.doubts.push_back(
+            {fmt::format("The angular velocities of {} differ by a factor of {:.3g}, the factor "
+                         "between {}, from those of {} at the same steps; check the unit in the "
+                         "headers.",
+                         names_of(found.odd), unit.factor, unit.units, names_of(found.others)),
+             "angular_velocity", origins, false});
     }
 }
 

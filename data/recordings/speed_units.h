@@ -4,10 +4,10 @@
 
 namespace pendular {
 
-/// Adds a doubt to `all` for each pair of recordings whose angular velocities differ by the factor
-/// between two units: 60/(2 pi), between 1/min and rad/s, or 2 pi, between turn/s and rad/s. The
-/// factor must hold within 2 % at all steps that both recordings took at equal normal stress and
-/// liquid content, at least two. The recordings keep their readings.
+/// Adds a doubt to `all` if the angular velocities of some recordings differ from those of most
+/// others by the factor between two units: 60/(2 pi), between 1/min and rad/s, or 2 pi, between
+/// turn/s and rad/s. The factor must hold within 0.2 % at all steps, at least two, that two
+/// recordings took at equal normal stress and liquid content. The recordings keep their readings.
 void doubt_speed_units(Measurements& all);
 
 }  // namespace pendular

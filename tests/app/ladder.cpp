@@ -220,16 +220,16 @@ TEST(Ladder, KnowsAFallByChance) {
     LadderStep before = ladder_step("start", "", 50, 1, 1), after = before;
     after.dof = before.dof - 1;
     after.chi2 = 47;  // 5 % of chi2 with one degree of freedom lie above 3.84
-    EXPECT_TRUE(fell_by_chance(before, after));
+    EXPECT_EQ(reduction_of(before, after), Reduction::by_chance);
     after.chi2 = 46;
-    EXPECT_FALSE(fell_by_chance(before, after));
+    EXPECT_EQ(reduction_of(before, after), Reduction::significant);
     after.dof = before.dof - 2;  // 5.99 with two
-    EXPECT_TRUE(fell_by_chance(before, after));
-    // Ten times the errors: readings that scatter more make chi2 fall by more.
-    before.chi2 = 10 * before.dof, after.dof = before.dof - 1, after.chi2 = before.chi2 - 30;
-    EXPECT_TRUE(fell_by_chance(before, after));
-    after.chi2 = before.chi2 - 60;
-    EXPECT_FALSE(fell_by_chance(before, after));
+    EXPECT_EQ(reduction_of(before, after), Reduction::by_chance);
+    // F(1, 40) at 5 % is 4.08: beside chi2/dof of 10, chi2 must fall by 41.
+    before.dof = 41, before.chi2 = 439, after.dof = 40, after.chi2 = 400;
+    EXPECT_EQ(reduction_of(before, after), Reduction::beside_misfit);
+    before.chi2 = 443;
+    EXPECT_EQ(reduction_of(before, after), Reduction::significant);
 }
 
 TEST(LadderFigure, ShowsEveryRung) {

@@ -55,3 +55,6 @@ E
 attack "work: an empty store that cannot be written" 2 "is empty and cannot be written" <<'E'
 rm -f "$PENDULAR_STORE"*; : >"$PENDULAR_STORE"; read_only; run runs list --store ro/s.sqlite
 E
+attack "work: a run removed from a store that cannot be written" 2 "cannot be written, so that no run can be removed" <<'E'
+store; read_only; run runs prune --where "id = 1" --yes --store ro/s.sqlite
+E

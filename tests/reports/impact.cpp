@@ -20,7 +20,7 @@ Eigen::VectorXd one(double value) {
 
 /// Effect that lowers the friction by a tenth of its size. Estimate: `size` with this error.
 Impact impact(const std::string& name, double interest, double size, double error) {
-    const auto shift = [](double at) { return Shift{at, one(-0.1 * at), {}}; };
+    const auto shift = [](double at) { return Shift{at, one(-0.1 * at), one(-0.1 * at), {}}; };
     return {.name = name,
             .quantity = "coefficient",
             .unit = "1",

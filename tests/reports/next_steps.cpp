@@ -152,9 +152,9 @@ TEST_F(NextSteps, RuleOutWhatWouldShiftTheFriction) {
     ImpactTable impacts{.fitted = Eigen::VectorXd::Ones(1),
                         .errors = Eigen::VectorXd::Ones(1),
                         .impacts = {{.name = "torque-gain"}}};
-    impacts.impacts[0].at_interest.linear = Eigen::VectorXd::Constant(1, 0.29);
+    impacts.impacts[0].at_interest.bounded = Eigen::VectorXd::Constant(1, 0.29);
     EXPECT_THAT(texts_of(steps(impacts)).front(), HasSubstr("Optional: the readings"));
-    impacts.impacts[0].at_interest.linear(0) = -0.31;
+    impacts.impacts[0].at_interest.bounded(0) = -0.31;
     EXPECT_THAT(texts_of(steps(impacts)).front(), HasSubstr("torque-gain"));
     const auto table = undetected_table(d_, impacts, session_.resolved().catalogue());
     ASSERT_EQ(table.size(), 4u);

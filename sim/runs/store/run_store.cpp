@@ -341,6 +341,12 @@ StoredRun RunStore::get(std::int64_t id) const {
 
 std::size_t RunStore::remove(const std::vector<std::int64_t>& ids) {
     const std::lock_guard lock(mutex_);
+    if (sqlite3_db_readonly(database_->getHandle(), "main") == 1) {
+        throw InputError(
+            fmt::format("store {} cannot be written, so that no run can be removed; "
+                        "change the permissions of the file or of its folder",
+                        file_.string()));
+    }
     return explained(file_, [&] {
         SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
         SQLite::Statement removal(*database_, "DELETE FROM runs WHERE id = ?");

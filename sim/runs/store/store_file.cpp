@@ -92,6 +92,9 @@ void show_missing_columns(SQLite::Database& database, const std::string& name) {
     if (is_empty(database)) {
         throw InputError(fmt::format("{} is empty and cannot be written; name another file", name));
     }
+    if (!database.tableExists("runs")) {
+        throw InputError(fmt::format("{} is no store of runs; name another file", name));
+    }
     std::string columns = "*";
     for (const RunColumn* column : missing_columns(database)) {
         columns += fmt::format(", CAST(NULL AS {}) AS {}", sql_type(column->type), column->name);
