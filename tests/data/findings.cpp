@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "data/recordings/findings/drift.h"
+#include "data/recordings/findings/false_alarms.h"
 #include "data/recordings/findings/level_change.h"
 #include "data/recordings/findings/saturation.h"
 #include "data/recordings/findings/stick_slip.h"
@@ -35,6 +37,12 @@ std::vector<RecordingFinding> of_kind(const Measurements& m, Kind kind,
 }
 
 // 100 studies with 5 % of false alarms would give more than 11 with a probability of 0.4 %.
+TEST(TwoSidedP, IsOneWhereNothingIsKnown) {
+    EXPECT_EQ(two_sided_p(std::nan(""), 5), 1);
+    EXPECT_EQ(two_sided_p(std::numeric_limits<double>::infinity(), 5), 0);
+    EXPECT_NEAR(two_sided_p(-2.571, 5), 0.05, 1e-4);  // table of Student's t
+}
+
 TEST(RecordingFindings, AreRareInOrdinaryStudies) {
     int count = alarms(30, 3, {}, 1);
     count += alarms(30, 4, {.torque = 0.02, .correlation_rows = 10}, 100);

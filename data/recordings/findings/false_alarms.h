@@ -22,7 +22,7 @@ constexpr double finding_significance = 0.005;
 std::vector<RecordingFinding> significant_findings(std::vector<RecordingFinding> tested);
 
 /// Returns the two-sided p value [1]: probability that a variable with Student's t distribution is
-/// farther from zero than z. At least one degree of freedom is assumed.
+/// farther from zero than z; 1 if z is not a number. At least one degree of freedom is assumed.
 /// @param z estimate divided by its standard error [1]
 /// @param freedom degrees of freedom of the standard error
 double two_sided_p(double z, double freedom);
