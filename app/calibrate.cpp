@@ -8,6 +8,7 @@
 
 #include "analysis/misfit/compare.h"
 #include "app/belief.h"
+#include "app/cohesion_options.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/open_session.h"
@@ -154,10 +155,7 @@ int calibrate(const std::vector<std::string>& arguments) {
                        "simulate all states that the fit needs anew, without the simulations "
                        "that come with the program (the atlas) and without those in the store; "
                        "the new simulations are kept in the store");
-    options.add(
-        "lowest-reduced-pressure", &fit.cohesion.lowest_reduced_pressure,
-        "fit the cohesion only to points with at least this reduced pressure P* = a^2 s22/F0 [1], "
-        "with grain diameter a, normal stress s22 and pull-off force F0 of a bridge (default 2.3)");
+    const CohesionLineOptions cohesion(options);
     options.add_switch("profile", &fit.profile,
                        "also compute the profile likelihood interval of the friction coefficient");
     const auto common = options.parse(arguments);
@@ -165,7 +163,7 @@ int calibrate(const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    check_options(fit.cohesion);
+    fit.cohesion = cohesion.stated(options);
     if (no_confirm && options.given("confirm")) {
         throw InputError("--confirm and --no-confirm contradict each other: leave out one of them");
     }

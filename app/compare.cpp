@@ -6,6 +6,7 @@
 #include "analysis/diagnosis/where_it_fails.h"
 #include "analysis/misfit/compare.h"
 #include "app/belief.h"
+#include "app/cohesion_options.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/open_session.h"
@@ -63,11 +64,7 @@ int compare(const std::vector<std::string>& arguments) {
         "  pendular compare my-study --out results --json -\n",
         true);
     options.leave_out({"fidelity", "store", "threads", "quiet"});
-    CohesionOptions cohesion;
-    options.add("lowest-reduced-pressure", &cohesion.lowest_reduced_pressure,
-                "fit the cohesion only to points with at least this reduced pressure P* = a^2 "
-                "s22/F0 [1], with grain diameter a, normal stress s22 and pull-off force F0 of a "
-                "bridge (default: as calibrated)");
+    const CohesionLineOptions cohesion(options, "as calibrated");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -76,13 +73,12 @@ int compare(const std::vector<std::string>& arguments) {
     const Session session(common->study, {.fidelity = common->fidelity},
                           places_of(*common, {"compare.json", "figures"}));
     const auto out = common->out_folder();
-    std::optional<CohesionOptions> drawn;
-    if (options.given("lowest-reduced-pressure")) {
-        check_options(cohesion);
-        drawn = cohesion;
-    }
     const Measurements& measurements = session.measurements();
-    const ComparedStudy compared = session.compare(drawn);
+    ComparedStudy compared = session.compare();
+    if (cohesion.given(options)) {
+        compared.calibration.cohesion = cohesion.stated(options, compared.calibration.cohesion);
+        add_cohesion_lines(compared.model.model(), compared.calibration);
+    }
     const auto& [c, model, comparison, where, belief] = compared;
     auto json = to_json(comparison, c.cohesion_lines, where);
     add_belief(json, belief);

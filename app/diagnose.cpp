@@ -212,12 +212,7 @@ void print_notes(Console& console, const StudyDiagnosis& d, const Measurements& 
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
-    if (d.readings.size() < d.measured) {
-        console.note(
-            fmt::format("The tests use the means of {} bins of neighbouring conditions in "
-                        "place of the {} readings.",
-                        d.readings.size(), d.measured));
-    }
+    if (const auto note = note_on_means(d.readings.size(), d.measured)) console.note(*note);
     for (const UntestableEffect& aside : models.untestable_effects()) {
         if (aside.without_runs) {
             console.note(fmt::format("The effect {} was not tested: {}", aside.effect, aside.why));

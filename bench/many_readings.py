@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Time and memory of `pendular diagnose` for studies of 20 to 2000 readings at random conditions.
+"""Time and memory of `pendular calibrate` and `diagnose` for studies of 20 to 3000 readings at random conditions.
 
-    bench/many_readings.py PROGRAM [--readings 20,60,200,300,1000,2000] [--folder build/many] [--tension "26 mN/m"]
+    bench/many_readings.py PROGRAM [--readings 20,60,200,300,1000,3000] [--commands calibrate,diagnose]
+                           [--folder build/many] [--tension "26 mN/m"]
 
 The readings are predictions of one calibrated model with random errors: 300 predictions of `compare`, and
 polynomials through them (RMS residual 4e-6) for other conditions. --tension: the study states another surface
@@ -99,10 +100,23 @@ def model(program, folder):
     return result
 
 
+def measure(program, command, study, count):
+    more = ["--no-confirm"] if command == "calibrate" else []
+    begin = time.monotonic()
+    with subprocess.Popen([program, command, study, "--quiet", *more], stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, text=True) as running:
+        answer = running.stdout.readline().strip()
+        running.stdout.read()
+        _, _, used = os.wait4(running.pid, 0)
+    print(f"{command:9} {count:6d} readings: {time.monotonic() - begin:6.1f} s, processor "
+          f"{used.ru_utime + used.ru_stime:6.1f} s, {used.ru_maxrss // 1024} MB: {answer}", flush=True)
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     options.add_argument("program", type=pathlib.Path)
-    options.add_argument("--readings", default="20,60,200,300,1000,2000")
+    options.add_argument("--readings", default="20,60,200,300,1000,3000")
+    options.add_argument("--commands", default="calibrate,diagnose")
     options.add_argument("--folder", type=pathlib.Path, default=pathlib.Path("build/many"))
     options.add_argument("--tension", default="20.6 mN/m")
     given = options.parse_args()
@@ -117,14 +131,8 @@ def main():
             values.append((exact[0] * (1 + 0.02 * rnd.gauss(0, 1)), exact[1] * (1 + 0.005 * rnd.gauss(0, 1))))
         study = given.folder / f"of_{count}"
         write_study(study, given.tension, points, values)
-        begin = time.monotonic()
-        with subprocess.Popen([program, "diagnose", study, "--quiet"], stdout=subprocess.PIPE,
-                              stderr=subprocess.DEVNULL, text=True) as running:
-            verdict = running.stdout.readline().strip()
-            running.stdout.read()
-            _, _, used = os.wait4(running.pid, 0)
-        print(f"{count:6d} readings: {time.monotonic() - begin:6.1f} s, processor "
-              f"{used.ru_utime + used.ru_stime:6.1f} s, {used.ru_maxrss // 1024} MB: {verdict}", flush=True)
+        for command in given.commands.split(","):
+            measure(program, command, study, count)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/quantities/number.h"
+
 namespace pendular {
 
 bool spans_decade(const std::vector<double>& values) {
@@ -97,7 +99,7 @@ std::string names_of(const std::vector<const Effect*>& effects) {
 }
 
 std::string inertial_text(double inertial_number) {
-    return inertial_number == 0 ? "I → 0" : fmt::format("I = {:.3g}", inertial_number);
+    return inertial_number == 0 ? "I → 0" : "I = " + nominal_text(inertial_number);
 }
 
 }  // namespace pendular

@@ -9,6 +9,7 @@
 #include <functional>
 #include <string>
 
+#include "data/quantities/number.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
 
@@ -95,7 +96,7 @@ std::vector<LedgerRow> largest(std::vector<LedgerRow> parts, std::size_t most) {
 }
 
 std::string name_of(const Condition& c) {
-    return fmt::format("{:.0f} Pa, {}, {}", c.normal_stress, inertial_text(c.inertial_number),
+    return fmt::format("{} Pa, {}, {}", nominal_text(c.normal_stress), inertial_text(c.inertial_number),
                        c.dry() ? "dry" : fmt::format("content {:.3g}", c.liquid_content));
 }
 

@@ -98,7 +98,7 @@ std::string text_of(double number, Apart apart, const std::vector<std::string>& 
                     const Calibration& c) {
     switch (apart) {
         case Apart::normal_stress:
-            return fmt::format("σ_{{22}} = {} Pa", short_text(number));
+            return fmt::format("σ_{{22}} = {} Pa", nominal_text(number));
         case Apart::bead_volume:
             return fmt::format("{:.3g} g of beads", 1e3 * c.grains.density * number);
         case Apart::file:

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "calib/fit/calibrate_study.h"
+#include "calib/fit/common_inertial_number.h"
 #include "calib/fit/structural_cohesion.h"
 #include "calib/fit/wet_groups.h"
 #include "reports/figure_style.h"
@@ -17,17 +18,20 @@ namespace {
 
 const std::string liquid_content_label = "liquid content Φ_L/Φ_S";
 
-/// Data of the wet figures.
+/// Data of the wet figures: all readings at one inertial number, so that each is drawn once and one
+/// curve of the model passes each liquid content.
 struct WetStudy {
     const StudyModel& study_model;
     const Predictor& model;
-    const Calibration& calibration;
-    std::vector<WetGroup> groups;     ///< wet readings of the lowest inertial number, by content
-    std::vector<CohesionLine> lines;  ///< cohesion lines of the lowest inertial number
-    double limit;                     ///< lowest P* of the points that the lines are fitted to [1]
+    const Calibration& fitted;     ///< calibration with the readings as they were measured
+    double inertial_number;        ///< of the steady readings [1]
+    bool moved;                    ///< whether readings were measured at other inertial numbers
+    Calibration calibration;       ///< with readings and predictions at `inertial_number`
+    std::vector<WetGroup> groups;  ///< wet readings by content
+    const std::vector<CohesionLine>& lines;
+    double limit;  ///< lowest P* of the points that the lines are fitted to [1]
 
     double friction() const { return calibration.fit.parameters(0); }
-    double inertial_number() const { return groups.front().inertial_number; }
     double inverse_pressure(const Condition& condition) const {
         return 1 /
                reduced_pressure(condition.normal_stress, calibration.grains, *calibration.liquid);
@@ -60,24 +64,28 @@ struct WetStudy {
     }
 };
 
-/// Entries of a list whose inertial numbers agree with the lowest one, `least`, within 20 %.
-template <class Grouped>
-std::vector<Grouped> slowest(const std::vector<Grouped>& all, double least) {
-    std::vector<Grouped> result;
-    std::ranges::copy_if(all, std::back_inserter(result), [&](const Grouped& one) {
-        return agree(one.inertial_number, least, inertial_number_tolerance);
-    });
-    return result;
+/// The calibration with the readings and predictions of `at`. Only drawing uses it: what is fitted
+/// to the readings, such as an unseen prediction, needs them as they were measured.
+Calibration with_readings(Calibration c, ReadingsAtOneRate at) {
+    c.readings = std::move(at.readings);
+    c.prediction = std::move(at.predicted);
+    return c;
 }
 
 WetStudy wet_study(const StudyModel& model, const Calibration& c, const CohesionOptions& cohesion) {
-    const auto groups = wet_groups(c.readings);
-    const double least = std::ranges::min(groups, {}, &WetGroup::inertial_number).inertial_number;
+    ReadingsAtOneRate at = at_one_inertial_number(model.model(), c);
+    const double inertial_number = at.inertial_number;
+    const bool moved = std::ranges::find(at.moved, true) != at.moved.end();
+    Calibration drawn = with_readings(c, std::move(at));
+    std::vector<WetGroup> groups = wet_groups(drawn.readings);
     return {.study_model = model,
             .model = model.model(),
-            .calibration = c,
-            .groups = slowest(groups, least),
-            .lines = slowest(c.cohesion_lines, least),
+            .fitted = c,
+            .inertial_number = inertial_number,
+            .moved = moved,
+            .calibration = std::move(drawn),
+            .groups = std::move(groups),
+            .lines = c.cohesion_lines,
             .limit = cohesion.lowest_reduced_pressure};
 }
 
@@ -93,8 +101,9 @@ std::string force_text(const WetStudy& study) {
 }
 
 std::string title(const std::string& what, const WetStudy& study) {
-    std::string text = fmt::format("{}, {}, friction μ = {:.3f}", what,
-                                   inertial_text(study.inertial_number()), study.friction());
+    std::string text = fmt::format("{}, {}{}, friction μ = {:.3f}", what,
+                                   study.moved ? "readings brought to " : "",
+                                   inertial_text(study.inertial_number), study.friction());
     if (!study.study_model.effects().empty()) {
         text += ", with " + names_of(study.study_model.effects());
     }
@@ -136,7 +145,7 @@ ModelCurve model_of(const WetStudy& study, const CurveGroup& series) {
         x.push_back(end * k / steps);
         conditions.push_back(path.at(1 / study.normal_stress(x.back())));
     }
-    return {x, predict_unseen(study.model, study.calibration, conditions), conditions};
+    return {x, predict_unseen(study.model, study.fitted, conditions), conditions};
 }
 
 /// Draws the model curves of one liquid content, several where the predictions differ between
@@ -169,17 +178,14 @@ void draw_points(Panel& panel, const WetStudy& study, const WetGroup& group, std
     panel.curves.push_back(simulated);
 }
 
-/// Draws the dry readings of the same inertial number and their predictions at 1/P* = 0: as one
-/// mean point, or one by one where the model predicts different values for them.
+/// Draws the dry readings and their predictions at 1/P* = 0: as one mean point, or one by one where
+/// the model predicts different values for them.
 void draw_dry(Panel& panel, const WetStudy& study, std::size_t o) {
     const Calibration& c = study.calibration;
     std::vector<std::size_t> dry;
     for (std::size_t k = 0; k < c.readings.size(); ++k) {
         const Condition& condition = c.readings[k].condition;
-        if (condition.dry() && !condition.at_failure &&
-            agree(condition.inertial_number, study.inertial_number(), inertial_number_tolerance)) {
-            dry.push_back(k);
-        }
+        if (condition.dry() && !condition.at_failure) dry.push_back(k);
     }
     if (dry.empty()) {
         return;
@@ -325,8 +331,7 @@ std::map<double, double> cohesions_by_instrument(const WetStudy& study) {
         study.study_model.flow_parameters(c.fit.parameters), conditions_of(c.readings));
     std::vector<std::string> same_notes;
     for (const CohesionLine& line :
-         slowest(cohesion_lines(c.readings, truth, c.grains, *c.liquid, c.cohesion, same_notes),
-                 study.inertial_number())) {
+         cohesion_lines(c.readings, truth, c.grains, *c.liquid, c.cohesion, same_notes)) {
         added[line.liquid_content] = -line.reduced_cohesion.value;
     }
     for (const CohesionLine& line : study.lines) {
@@ -377,8 +382,7 @@ std::vector<Figure> wet_figures(const StudyModel& model, const Calibration& cali
     }
     const WetStudy study = wet_study(model, calibration, cohesion);
     std::vector<Figure> figures{stress_ratio_figure(study), solid_fraction_figure(study)};
-    const auto structural =
-        slowest(structural_cohesions(model, calibration, cohesion), study.inertial_number());
+    const auto structural = structural_cohesions(model, study.calibration, cohesion);
     if (!study.lines.empty() || !structural.empty()) {
         figures.push_back(cohesion_figure(study, structural));
     }

@@ -155,6 +155,7 @@ Json to_json(const Calibration& c, const Comparison& comparison) {
     json["covariance_scaled_by_chi2"] = false;
     json["cohesion_lines"] = cohesion_lines_json(c.cohesion_lines);
     json["cohesion_lines_from"] = c.cohesion.lowest_reduced_pressure;
+    if (c.cohesion.inertial_number) json["cohesion_lines_at"] = *c.cohesion.inertial_number;
     json["predictions"] = Json::array();
     for (std::size_t k = 0; k < comparison.readings.size(); ++k) {
         json["predictions"].push_back(prediction_json(comparison.readings[k]));
@@ -259,6 +260,7 @@ Calibration parse_calibration(const Json& json, const ResolvedStudy& resolved,
     c.seed = json.at("seed");
     c.rounds = json.at("rounds");
     c.cohesion.lowest_reduced_pressure = json.at("cohesion_lines_from");
+    if (json.contains("cohesion_lines_at")) c.cohesion.inertial_number = json["cohesion_lines_at"];
     if (json.at("emulator").is_null()) {
         throw InputError(where,
                          "an earlier version made this fit without an emulator; run 'pendular "

@@ -14,9 +14,7 @@ RefittedRival refit_rival(const StudyDiagnosis& d, std::string name,
     constexpr FitEffort quick{
         .most_steps = 50, .tolerance = 1e-8, .settled = 1e-4, .elsewhere = false};
     const ModelOfReadings model(predictor, conditions_of(d.readings), d.models->direct());
-    // The first fit has the weights of the starting values, the second the weights of its result.
-    Fit fitted = fit(model, d.evidence.measured, start ? *start : start_of(model), quick);
-    fitted = fit(model, d.evidence.measured, fitted.parameters, quick);
+    const Fit fitted = fit(model, d.evidence.measured, start ? *start : start_of(model), quick);
     return {{std::move(name), std::move(predictor), fitted.parameters, fitted.covariance},
             WeightedResiduals(d.evidence.measured, fitted.prediction).chi2()};
 }

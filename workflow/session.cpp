@@ -41,14 +41,14 @@ CalibratedStudy Session::calibrate(const FitOptions& fit) const {
     return result;
 }
 
-ComparedStudy Session::compare(const std::optional<CohesionOptions>& cohesion) const {
-    Calibration c = read_calibration(folder_ / "fit.json", input_.study, dry_first(measurements()));
+ComparedStudy Session::compare() const {
+    Calibration c =
+        read_calibration(folder_ / "fit.json", input_.study, readings_to_fit(measurements()));
     StudyModel model(input_.study, c);
     check_parameters(c, model.model());
     c.prediction = predict_readings(model.model(), c);
     Comparison comparison = pendular::compare(c);
-    if (cohesion) c.cohesion = *cohesion;
-    add_cohesion_lines(c);
+    add_cohesion_lines(model.model(), c);
     // The prediction is without errors of the fitted parameters, which the checks project out.
     WhereItFails where =
         where_it_fails(c.readings, measurements().scatter,
@@ -60,7 +60,7 @@ ComparedStudy Session::compare(const std::optional<CohesionOptions>& cohesion) c
 
 Prediction Session::predict(const std::vector<Condition>& conditions) const {
     const Calibration c =
-        read_calibration(folder_ / "fit.json", input_.study, dry_first(measurements()));
+        read_calibration(folder_ / "fit.json", input_.study, readings_to_fit(measurements()));
     std::vector<Reading> wanted;
     for (const Condition& condition : conditions) {
         wanted.push_back(

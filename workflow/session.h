@@ -71,11 +71,9 @@ class Session {
     CalibratedStudy calibrate(const FitOptions& fit = {}) const;
     /// Compares the readings of the study with the predictions of the fit in the results folder.
     /// Writes no file.
-    /// @param cohesion options of the cohesion lines (Mohr-Coulomb lines through wet readings);
-    ///        empty: the options of the fit
     /// @throws InputError if the folder has no readable fit.json, or if the study has changed since
     ///         it was fitted
-    ComparedStudy compare(const std::optional<CohesionOptions>& cohesion = {}) const;
+    ComparedStudy compare() const;
     /// Predicts the readings of the study's instrument at several conditions from the fit in the
     /// results folder. The values are the shear stress [Pa] and the solid fraction [1] of each
     /// condition in turn. The covariance includes errors of the fit and of the simulation.

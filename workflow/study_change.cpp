@@ -150,7 +150,7 @@ std::optional<Calibration> earlier_fit(const std::filesystem::path& file,
                                        const ResolvedStudy& study,
                                        const Measurements& measurements) {
     try {
-        Calibration c = read_calibration(file, study, dry_first(measurements));
+        Calibration c = read_calibration(file, study, readings_to_fit(measurements));
         check_parameters(c, StudyModel(study, c).model());
         return c.fit.converged ? std::optional(std::move(c)) : std::nullopt;
     } catch (const InputError&) {
@@ -191,7 +191,7 @@ ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measur
         return fitted(one, fit_study(one, measurements, session, how), session, cross_validated);
     };
     const ResolvedStudy changed = change.study;
-    const std::vector<Reading> readings = dry_first(measurements);
+    const std::vector<Reading> readings = readings_to_fit(measurements);
     const bool all_before = fitted_count(study, readings) == readings.size(),
                all_after = fitted_count(changed, readings) == readings.size();
     Fitted before;

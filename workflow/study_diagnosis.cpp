@@ -17,7 +17,6 @@
 #include "calib/fit/calibration.h"
 #include "data/input_error.h"
 #include "data/quantities/quantity.h"
-#include "data/recordings/binned_readings.h"
 #include "data/recordings/replicate_groups.h"
 #include "workflow/known_runs.h"
 
@@ -136,9 +135,9 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
 
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session, KnownRuns known) {
-    const std::vector<Reading> all = dry_first(measurements);
-    check_readings(all, study, session.fidelity);
-    StudyDiagnosis result{.readings = binned_readings(all, most_tested), .measured = all.size()};
+    StudyDiagnosis result{.readings = readings_to_fit(measurements),
+                          .measured = measurements.readings.size()};
+    check_readings(result.readings, study, session.fidelity);
     result.models = std::make_unique<StudyModels>(study, conditions_of(result.readings),
                                                   session.fidelity, std::move(known));
     result.evidence = evidence_of(result.readings, measurements.scatter, result.models->direct());

@@ -49,18 +49,10 @@ struct Confirmation {
     std::string open = {};
 };
 
-/// Largest number of readings that a diagnosis tests one by one. If a study has more readings, the
-/// diagnosis averages readings at similar conditions, as a rule in `most_tested` bins, and tests
-/// the means (`binned_readings`). The time of the tests is proportional to the cube of the number
-/// of tested readings.
-inline constexpr std::size_t most_tested = 200;
-
 /// Diagnosis of a study: search for physical effects that the study's model lacks, with the
 /// readings, models and errors on which the search is based.
 struct StudyDiagnosis {
-    /// Readings (shear stress and solid fraction) that are tested, dry readings first: the readings
-    /// of the study or, if there are more than `most_tested` readings, means of readings at similar
-    /// conditions.
+    /// Readings that are tested (`readings_to_fit`).
     std::vector<Reading> readings;
     /// Number of readings of the study, before readings are averaged in bins.
     std::size_t measured = 0;

@@ -52,9 +52,6 @@ class WithSuspect : public Model {
     std::vector<Parameter> parameters_;
 };
 
-/// p value below which a model is rejected without converging its fit fully.
-constexpr double hopeless = 0.1;
-
 /// Number of draws that decide where a statistic is far above all of them.
 constexpr Eigen::Index first_draws = 600;
 
@@ -104,17 +101,10 @@ Explanation Explanations::refit(const EffectSet& chosen, std::optional<std::size
                                 const Eigen::VectorXd& start) const {
     Explanation result{.chosen = chosen, .suspect = suspect};
     const std::shared_ptr<const Model> model = space_.with(chosen);
-    const auto fit_from = [&](const Eigen::VectorXd& from) {
-        result.fit = suspect ? fit(WithSuspect(*model, evidence_.suspects[*suspect]),
-                                   evidence_.measured, from, refit_effort)
-                             : fit(*model, evidence_.measured, from, refit_effort);
-    };
-    // The first fit has the weights of the starting values, the second the weights of its result.
-    fit_from(start);
-    if (lack_of_fit_p(residuals_of(result), true) > hopeless * half_significance()) {
-        fit_from(result.fit.parameters);
-    }
-    result.chi2 = residuals_of(result).chi2();
+    result.fit = suspect ? fit(WithSuspect(*model, evidence_.suspects[*suspect]),
+                               evidence_.measured, start, refit_effort)
+                         : fit(*model, evidence_.measured, start, refit_effort);
+    result.chi2 = result.fit.chi2;
     return result;
 }
 

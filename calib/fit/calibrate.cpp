@@ -21,8 +21,6 @@ Fit calibrate(LearningModel& learning, const Measured& measured, const Calibrati
         learning.improve(at, excess);
         const Model& model = learning.model();
         best = fit(model, measured, at);
-        // Fit again with the simulation errors at the result.
-        best = fit(model, measured, best.parameters);
         if (report) {
             report(round, best);
         }

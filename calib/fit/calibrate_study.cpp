@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "calib/fit/calibration_notes.h"
+#include "calib/fit/common_inertial_number.h"
 #include "calib/fit/study_model.h"
 #include "calib/model/run_planner.h"
 #include "data/input_error.h"
@@ -176,6 +177,27 @@ Eigen::MatrixXd information_of(const std::vector<DirectMeasurement>& direct,
     return information;
 }
 
+/// Note that readings of the cohesion lines were brought to another inertial number; empty if none
+/// was.
+std::optional<std::string> note_on_moved(const ReadingsAtOneRate& at, const Calibration& c) {
+    double least = INFINITY, greatest = 0;
+    int count = 0;
+    for (std::size_t k = 0; k < at.readings.size(); ++k) {
+        const Condition& recorded = c.readings[k].condition;
+        if (!at.moved[k] || recorded.dry()) continue;
+        least = std::min(least, recorded.inertial_number);
+        greatest = std::max(greatest, recorded.inertial_number);
+        ++count;
+    }
+    if (count == 0) return {};
+    return fmt::format(
+        "For the cohesion, {} wet readings at inertial numbers from {:.2g} to {:.2g} are brought "
+        "to {} by the difference of the model's predictions, whose error is included",
+        count, least, greatest,
+        at.inertial_number == 0 ? "the quasi-static limit"
+                                : fmt::format("the inertial number {:.3g}", at.inertial_number));
+}
+
 }  // namespace
 
 void check_range(const std::vector<Reading>& readings, const Study& study,
@@ -256,25 +278,27 @@ Prediction predict_readings(const Predictor& model, const Calibration& c) {
     return all;
 }
 
-void add_cohesion_lines(Calibration& c) {
+void add_cohesion_lines(const Predictor& model, Calibration& c) {
     c.cohesion_lines.clear();
     c.cohesion_notes.clear();
     if (dry_count(c.readings) == c.readings.size()) {
         return;
     }
+    const ReadingsAtOneRate at = at_one_inertial_number(model, c);
     c.cohesion_lines =
-        cohesion_lines(c.readings, c.grains, *c.liquid, c.cohesion, c.cohesion_notes);
+        cohesion_lines(at.readings, at.measured, c.grains, *c.liquid, c.cohesion, c.cohesion_notes);
     std::vector<std::string> same_notes;
     std::ranges::copy(
-        cohesion_lines(c.readings, c.prediction, c.grains, *c.liquid, c.cohesion, same_notes),
+        cohesion_lines(at.readings, at.predicted, c.grains, *c.liquid, c.cohesion, same_notes),
         std::back_inserter(c.cohesion_lines));
+    if (auto note = note_on_moved(at, c)) c.cohesion_notes.push_back(*note);
 }
 
 Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& measurements,
                             const CalibrationRequest& request, const Workers& workers,
                             const CalibrationReport& report) {
     const Study& study = resolved;
-    Calibration c{.readings = dry_first(measurements),
+    Calibration c{.readings = readings_to_fit(measurements),
                   .grains = study.grains,
                   .liquid = study.liquid,
                   .model = study.model,
@@ -321,8 +345,10 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
     c.hyperparameters = emulator.hyperparameters();
     c.simulated = planner.simulated();
     c.notes = notes_on(c, resolved, planner, wet_known);
+    if (auto note = note_on_means(c.readings.size(), measurements.readings.size()))
+        c.notes.push_back(std::move(*note));
     c.cohesion = request.cohesion;
-    add_cohesion_lines(c);
+    add_cohesion_lines(model.whole().model(), c);
     if (request.profile) {
         // The covariance of a fit lacks the widening for few replicates; with it, chi2 of a
         // parabola rises by this much over one standard error.

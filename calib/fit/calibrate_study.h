@@ -96,8 +96,10 @@ Prediction predict_readings(const Predictor& model, const Calibration& calibrati
 
 /// Fits the cohesion lines of a calibration, and replaces the calibration's earlier lines and notes
 /// on the lines. A cohesion line is a straight line of stress ratio against the inverse reduced
-/// pressure 1/P*. The lines of the measured stress ratios come first, then the lines of the
-/// predicted stress ratios. A study without wet readings has no lines.
-void add_cohesion_lines(Calibration& calibration);
+/// pressure 1/P*, for each liquid content, at one inertial number (`at_one_inertial_number`). The
+/// lines of the measured stress ratios come first, then the lines of the predicted stress ratios. A
+/// study without wet readings has no lines.
+/// @param model model of the calibration
+void add_cohesion_lines(const Predictor& model, Calibration& calibration);
 
 }  // namespace pendular

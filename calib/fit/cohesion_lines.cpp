@@ -11,6 +11,7 @@
 #include "calib/fit/fit.h"
 #include "calib/fit/wet_groups.h"
 #include "data/input_error.h"
+#include "sim/dem/run_parameters.h"
 
 namespace pendular {
 namespace {
@@ -218,6 +219,13 @@ void check_options(const CohesionOptions& options) {
         throw InputError(fmt::format("lowest reduced pressure {}: it must be above 0",
                                      options.lowest_reduced_pressure));
     }
+    const double rate = options.inertial_number.value_or(0);
+    if (!(rate >= 0) || rate > dem::largest_inertial_number) {
+        throw InputError(fmt::format(
+            "inertial number {:.3g}: it must be between 0 (quasi-static limit) and {}, above which "
+            "grains no longer flow densely",
+            rate, dem::largest_inertial_number));
+    }
 }
 
 bool CohesionOptions::fits(double reduced_pressure) const {
@@ -233,7 +241,13 @@ std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
                                          const GrainProperties& grains, const Liquid& liquid,
                                          const CohesionOptions& options,
                                          std::vector<std::string>& notes) {
-    const Measured measured = stack(readings);
+    return cohesion_lines(readings, stack(readings), grains, liquid, options, notes);
+}
+
+std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
+                                         const Measured& measured, const GrainProperties& grains,
+                                         const Liquid& liquid, const CohesionOptions& options,
+                                         std::vector<std::string>& notes) {
     return lines({"measured",
                   {measured.value, measured.covariance + measured.widening},
                   measured.covariance},

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "calib/emulator/estimate.h"
+#include "calib/fit/fit.h"
 #include "calib/model/model.h"
 #include "calib/model/mohr_coulomb.h"
 #include "data/reading.h"
@@ -22,7 +24,7 @@ struct Overestimate {
 };
 
 /// Cohesion line: straight line (Mohr-Coulomb) fitted to the stress ratios of wet readings of one
-/// liquid content and one inertial number,
+/// liquid content at one inertial number (`at_one_inertial_number`),
 ///     |s12|/s22 = intercept + c*/P*,  c* = a^2 c/F0,  P* = a^2 s22/F0,
 /// with the shear stress s12, the normal stress s22, the reduced cohesion c*, the reduced pressure
 /// P*, the grain diameter a, the cohesion c and the pull-off force F0 of a liquid bridge. A point
@@ -73,6 +75,10 @@ struct CohesionOptions {
     /// value of Badetti et al. (2018). For P* <= 1, a straight line overestimates the stress ratio
     /// of wet grains.
     double lowest_reduced_pressure = lowest_cohesion_pressure;
+    /// Inertial number [1] to which readings are brought before lines are fitted
+    /// (`at_one_inertial_number`). If empty, the inertial number that the wet readings share, or 0
+    /// (quasi-static limit) if they differ.
+    std::optional<double> inertial_number = {};
 
     /// Whether a line is fitted to readings at the reduced pressure `reduced_pressure` [1]. The
     /// reduced pressure must be at least `lowest_reduced_pressure`, with a tolerance for rounding
@@ -82,7 +88,8 @@ struct CohesionOptions {
 
 /// Checks the options for the fit of cohesion lines (straight lines of stress ratio against the
 /// inverse reduced pressure 1/P*).
-/// @throws InputError if the lowest reduced pressure is not positive and finite
+/// @throws InputError if the lowest reduced pressure is not positive and finite, or if the inertial
+///         number is negative or one at which grains do not flow densely
 void check_options(const CohesionOptions& options);
 
 /// Fits a straight line of the measured stress ratio against the inverse reduced pressure 1/P* to
@@ -94,6 +101,14 @@ void check_options(const CohesionOptions& options);
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
                                          const GrainProperties& grains, const Liquid& liquid,
                                          const CohesionOptions& options,
+                                         std::vector<std::string>& notes);
+
+/// Fits lines as above to readings whose errors `measured` states, such as readings that were
+/// brought to one inertial number.
+/// @param measured values of all `readings`, with their covariance
+std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
+                                         const Measured& measured, const GrainProperties& grains,
+                                         const Liquid& liquid, const CohesionOptions& options,
                                          std::vector<std::string>& notes);
 
 /// Fits a straight line of the predicted stress ratio against the inverse reduced pressure 1/P* to

@@ -341,12 +341,20 @@ double Fit::simulation_error(Eigen::Index k) const {
     return std::sqrt(std::max(0.0, covariance(k, k) - measurement_part(k, k)));
 }
 
-Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start,
-        const FitEffort& effort) {
-    const ParameterBounds range = allowed(model);
-    const Eigen::VectorXd from = start.cwiseMax(range.lower).cwiseMin(range.upper);
-    const Whitening whitening(measured.covariance + model.predict(from).covariance);
+namespace {
 
+/// Largest number of searches, each with the weights of the result before it. Where the weights
+/// change slowly with the parameters, two suffice; 12 are enough for a factor of 0.5 between the
+/// steps of successive searches.
+constexpr int most_reweightings = 12;
+/// Length of a step [1], in standard errors of the parameters, below which new weights do not
+/// matter: two orders below the digits that are printed, so that fits from different starts print
+/// the same.
+constexpr double same_optimum = 1e-3;
+
+/// Least chi2 with constant weights.
+Fit fit_with(const Whitening& whitening, const Model& model, const Measured& measured,
+             const ParameterBounds& range, const Eigen::VectorXd& from, const FitEffort& effort) {
     Fit result;
     result.dof = static_cast<int>(measured.value.size() - from.size());
     result.chi2 = std::numeric_limits<double>::infinity();
@@ -369,6 +377,36 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
             break;
         }
     }
+    return result;
+}
+
+/// Length of the step from fitted parameters to the optimum with other weights, in standard errors.
+double distance_to_optimum(const Fit& fit, const Measured& measured, const Whitening& whitening,
+                           const ParameterBounds& range) {
+    const Scaled scaled(whitening.apply(fit.prediction.jacobian));
+    const Eigen::VectorXd residuals = whitening.apply(measured.value - fit.prediction.value);
+    return (scaled.jacobian * step_within(scaled, residuals, range, fit.parameters)).norm();
+}
+
+}  // namespace
+
+Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start,
+        const FitEffort& effort) {
+    const ParameterBounds range = allowed(model);
+    const auto weights_of = [&](const Prediction& prediction) {
+        return Whitening(measured.covariance + prediction.covariance);
+    };
+    const Eigen::VectorXd from = start.cwiseMax(range.lower).cwiseMin(range.upper);
+    Fit result = fit_with(weights_of(model.predict(from)), model, measured, range, from, effort);
+    Whitening whitening = weights_of(result.prediction);
+    for (int turn = 1; turn < most_reweightings && effort.most_steps > 0 &&
+                       distance_to_optimum(result, measured, whitening, range) > same_optimum;
+         ++turn) {
+        result = fit_with(whitening, model, measured, range, result.parameters, effort);
+        whitening = weights_of(result.prediction);
+    }
+    result.chi2 = whitening.apply(measured.value - result.prediction.value).squaredNorm();
+    result.covariance = parameter_covariance(whitening.apply(result.prediction.jacobian));
     const Eigen::VectorXd& parameters = result.parameters;
     const auto caused_by = [&](const Eigen::MatrixXd& part) {
         return part_of(result.covariance, whitening, result.prediction.jacobian, part);

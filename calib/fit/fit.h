@@ -103,12 +103,20 @@ struct FitEffort {
 };
 
 /// Fits a model's parameters theta to measured values y by weighted least squares,
-///     minimise r'r,  r = L^-1 (y - f(theta)),  L L' = Sigma_measurement + Sigma_simulation(start),
+///     minimise r'r,  r = L^-1 (y - f(theta)),  L L' = Sigma_measurement + Sigma_simulation,
 /// with the predictions f of the model and the covariances Sigma of measurement and simulation.
-/// Sigma_simulation is evaluated at `start` and kept constant. The caller should repeat the fit
-/// from the fitted parameters until the parameters converge. If a search leaves a parameter
-/// undetermined, the function searches again from `start` with other settings and returns the
-/// lowest minimum.
+///
+/// Sigma_simulation depends on the parameters, but is constant in each search: that of the result
+/// before, until the result stays the same. The fitted parameters thus solve
+///     J' (Sigma_measurement + Sigma_simulation(theta))^-1 (y - f(theta)) = 0,
+/// whose expectation is 0 at the true parameters whatever the covariances, so that a model is drawn
+/// neither to states that the simulations know badly (as where chi2 is minimised with Sigma(theta))
+/// nor away from these (ln det Sigma added to chi2 rewards large errors where the model misfits).
+/// Source: iteratively reweighted least squares, Carroll and Ruppert, Transformation and Weighting
+/// in Regression (1988), section 2.1.
+///
+/// If a search leaves a parameter undetermined, the function searches again with other settings and
+/// returns the lowest minimum.
 /// @param start starting values, in the order and units of the parameters
 /// @throws std::logic_error if the sum of both covariances is not positive definite
 /// @throws std::domain_error if a measured condition is impossible with the parameters `start`: no

@@ -1,6 +1,10 @@
 #include "calib/fit/reading_order.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "data/recordings/binned_readings.h"
 
 namespace pendular {
 
@@ -19,6 +23,18 @@ std::vector<Reading> dry_first(const Measurements& measurements) {
     std::stable_partition(readings.begin(), readings.end(),
                           [](const Reading& r) { return r.condition.dry(); });
     return readings;
+}
+
+std::vector<Reading> readings_to_fit(const Measurements& measurements) {
+    return binned_readings(dry_first(measurements), most_fitted);
+}
+
+std::optional<std::string> note_on_means(std::size_t used, std::size_t measured) {
+    if (used >= measured) return {};
+    return fmt::format(
+        "Fits and tests use the means of {} bins of neighbouring conditions in place of the {} "
+        "readings.",
+        used, measured);
 }
 
 }  // namespace pendular

@@ -48,4 +48,16 @@ std::string short_text(double number) {
     return fmt::format("{:.0f}", std::round(number / unit) * unit);
 }
 
+std::string nominal_text(double mean) {
+    if (mean == 0) return "0";
+    // Controllers hold a set point to 1 or 2 %, means over steps and replicates to a few tenths.
+    constexpr double near = 0.005;
+    for (const int digits : {1, 2}) {
+        const double unit = std::pow(10.0, std::floor(std::log10(std::abs(mean))) - (digits - 1));
+        const double rounded = std::round(mean / unit) * unit;
+        if (std::abs(rounded - mean) <= near * std::abs(mean)) return short_text(rounded);
+    }
+    return short_text(mean);
+}
+
 }  // namespace pendular

@@ -29,6 +29,11 @@ std::optional<std::string> beyond_measure(double number);
 /// Numbers of magnitude below 0.0001, and of a million or more, are written with an exponent.
 std::string short_text(double number);
 
+/// Returns the set point that a mean of recorded values stands for, as text: the number with the
+/// fewest digits within 0.5 % of `mean`, at most three digits ("200" for 199.9, "0.01" for
+/// 0.00999).
+std::string nominal_text(double mean);
+
 /// Whether a text is a number with a decimal comma, such as "1,25".
 bool has_decimal_comma(std::string_view text);
 

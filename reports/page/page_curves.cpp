@@ -8,8 +8,11 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numbers>
 
+#include "data/annular_cell.h"
 #include "data/grains.h"
+#include "data/quantities/number.h"
 #include "reports/model_curve.h"
 
 namespace pendular {
@@ -171,46 +174,93 @@ double inertial_number_of(const Condition& c) {
     return c.inertial_number;
 }
 
+/// What the rheometer held constant while the normal stress changed: the inertial number, or the
+/// speed of the lid.
+struct Held {
+    OfCondition of;
+    std::function<std::string(const Condition&)> label;
+};
+
+Held held_inertial_number() {
+    return {inertial_number_of, [](const Condition& c) {
+                return "inertial number " + nominal_text(c.inertial_number);
+            }};
+}
+
+/// Speed of the lid where the cell and the heights are known, otherwise the shear rate.
+Held held_speed(const std::vector<Reading>& readings, const Study& study) {
+    const GrainProperties grains = study.grains;
+    const auto rate = [grains](const Condition& c) {
+        return shear_rate_at(c.inertial_number, c.normal_stress, grains);
+    };
+    const bool by_lid = study.cell && std::ranges::all_of(readings, [](const Reading& r) {
+                            return r.condition.height.has_value();
+                        });
+    if (!by_lid) {
+        return {rate, [rate](const Condition& c) {
+                    return fmt::format("shear rate {} 1/s", nominal_text(rate(c)));
+                }};
+    }
+    constexpr double per_minute = 60 / (2 * std::numbers::pi);
+    const auto speed = [rate, cell = *study.cell](const Condition& c) {
+        return per_minute * angular_velocity(rate(c), *c.height, cell);
+    };
+    return {speed, [speed](const Condition& c) { return nominal_text(speed(c)) + " rpm"; }};
+}
+
+/// The quantity that divides readings into fewer series: the inertial number, unless the speed
+/// does.
+Held held_constant(const std::vector<Reading>& readings, const std::vector<std::size_t>& members,
+                   const Study& study) {
+    const Held inertial = held_inertial_number(), speed = held_speed(readings, study);
+    return divided(readings, members, speed.of).size() <
+                   divided(readings, members, inertial.of).size()
+               ? speed
+               : inertial;
+}
+
 PagePanel dry_panel(const std::vector<Reading>& readings, const std::vector<std::size_t>& dry,
                     const Study& study) {
+    const Held held = held_constant(readings, dry, study);
+    const auto lanes = divided(readings, dry, held.of), loads = divided(readings, dry, stress_of);
     const bool by_rate =
-        spread(readings, dry, inertial_number_of) > spread(readings, dry, stress_of);
+        spread(readings, dry, inertial_number_of) > spread(readings, dry, stress_of) &&
+        loads.size() <= lanes.size();
     if (by_rate) {
-        return panel_of(readings, study, divided(readings, dry, stress_of),
+        return panel_of(readings, study, loads,
                         {.title = "Dry readings",
                          .x_label = "inertial number I [1]",
                          .log_x = spread(readings, dry, inertial_number_of) > 5},
                         along_inertial_number, inertial_number_of, [](const Condition& c) {
-                            return fmt::format("normal stress {:.4g} Pa", c.normal_stress);
+                            return fmt::format("normal stress {} Pa",
+                                               nominal_text(c.normal_stress));
                         });
     }
-    return panel_of(readings, study, divided(readings, dry, inertial_number_of),
+    return panel_of(readings, study, lanes,
                     {.title = "Dry readings",
                      .x_label = "normal stress [Pa]",
                      .log_x = spread(readings, dry, stress_of) > 5},
-                    along_inverse_normal_stress, stress_of, [](const Condition& c) {
-                        return fmt::format("inertial number {:.2g}", c.inertial_number);
-                    });
+                    along_inverse_normal_stress, stress_of, held.label);
 }
 
 PagePanel wet_panel(const std::vector<Reading>& readings, const std::vector<std::size_t>& wet,
                     const Study& study) {
+    const Held held = held_constant(readings, wet, study);
     std::vector<std::vector<std::size_t>> groups;
     for (const auto& content :
          divided(readings, wet, [](const Condition& c) { return c.liquid_content; })) {
-        std::ranges::move(divided(readings, content, inertial_number_of),
-                          std::back_inserter(groups));
+        std::ranges::move(divided(readings, content, held.of), std::back_inserter(groups));
     }
-    const bool rates = spread(readings, wet, inertial_number_of) > alike_ratio;
+    const bool several = spread(readings, wet, held.of) > alike_ratio;
     return panel_of(
         readings, study, groups, {.title = "Wet readings", .x_label = "1/P* [1]"},
         along_inverse_normal_stress,
         [&](const Condition& c) {
             return 1 / reduced_pressure(c.normal_stress, study.grains, *study.liquid);
         },
-        [rates](const Condition& c) {
+        [several, held](const Condition& c) {
             return fmt::format("liquid content {:.3g}", c.liquid_content) +
-                   (rates ? fmt::format(", inertial number {:.2g}", c.inertial_number) : "");
+                   (several ? ", " + held.label(c) : "");
         });
 }
 

@@ -165,7 +165,7 @@ struct Planted {
             c.readings[k].covariance = error.cwiseAbs2().asDiagonal();
         }
         c.prediction = predict_readings(model->model(), c);
-        add_cohesion_lines(c);
+        add_cohesion_lines(model->model(), c);
     }
 };
 

@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
+#include "data/annular_cell.h"
+
 namespace pendular::reports_page_curves_test {
 
 using testing::ElementsAre;
@@ -64,6 +68,44 @@ TEST(PagePanels, LeaveReplicatesOfOneFillingTogether) {
         readings.push_back(reading(stress, "b.csv", 0.0151, 2.01e-5));
     }
     EXPECT_EQ(page_panels(readings, study())[0].series.size(), 1u);
+}
+
+/// Readings at two speeds of the lid [rpm] and four normal stresses, each with an inertial number
+/// of its own.
+std::vector<Reading> at_constant_speed(const Study& study, double liquid_content) {
+    std::vector<Reading> readings;
+    for (const double rpm : {2.0, 20.0}) {
+        for (const double stress : {200.0, 500.0, 1500.0, 5000.0}) {
+            Reading one = reading(stress, "a.csv", 0.0065);
+            const double rate = shear_rate(rpm * std::numbers::pi / 30, 0.0065, *study.cell);
+            one.condition.inertial_number = inertial_number(rate, stress, study.grains);
+            one.condition.liquid_content = liquid_content;
+            readings.push_back(one);
+        }
+    }
+    return readings;
+}
+
+TEST(PagePanels, HaveACurveForEachSpeedThatWasHeld) {
+    Study of = study();
+    of.cell = AnnularCell{.inner_radius = 0.015, .outer_radius = 0.03};
+    of.liquid = Liquid{.surface_tension = 0.072};
+    auto readings = at_constant_speed(of, 0);
+    for (const double content : {0.01, 0.03}) {
+        std::ranges::copy(at_constant_speed(of, content), std::back_inserter(readings));
+    }
+    const auto panels = page_panels(readings, of);
+    ASSERT_EQ(panels.size(), 2u);
+    ASSERT_EQ(panels[0].series.size(), 2u);  // dry: against the normal stress, at each speed
+    EXPECT_THAT(panels[0].series[1].label, HasSubstr("20 rpm"));
+    ASSERT_EQ(panels[1].series.size(), 4u);
+    EXPECT_EQ(panels[1].series[0].label, "liquid content 0.01, 2 rpm");
+    for (const PagePanel& panel : panels) {
+        for (const PageSeries& series : panel.series) {
+            EXPECT_EQ(series.members.size(), 4u);
+            EXPECT_FALSE(series.along.empty());
+        }
+    }
 }
 
 }  // namespace pendular::reports_page_curves_test

@@ -181,9 +181,10 @@ inline Calibration calibration(const std::vector<Reading>& readings,
     c.fit.at_bound = {false};
     c.parameters = {{.name = "friction", .lower = 0, .upper = 1, .start = friction}};
     c.fit.converged = true;
-    c.prediction = predict_readings(StudyModel(study(), c).model(), c);
+    const StudyModel model(study(), c);
+    c.prediction = predict_readings(model.model(), c);
     c.cohesion = cohesion;
-    add_cohesion_lines(c);
+    add_cohesion_lines(model.model(), c);
     return c;
 }
 

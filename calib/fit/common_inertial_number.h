@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "calib/fit/calibration.h"
+#include "calib/fit/fit.h"
+#include "calib/model/predictor.h"
+
+namespace pendular {
+
+/// Readings of steady shear as they would be at one inertial number.
+///
+/// At a constant speed of the lid, every normal stress has an inertial number of its own, so that
+/// no two readings of a Mohr-Coulomb line have the same. The model knows how stress ratio and solid
+/// fraction depend on I: a reading y at condition x becomes
+///     y0 = y - (f(x) - f(x0)),    x0: the condition x, with the common inertial number.
+/// Only the difference of two predictions enters, so that a misfit of the model stays in y0. The
+/// covariance of y0 contains the errors of the difference: those of the simulations, and those of
+/// the fitted parameters, which all readings share.
+struct ReadingsAtOneRate {
+    double inertial_number = 0;  ///< the common inertial number [1]; 0: quasi-static limit
+    /// Readings in the order of `Calibration::readings`. Points of failure are left as they are.
+    std::vector<Reading> readings;
+    /// Whether a reading had another inertial number before, for each reading.
+    std::vector<bool> moved;
+    /// Values of `readings`, with the covariance of their errors.
+    Measured measured;
+    /// Predictions of `readings`, with the errors of the fitted parameters where any reading was
+    /// moved.
+    Prediction predicted;
+};
+
+/// Brings all readings of steady shear to the inertial number `Calibration::cohesion` states. If it
+/// states none, the common inertial number is that of the wet readings if they agree within 20 %,
+/// and 0 otherwise. Readings that agree with it within 20 % are not changed.
+/// @param model model of the calibration
+ReadingsAtOneRate at_one_inertial_number(const Predictor& model, const Calibration& calibration);
+
+}  // namespace pendular
