@@ -41,6 +41,15 @@ void print_wet_step(Console& console, const LabRecording& recording, const LabSt
                              with_error(found.value, found.standard_error)));
 }
 
+const char* what_pilots_found(const LabResult& result) {
+    bool speeds = false, wet = false;
+    for (const LabRecording& recording : result.recordings) {
+        wet = wet || recording.liquid_content > 0;
+        for (const LabStep& step : recording.steps) speeds = speeds || step.angular_velocity > 0;
+    }
+    return speeds && wet ? "heights and bridge volumes" : speeds ? "heights" : "bridge volumes";
+}
+
 void print_result(Console& console, const LabResult& result, const std::filesystem::path& folder) {
     const LabPlan& plan = result.plan;
     std::size_t steps = 0;
@@ -60,9 +69,7 @@ void print_result(Console& console, const LabResult& result, const std::filesyst
         result.recordings.front().steps.front().run.parameters.grains,
         plan.fidelity.stiffness_number, plan.fidelity.strain,
         result.pilots > 0 ? fmt::format(" {} shorter simulations found the {}.", result.pilots,
-                                        plan.angular_velocities.empty() && plan.series.empty()
-                                            ? "bridge volumes"
-                                            : "heights and bridge volumes")
+                                        what_pilots_found(result))
                           : ""));
     if (std::ranges::any_of(contents_of(plan), [](double content) { return content > 0; })) {
         console.line(fmt::format("  {:<16} {:>11} {:>9} {:>9} {:>10}   {}", "wet", "normal",

@@ -20,10 +20,10 @@ FIELDS = ["friction", "inertial_number", "reduced_pressure", "bridge_volume", "s
           "stiffness_number", "strain", "liquid_content", "stress_ratio", "stress_ratio_se",
           "solid_fraction", "solid_fraction_se"]
 FRICTIONS = {"polystyrene": 0.09, "glass": 0.16, "steel": 0.25}
-DRY_NUMBERS = [0.0025, 0.005, 0.01, 0.02, 0.04, 0.08, 0.16]
-WET_NUMBERS = [0.005, 0.04]
+DRY_NUMBERS = [0.0035, 0.007, 0.014, 0.028, 0.056, 0.11]
+WET_NUMBERS = [0.007, 0.04]
 PRESSURES = [1, 1.7, 3, 6, 15]
-CONTENTS = [0.01, 0.03]
+CONTENTS = [0.03]
 BEADS, KAPPA, STRAIN = 2000, 1000, 5
 
 
@@ -67,7 +67,7 @@ def state(task):
 def tasks(program, store):
     seed = 7000000
     for friction in FRICTIONS.values():
-        for number in DRY_NUMBERS:
+        for number in reversed(DRY_NUMBERS):
             for _ in range(2):
                 seed += 1
                 yield program, store, friction, number, seed, None, None
