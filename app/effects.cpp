@@ -39,10 +39,12 @@ the study. Example:
   torque = "torque + drag*angular_velocity"   # left: displayed torque; right: true torque
 
 Optional keys: neutral (value at which the effect vanishes, default 0), matters (smallest size of
-interest, default a tenth of the range), summary. A formula sets a quantity that the instrument
-shows (torque, normal_force, height or angular_velocity), a quantity of the flow (stress_ratio or
-solid_fraction), or a property of grains and liquid (friction_difference, which is added to the
-fitted friction, or surface_tension). A formula may contain the parameter and, in SI units,
+interest, default a tenth of the range), summary, measured_by (what measures the parameter directly,
+such as "the torque of the empty cell"), measured_to (standard error of this measurement). A formula
+sets a quantity that the instrument shows (torque, normal_force, height or angular_velocity), a
+quantity of the flow (stress_ratio or solid_fraction), or a property of grains and liquid
+(friction_difference, which is added to the fitted friction, or surface_tension). A formula may
+contain the parameter and, in SI units,
   on the instrument  torque, normal_force, height, angular_velocity, liquid_content, bead_volume,
                      time, inner_radius, outer_radius, density, diameter, normal_stress
   on the flow        stress_ratio, solid_fraction, normal_stress, inertial_number, liquid_content,

@@ -1,60 +1,25 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
 #include "app/console.h"
 #include "app/effect_options.h"
 #include "app/interrupt.h"
+#include "app/lab_options.h"
 #include "app/options.h"
 #include "data/files/json_text.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
-#include "data/quantities/units.h"
 #include "reports/truth.h"
 #include "sim/lab/virtual_lab.h"
 #include "sim/lab/virtual_study.h"
+#include "sim/runs/store/run_store.h"
 
 namespace pendular::app {
 namespace {
-
-/// Values of options with units, as text, with their defaults.
-struct Words {
-    std::string dry_normal_stresses = "0.3, 1, 3 kPa";
-    std::string wet_normal_stresses = "0.3, 0.6, 1, 3 kPa";
-    std::string liquid_contents = "0.007, 0.03";
-    std::string inertial_numbers = "0.003, 0.03";
-    std::string bead_mass = "60 g";
-    std::string surface_tension = "20.6 mN/m";
-};
-
-std::vector<double> list(const std::string& words, const char* unit, const std::string& option) {
-    try {
-        return quantities_in_si(words, Unit(unit));
-    } catch (const std::invalid_argument& error) {
-        throw InputError(fmt::format("{}: {}", option, error.what()));
-    }
-}
-
-double single(const std::string& words, const char* unit, const std::string& option) {
-    const std::vector<double> values = list(words, unit, option);
-    if (values.size() != 1 || !(values.front() > 0)) {
-        throw InputError(fmt::format("{} \"{}\": one value above 0 is needed", option, words));
-    }
-    return values.front();
-}
-
-void take(const Words& words, bool dry, LabPlan& plan) {
-    plan.dry_normal_stresses = list(words.dry_normal_stresses, "Pa", "--dry-normal-stresses");
-    plan.wet_normal_stresses = list(words.wet_normal_stresses, "Pa", "--wet-normal-stresses");
-    plan.liquid_contents = list(words.liquid_contents, "1", "--liquid-contents");
-    plan.inertial_numbers = list(words.inertial_numbers, "1", "--inertial-numbers");
-    plan.cell.bead_volume = single(words.bead_mass, "kg", "--bead-mass") / plan.grains.density;
-    plan.liquid.surface_tension = single(words.surface_tension, "N/m", "--surface-tension");
-    if (dry) {
-        plan.liquid_contents.clear();
-    }
-}
 
 /// Checks that a folder is new or empty, so that no earlier measurement is lost or mixed up.
 /// @throws InputError where it holds files or cannot be written
@@ -76,6 +41,15 @@ void print_wet_step(Console& console, const LabRecording& recording, const LabSt
                              with_error(found.value, found.standard_error)));
 }
 
+const char* what_pilots_found(const LabResult& result) {
+    bool speeds = false, wet = false;
+    for (const LabRecording& recording : result.recordings) {
+        wet = wet || recording.liquid_content > 0;
+        for (const LabStep& step : recording.steps) speeds = speeds || step.angular_velocity > 0;
+    }
+    return speeds && wet ? "heights and bridge volumes" : speeds ? "heights" : "bridge volumes";
+}
+
 void print_result(Console& console, const LabResult& result, const std::filesystem::path& folder) {
     const LabPlan& plan = result.plan;
     std::size_t steps = 0;
@@ -94,10 +68,10 @@ void print_result(Console& console, const LabResult& result, const std::filesyst
         "over a strain of {:g}.{}",
         result.recordings.front().steps.front().run.parameters.grains,
         plan.fidelity.stiffness_number, plan.fidelity.strain,
-        result.pilots > 0
-            ? fmt::format(" {} shorter simulations found the bridge volumes.", result.pilots)
-            : ""));
-    if (!plan.liquid_contents.empty()) {
+        result.pilots > 0 ? fmt::format(" {} shorter simulations found the {}.", result.pilots,
+                                        what_pilots_found(result))
+                          : ""));
+    if (std::ranges::any_of(contents_of(plan), [](double content) { return content > 0; })) {
         console.line(fmt::format("  {:<16} {:>11} {:>9} {:>9} {:>10}   {}", "wet", "normal",
                                  "reduced", "inertial", "bridge", "liquid content"));
         console.line(fmt::format("  {:<16} {:>11} {:>9} {:>9} {:>10}   {}", "recording",
@@ -114,32 +88,17 @@ void print_result(Console& console, const LabResult& result, const std::filesyst
     }
 }
 
-void declare(Options& options, LabPlan& plan, Words& words) {
-    options.add("friction", &plan.friction,
-                "hidden friction coefficient between grains [1] (default 0.09)");
-    options.add("noise", &plan.instrument.noise,
-                "scatter of the mean values of steps, as a multiple of 1 % of the torque and 0.2 % "
-                "of the solid fraction (default 1)");
-    options.add("drift", &plan.instrument.drift,
-                "drift over a recording (standard deviation), as a multiple of 1 % of the torque "
-                "and 0.2 % of the solid fraction (default 0)");
-    options.add("dry-normal-stresses", &words.dry_normal_stresses,
-                "normal stresses of dry recordings, with a unit (default \"0.3, 1, 3 kPa\")");
-    options.add("wet-normal-stresses", &words.wet_normal_stresses,
-                "normal stresses of wet recordings, with a unit (default \"0.3, 0.6, 1, 3 kPa\")");
-    options.add("liquid-contents", &words.liquid_contents,
-                "liquid volume over grain volume [1] (default \"0.007, 0.03\")");
-    options.add("inertial-numbers", &words.inertial_numbers,
-                "inertial numbers: shear rate times sqrt(m/(a s22)), with mass m and diameter a of "
-                "a grain and normal stress s22 [1] (default \"0.003, 0.03\")");
-    options.add("replicates", &plan.replicates,
-                "number of recordings of each liquid content (default 2)");
-    options.add("rows", &plan.instrument.rows,
-                "number of recorded rows of each step (default 400)");
-    options.add("bead-mass", &words.bead_mass,
-                "mass of the beads in the cell, with its unit (default \"60 g\")");
-    options.add("surface-tension", &words.surface_tension,
-                "surface tension of the liquid, with its unit (default \"20.6 mN/m\")");
+/// Opens the file of simulated states, which must not be the store of the fits: a fit that knew the
+/// states of a laboratory would be tested on what it was made from.
+std::unique_ptr<RunStore> open_states(const std::string& file, const CommonOptions& common) {
+    if (file.empty()) return nullptr;
+    for (const auto& store : {common.store, RunStore::standard_file()}) {
+        if (std::filesystem::weakly_canonical(file) == std::filesystem::weakly_canonical(store)) {
+            throw InputError(fmt::format(
+                "--states {} is the store that fits learn from; name a file of its own", file));
+        }
+    }
+    return std::make_unique<RunStore>(file);
 }
 
 std::string examples() {
@@ -153,6 +112,9 @@ std::string examples() {
         "  pendular virtual-lab wet-lab --wet-normal-stresses \"300 Pa, 1 kPa\" --liquid-contents "
         "0.02\n"
         "  pendular virtual-lab odd-lab --dry {} {}\n"
+        "  pendular virtual-lab steel-lab --dry --diameter \"1 mm\" --density \"7800 kg/m^3\" "
+        "--bead-mass \"250 g\" --speeds \"0.5, 5 rpm\" --order up-and-down\n"
+        "  pendular virtual-lab planned --like my-study --friction 0.3 --replicates 3\n"
         "  pendular import wet-lab\n",
         of_instrument(false), of_instrument(true));
 }
@@ -160,8 +122,6 @@ std::string examples() {
 }  // namespace
 
 int virtual_lab(const std::vector<std::string>& arguments) {
-    LabPlan plan;
-    Words words;
     Options options(
         "virtual-lab OUT [options]",
         "Makes test recordings of an annular cell whose friction and effects are known, and writes "
@@ -172,19 +132,26 @@ int virtual_lab(const std::vector<std::string>& arguments) {
         "with 1.5\n"
         "times the number of grains of --fidelity, which are not stored, so that no calibration "
         "uses them.\n"
-        "The cell has radii of 21 and 45 mm and holds grains of 500 um and 1050 kg/m^3. Unless a "
-        "hidden effect\n"
-        "changes this, the contact angle is 0 and the weight of the beads is neglected. Normal "
-        "stresses and\n"
-        "inertial numbers are those that the instrument displays; hidden effects on it make the "
-        "true ones differ.",
+        "By default the cell has radii of 21 and 45 mm and holds grains of 500 um and 1050 kg/m^3; "
+        "--like STUDY takes\n"
+        "these and the set points from a study. Unless a hidden effect changes this, the weight of "
+        "the beads is\n"
+        "neglected. Normal stresses, inertial numbers and speeds are those that the instrument "
+        "displays; hidden\n"
+        "effects on it make the true ones differ.",
         examples(), true);
     options.set_first_word("OUT (the folder for the new study)");
-    declare(options, plan, words);
-    std::int64_t seed = 1;
+    LabOptions experiment(options);
+    std::int64_t seed = 1, noise_seed = 1;
     options.add("seed", &seed, "seed of simulations and instrument (default 1)");
-    bool dry = false;
-    options.add_switch("dry", &dry, "make no wet recordings");
+    options.add("noise-seed", &noise_seed, "seed of the instrument alone (default: --seed)");
+    std::string states;
+    options.add(
+        "states", &states,
+        "file of simulated states that laboratories share: those that differ only in noise, "
+        "seed of the noise, replicates, order, or in effects that leave the true states "
+        "alone simulate nothing again. No fit reads it",
+        a_file());
     const EffectOptions effects(options, arguments,
                                 "Hidden effects (values with their unit, as in \"0.1 mN m\"; a "
                                 "number without a unit is in SI "
@@ -198,30 +165,32 @@ int virtual_lab(const std::vector<std::string>& arguments) {
     if (common->out) {
         throw InputError("the study is written to OUT itself; leave out --out");
     }
-    if (dry && (options.given("wet-normal-stresses") || options.given("liquid-contents") ||
-                options.given("surface-tension"))) {
-        throw InputError(
-            "--dry leaves out what --wet-normal-stresses, --liquid-contents and --surface-tension "
-            "name; remove one or the other");
-    }
     const std::filesystem::path& folder = common->study;
     demand_new(folder);
+    std::vector<std::string> notes;
+    LabPlan plan = experiment.plan(options, notes);
     plan.seed = checked_seed(seed);
+    if (options.given("noise-seed")) plan.noise_seed = checked_seed(noise_seed);
     plan.fidelity = common->fidelity;
-    take(words, dry, plan);
+    plan.shared_states = !states.empty();
     plan.effects = effects.effects();
     check_plan(plan);
 
     const InterruptGuard guard;
     Console console(*common);
-    for (const double content : plan.liquid_contents) {
+    for (const std::string& note : notes) {
+        console.note(note);
+    }
+    for (const double content : contents_of(plan)) {
         if (const auto warning = pendular_range_warning(content)) {
             console.note(*warning);
         }
     }
     std::string phase;
+    const std::unique_ptr<RunStore> store = open_states(states, *common);
     const Workers workers{common->threads, guard.token(),
-                          [&](const EnsembleProgress& p) { console.progress(phase, p); }};
+                          [&](const EnsembleProgress& p) { console.progress(phase, p); },
+                          store.get()};
     const LabResult result =
         simulate_lab(plan, workers, [&](const std::string& name) { phase = name; });
     const auto truth = to_json(result);

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "data/printed_unit.h"
+#include "reports/with_error.h"
 #include "sim/lab/lab_plan.h"
 
 namespace pendular {
@@ -263,6 +264,13 @@ std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries) 
     return lines;
 }
 
+/// Standard error of the direct measurement of an effect's parameter, as the end of a sentence.
+std::string reachable_text(const Effect& effect) {
+    if (effect.reachable_error == 0) return "";
+    return fmt::format(", to a standard error of {}",
+                       with_unit(effect.reachable_error, effect.parameters.front().unit));
+}
+
 std::vector<std::string> effect_page(const EffectEntry& entry) {
     const Effect& effect = *entry.effect;
     std::vector<std::string> page = {fmt::format("{}: {}", effect.name, effect.summary)};
@@ -279,7 +287,8 @@ std::vector<std::string> effect_page(const EffectEntry& entry) {
     }
     if (!effect.acts_through.empty()) page.push_back(field("varies with", dependences(effect)));
     if (!effect.directly.empty()) {
-        page.push_back(field("measured by", effect.directly + "; see 'pendular next --help'"));
+        page.push_back(field("measured by", effect.directly + reachable_text(effect) +
+                                                "; see 'pendular next --help'"));
     }
     for (const std::string& reference : effect.references) {
         page.push_back(field(entry.written ? "written in" : "source", reference));

@@ -124,6 +124,17 @@ std::string deciding_error(double deviation, const std::string& unit) {
     return with_unit(std::floor(largest / digit) * digit, unit);
 }
 
+/// End of a sentence on the standard error that decides about a deviation of a parameter: whether
+/// the error that the study states for the direct measurement is small enough.
+std::string reached(const Effect& effect, double deviation) {
+    if (effect.reachable_error == 0) return "";
+    const bool decides =
+        effect.reachable_error <= std::abs(deviation) / std::sqrt(telling_directly);
+    return fmt::format("; {}, which the measurement reaches, {} enough",
+                       with_unit(effect.reachable_error, effect.parameters.front().unit),
+                       decides ? "is" : "is not");
+}
+
 /// Sentence on the value to expect if the effect is there, as the first of `models` that contains
 /// it says; empty where none determines it.
 std::string Steps::expected(const Effect& effect, const std::vector<Explanation>& models) const {
@@ -140,9 +151,9 @@ std::string Steps::expected(const Effect& effect, const std::vector<Explanation>
                 const double without = effect.unlisted_value(resolved_.study().liquid);
                 return fmt::format(
                     " If it is the cause, expect {} ({}; without the effect {}); a clearly "
-                    "different value speaks against it. A standard error of {} or less decides.",
+                    "different value speaks against it. A standard error of {} or less decides{}.",
                     with_error(value, error, p.unit), p.meaning, with_unit(without, p.unit),
-                    deciding_error(value - without, p.unit));
+                    deciding_error(value - without, p.unit), reached(effect, value - without));
             }
             at += static_cast<Eigen::Index>(candidate.free_parameters());
         }
@@ -201,10 +212,10 @@ std::string Steps::to_rule_out(const Effect& effect) const {
     const EffectParameter& p = effect.parameters.front();
     if (p.is_switch()) return "";
     return fmt::format(
-        " A standard error of {} or less shows whether the {} differs from {} by {}.",
+        " A standard error of {} or less shows whether the {} differs from {} by {}{}.",
         deciding_error(p.smallest_of_interest, p.unit), p.meaning,
         with_unit(effect.unlisted_value(resolved_.study().liquid), p.unit, 3),
-        with_unit(p.smallest_of_interest, p.unit));
+        with_unit(p.smallest_of_interest, p.unit), reached(effect, p.smallest_of_interest));
 }
 
 /// Whether an effect of the smallest size of interest would shift the fitted friction coefficient

@@ -1,5 +1,7 @@
 #include "analysis/design/next_measurement.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -109,6 +111,23 @@ Plan plan_for(std::size_t point, const Point& at, const std::vector<Forecasts>& 
     return plan;
 }
 
+/// Direct measurements of effects that the study defines, whose accuracy the study states there and
+/// neither in the rig's tables nor as a result.
+std::vector<StatedDirect> written_direct(const Study& study, const Rig& rig) {
+    std::vector<StatedDirect> all;
+    for (const WrittenEffect& written : study.written_effects) {
+        const auto known = [&](const std::vector<StatedDirect>& stated) {
+            return std::ranges::find(stated, written.name, &StatedDirect::effect) != stated.end();
+        };
+        if (written.measured_to == 0 || known(rig.direct) || known(study.direct)) continue;
+        all.push_back({.effect = written.name,
+                       .error = fmt::format("{} {}", written.measured_to, written.unit),
+                       .effect_position = written.name_position,
+                       .error_position = written.position});
+    }
+    return all;
+}
+
 }  // namespace
 
 std::vector<Point> points_of(const Rig& rig, const ResolvedStudy& resolved, double time) {
@@ -159,6 +178,9 @@ std::vector<Point> points_of(const Rig& rig, const ResolvedStudy& resolved, doub
     for (const StatedDirect& stated : rig.direct) {
         points.push_back({.direct = direct_measurement(stated, study, resolved.catalogue()),
                           .cost = stated.cost});
+    }
+    for (const StatedDirect& stated : written_direct(study, rig)) {
+        points.push_back({.direct = direct_measurement(stated, study, resolved.catalogue())});
     }
     return points;
 }

@@ -26,7 +26,8 @@ WrittenEffect::Kind kind_of(const std::string& target) {
 }
 
 Keys effect_keys() {
-    Keys keys = {"name", "parameter", "unit", "lower", "upper", "neutral", "matters", "summary"};
+    Keys keys = {"name",    "parameter", "unit",    "lower",       "upper",
+                 "neutral", "matters",   "summary", "measured_by", "measured_to"};
     for (const Keys& targets : {instrument_targets(), flow_targets(), condition_targets()})
         keys.insert(keys.end(), targets.begin(), targets.end());
     return keys;
@@ -157,6 +158,28 @@ std::vector<Formula> read_formulas(const StudyTable& table, const WrittenEffect&
     return formulas;
 }
 
+/// Reads a text of one line; empty if the key is missing.
+std::string line_of_text(const StudyTable& table, std::string_view key) {
+    const std::string text = table.text(key).value_or("");
+    if (text.find_first_of("\r\n") != std::string::npos) table.refuse(key, "must be one line");
+    return text;
+}
+
+/// Reads what measures the parameter of an effect directly.
+void read_direct_method(const StudyTable& table, WrittenEffect& effect) {
+    effect.measured_by = line_of_text(table, "measured_by");
+    if (!effect.measured_by.empty() && effect.parameter == "on")
+        table.refuse("measured_by", "a switch has no size that could be measured; leave it out");
+    const auto error = table.quantity_in("measured_to", parameter_unit(table));
+    if (!error) return;
+    if (!(*error > 0)) table.refuse("measured_to", "must be a standard error above 0");
+    if (effect.measured_by.empty())
+        table.refuse("measured_to",
+                     "is the standard error of a direct measurement; add measured_by "
+                     "= \"...\", which says what measures the parameter");
+    effect.measured_to = *error;
+}
+
 WrittenEffect read_effect(const StudyTable& table) {
     WrittenEffect effect;
     effect.position = table.position();
@@ -176,9 +199,8 @@ WrittenEffect read_effect(const StudyTable& table) {
         check_switch(table);
     else
         read_bounds(table, effect);
-    effect.summary = table.text("summary").value_or("");
-    if (effect.summary.find_first_of("\r\n") != std::string::npos)
-        table.refuse("summary", "must be one line");
+    effect.summary = line_of_text(table, "summary");
+    read_direct_method(table, effect);
     effect.formulas = read_formulas(table, effect);
     return effect;
 }

@@ -32,6 +32,11 @@ struct WrittenEffect {
     double smallest_of_interest = 1;
     /// Description of the effect in one line; empty if the user gave no description.
     std::string summary = {};
+    /// Instrument or method that measures the parameter without shearing grains; empty if the user
+    /// stated none.
+    std::string measured_by = {};
+    /// Standard error that this measurement reaches, in the parameter's unit; 0 if not stated.
+    double measured_to = 0;
     std::vector<Formula> formulas;  ///< one formula for each quantity that the effect changes
     Position position;              ///< position of the effect's table [[effect]] in study.toml
     /// Positions of the values of the keys `name` and `parameter` in study.toml.

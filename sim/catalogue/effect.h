@@ -94,6 +94,8 @@ struct Effect {
     /// Instrument or method that measures the effect's parameter without shearing grains, such as
     /// "a viscometer"; empty if none is known.
     std::string directly = {};
+    /// Standard error that this measurement reaches, in the parameter's unit; 0 if unknown.
+    double reachable_error = 0;
     std::vector<std::string> references;  ///< publications that describe the effect
 
     /// Whether the effect acts on the instrument, so that it changes the state of the cell that the

@@ -442,6 +442,8 @@ Effect effect_of(const WrittenEffect& written) {
             .change = change_of(shown, written.parameter),
             .touches = shown->touches(),
             .acts_through = shown->covariates(written.parameter),
+            .directly = written.measured_by,
+            .reachable_error = written.measured_to,
             .references = {fmt::format("{}:{}", file, written.position.line)}};
 }
 

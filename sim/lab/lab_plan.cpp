@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -22,6 +23,10 @@ constexpr double size_ratio = 1.5;
 /// Size of pilot runs over that of the fidelity, and their strain. Pilots may be small and short,
 /// since bridge volumes are needed only to 3 %.
 constexpr double pilot_share_of_beads = 0.5, pilot_strain = 1;
+/// Largest simulated stiffness number. Stiffer grains differ by 4/kappa = 0.013 % in solid
+/// fraction, less than a tenth of the instrument's 0.2 %; a run costs sqrt(kappa).
+constexpr double stiffest = 3e4;
+
 /// Checks that all values are positive and differ from each other by at least 5 %, which is more
 /// than replicates differ.
 /// @throws InputError where they do not
@@ -43,8 +48,22 @@ void demand_distinct(const std::vector<double>& values, const std::string& what)
 
 void check_cell(const LabPlan& plan) {
     constexpr double fewest_layers = 5, loose = 0.6;
+    const AnnularCell& cell = plan.cell;
+    const double diameter = plan.grains.diameter;
     if (!(plan.cell.bead_volume > 0)) {
         throw InputError("the bead mass must be above 0");
+    }
+    if (!(cell.inner_radius >= 0 && cell.outer_radius > cell.inner_radius)) {
+        throw InputError(
+            fmt::format("an outer radius of {:g} mm is not above the inner radius of {:g} mm",
+                        1e3 * cell.outer_radius, 1e3 * cell.inner_radius));
+    }
+    if (const double width = cell.outer_radius - cell.inner_radius;
+        width < fewest_layers * diameter) {
+        throw InputError(fmt::format(
+            "the annulus is {:.3g} mm wide, less than {:g} diameters of beads of {:.3g} mm; use "
+            "smaller beads or a wider cell",
+            1e3 * width, fewest_layers, 1e3 * diameter));
     }
     if (height(loose, plan.cell) < fewest_layers * plan.grains.diameter) {
         throw InputError(
@@ -55,39 +74,73 @@ void check_cell(const LabPlan& plan) {
     }
 }
 
+/// @throws InputError where a value of the instrument is outside of its range; `option` names it
+void demand_between(const char* option, double value, double lower, double upper) {
+    if (!(value >= lower && value <= upper)) {
+        throw InputError(
+            fmt::format("{} {:g} is not between {:g} and {:g}", option, value, lower, upper));
+    }
+}
+
+void check_noise(const Instrument& instrument) {
+    constexpr double largest_noise = 10, largest_error = 0.5, longest_correlation = 10;
+    demand_between("--noise", instrument.noise, 0, largest_noise);
+    demand_between("--drift", instrument.drift, 0, largest_noise);
+    demand_between("--torque-scatter", instrument.torque_error, 0, largest_error);
+    demand_between("--solid-fraction-scatter", instrument.solid_fraction_error, 0, largest_error);
+    demand_between("--force-scatter", instrument.force_noise, 0, largest_error);
+    demand_between("--scatter-within-steps", instrument.share_within, 0, 1);
+    demand_between("--torque-drift", instrument.torque_drift.value_or(0), 0, largest_error);
+    demand_between("--gap-drift", instrument.gap_drift.value_or(0), 0, largest_error);
+    demand_between("--force-drift", instrument.force_drift.value_or(0), 0, largest_error);
+    for (const double strain : {instrument.torque_correlation, instrument.gap_correlation,
+                                instrument.force_correlation}) {
+        demand_between("--correlation-strain", strain, 0, longest_correlation);
+    }
+}
+
 void check_instrument(const LabPlan& plan) {
-    constexpr double largest_noise = 10;
-    constexpr int fewest_rows = 200, most_rows = 100'000, most_replicates = 99;
-    if (!(plan.instrument.noise >= 0 && plan.instrument.noise <= largest_noise)) {
-        throw InputError(fmt::format("--noise {:g} is not between 0 and {:g}",
-                                     plan.instrument.noise, largest_noise));
-    }
-    if (!(plan.instrument.drift >= 0 && plan.instrument.drift <= largest_noise)) {
-        throw InputError(fmt::format("--drift {:g} is not between 0 and {:g}",
-                                     plan.instrument.drift, largest_noise));
-    }
+    // Shorter steps than 20 rows are no steps to `import`, which also needs a strain of 1 after the
+    // transient.
+    constexpr int fewest_rows = shortest_step, most_rows = 100'000, most_replicates = 99;
+    constexpr double least_strain = 2, most_strain = 1000;
+    check_noise(plan.instrument);
+    demand_between("--step-strain", plan.instrument.step_strain, least_strain, most_strain);
     if (plan.instrument.rows < fewest_rows || plan.instrument.rows > most_rows) {
         throw InputError(fmt::format("--rows {} is not between {} and {}", plan.instrument.rows,
                                      fewest_rows, most_rows));
     }
-    if (plan.replicates < 1 || plan.replicates > most_replicates) {
-        throw InputError(fmt::format("--replicates {} is not between 1 and {}", plan.replicates,
-                                     most_replicates));
+    for (const LabSeries& series : series_of(plan)) {
+        if (series.replicates < 1 || series.replicates > most_replicates) {
+            throw InputError(fmt::format("--replicates {} is not between 1 and {}",
+                                         series.replicates, most_replicates));
+        }
     }
 }
 
+/// Checks the runs of one step.
+/// @throws InputError, std::invalid_argument where they cannot be simulated
+void check_runs_of(const LabPlan& plan, const Condition& asked) {
+    const EffectiveCondition condition = imposed_condition(plan, asked);
+    const double volume = first_bridge_volume(condition.liquid_content);
+    check_run(run_at(plan, condition, volume));
+    if (!condition.dry()) check_run(pilot_at(plan, condition, volume));
+}
+
 void check_runs(const LabPlan& plan) {
-    try {
-        for (const PlannedRecording& recording : recordings_of(plan)) {
-            for (const Condition& asked : recording.conditions) {
-                const EffectiveCondition condition = imposed_condition(plan, asked);
-                const double volume = first_bridge_volume(condition.liquid_content);
-                check_run(run_at(plan, condition, volume));
-                if (!condition.dry()) check_run(pilot_at(plan, condition, volume));
+    for (const PlannedRecording& recording : recordings_of(plan)) {
+        for (std::size_t k = 0; k < recording.conditions.size(); ++k) {
+            const Condition& asked = recording.conditions[k];
+            try {
+                check_runs_of(plan, asked);
+            } catch (const std::invalid_argument& error) {
+                const double speed = recording.angular_velocities[k];
+                if (speed == 0) throw InputError(error.what());
+                throw InputError(
+                    fmt::format("at {:.4g} rpm and {:g} Pa: {}; use another speed or normal stress",
+                                speed * 30 / std::numbers::pi, asked.normal_stress, error.what()));
             }
         }
-    } catch (const std::invalid_argument& error) {
-        throw InputError(error.what());
     }
 }
 
@@ -125,7 +178,8 @@ void check_effects(const LabPlan& plan) {
         if (const std::string why = why_not_in_lab(*active.effect); !why.empty()) {
             throw InputError(what + " " + why);
         }
-        if (active.effect->touches == Touches::wet && plan.liquid_contents.empty()) {
+        const auto contents = contents_of(plan);
+        if (active.effect->touches == Touches::wet && *std::ranges::max_element(contents) == 0) {
             throw InputError(fmt::format(
                 "{} acts on wet grains only, and there are no wet recordings; leave it out, or "
                 "record wet grains too",
@@ -146,44 +200,13 @@ std::string why_not_in_lab(const Effect& effect) {
            "the grains flow";
 }
 
-std::vector<Condition> conditions_of(const LabPlan& plan, double liquid_content) {
-    std::vector<Condition> conditions;
-    for (const double stress :
-         liquid_content > 0 ? plan.wet_normal_stresses : plan.dry_normal_stresses) {
-        for (const double inertial_number : plan.inertial_numbers) {
-            conditions.push_back({.normal_stress = stress,
-                                  .inertial_number = inertial_number,
-                                  .liquid_content = liquid_content,
-                                  .height = {}});
-        }
-    }
-    return conditions;
-}
-
 std::vector<double> contents_of(const LabPlan& plan) {
-    std::vector<double> contents = {0};
-    contents.insert(contents.end(), plan.liquid_contents.begin(), plan.liquid_contents.end());
-    return contents;
-}
-
-std::vector<PlannedRecording> recordings_of(const LabPlan& plan) {
-    std::vector<PlannedRecording> recordings;
-    const auto width = std::to_string(plan.replicates).size();
-    double now = 0;  // recordings follow one another
-    for (const double content : contents_of(plan)) {
-        for (int replicate = 1; replicate <= plan.replicates; ++replicate) {
-            const std::string kind = content > 0 ? fmt::format("wet_{:g}", content) : "dry";
-            PlannedRecording recording{
-                .file = fmt::format("{}_{:0{}}.csv", kind, replicate, width),
-                .liquid_content = content,
-                .replicate = replicate,
-                .seed = seed_of_run(plan.seed, recordings.size(), SeedDomain::instrument),
-                .conditions = conditions_of(plan, content)};
-            now += time_steps(recording.conditions, plan.grains, plan.instrument, now);
-            recordings.push_back(std::move(recording));
-        }
+    std::vector<double> contents;
+    for (const LabSeries& series : series_of(plan)) {
+        if (std::ranges::find(contents, series.liquid_content) == contents.end())
+            contents.push_back(series.liquid_content);
     }
-    return recordings;
+    return contents;
 }
 
 namespace {
@@ -206,13 +229,31 @@ InstrumentMap map_of(const LabPlan& plan, const Condition& asked) {
 
 }  // namespace
 
-EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked) {
-    constexpr FlowPoint typical{.stress_ratio = 0.3, .solid_fraction = 0.6};
+EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked,
+                                     const FlowPoint& flow) {
     Condition condition = asked;
     if (const InstrumentMap map = map_of(plan, asked); !map.empty()) {
-        condition = true_condition(asked, truth_of(plan, asked, typical, map), map);
+        condition = true_condition(asked, truth_of(plan, asked, flow, map), map);
     }
     return changed_condition(std::move(condition), plan.effects, plan.liquid);
+}
+
+double inertial_number_at_speed(const LabPlan& plan, Condition asked, double angular_velocity,
+                                const FlowPoint& flow) {
+    // The shown height depends on the inertial number only where an effect makes it depend on the
+    // speed, and hardly even then.
+    constexpr int most_rounds = 20;
+    const InstrumentMap map = map_of(plan, asked);
+    double shown_height = height(flow.solid_fraction, plan.cell), before = 0;
+    for (int round = 0; round < most_rounds && shown_height != before; ++round) {
+        before = shown_height;
+        asked.inertial_number =
+            inertial_number(shear_rate(angular_velocity, shown_height, plan.cell),
+                            asked.normal_stress, plan.grains);
+        if (map.empty()) break;
+        shown_height = map.show(truth_of(plan, asked, flow, map)).height;
+    }
+    return asked.inertial_number;
 }
 
 std::function<CellState(double)> shown_over_time(const LabPlan& plan, const Condition& asked,
@@ -244,7 +285,9 @@ dem::RunParameters run_at(const LabPlan& plan, const EffectiveCondition& conditi
     dem::RunParameters run{
         .friction = plan.friction + condition.friction_difference,
         .inertial_number = condition.inertial_number,
-        .stiffness_number = plan.fidelity.stiffness_number,
+        .stiffness_number =
+            std::min(stiffest, stiffness_number(condition.normal_stress, plan.grains)
+                                   .value_or(plan.fidelity.stiffness_number)),
         .poisson_ratio = plan.grains.poisson_ratio,
         .wetting = {},
         .grains = static_cast<int>(std::lround(size_ratio * plan.fidelity.grains)),
@@ -268,13 +311,16 @@ dem::RunParameters pilot_at(const LabPlan& plan, const EffectiveCondition& condi
 }
 
 void check_plan(const LabPlan& plan) {
-    if (plan.dry_normal_stresses.empty() || plan.inertial_numbers.empty()) {
+    const bool speeds = !plan.angular_velocities.empty();
+    if (plan.series.empty() &&
+        (plan.dry_normal_stresses.empty() || (plan.inertial_numbers.empty() && !speeds))) {
         throw InputError("there is nothing to measure: give normal stresses and inertial numbers");
     }
     demand_distinct(plan.dry_normal_stresses, "dry normal stress");
     demand_distinct(plan.wet_normal_stresses, "wet normal stress");
     demand_distinct(plan.liquid_contents, "liquid content");
     demand_distinct(plan.inertial_numbers, "inertial number");
+    demand_distinct(plan.angular_velocities, "angular velocity [rad/s]");
     check_cell(plan);
     check_instrument(plan);
     check_effects(plan);

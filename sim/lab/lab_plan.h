@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,25 @@
 #include "sim/runs/fidelity.h"
 
 namespace pendular {
+
+/// Order in which the steps of a recording are measured: as the plan lists them, by increasing or
+/// decreasing normal stress, in a random order that differs from recording to recording, or with
+/// the normal stress increasing and then decreasing over the same values.
+enum class StepOrder { as_listed, increasing, decreasing, random, up_and_down };
+
+/// Set points of one step: normal stress and either inertial number or angular velocity of the lid.
+struct LabSetPoint {
+    double normal_stress = 0;     ///< normal stress that the instrument shows [Pa]
+    double inertial_number = 0;   ///< inertial number that the instrument shows [1]; 0: see next
+    double angular_velocity = 0;  ///< angular velocity that the instrument shows [rad/s]; 0: unused
+};
+
+/// Recordings of equal liquid content and equal set points.
+struct LabSeries {
+    double liquid_content = 0;  ///< liquid volume divided by grain volume [1]; 0: dry
+    std::vector<LabSetPoint> steps;
+    int replicates = 1;
+};
 
 /// Plan of a virtual laboratory, which simulates rheometer recordings to test whether a calibration
 /// finds the true friction coefficient and the true physical effects. The plan contains the true
@@ -31,6 +51,13 @@ struct LabPlan {
     std::vector<double> liquid_contents = {0.007, 0.03};
     /// Inertial numbers of the recordings of dry grains and of wet grains [1].
     std::vector<double> inertial_numbers = {3e-3, 3e-2};
+    /// Angular velocities of the lid [rad/s], in place of inertial numbers. The inertial number of
+    /// a step then follows from the height of the sample, which follows from the simulated solid
+    /// fraction.
+    std::vector<double> angular_velocities;
+    /// Recordings to make, in place of all lists above and of `replicates`.
+    std::vector<LabSeries> series;
+    StepOrder order = StepOrder::as_listed;
     /// Physical effects, with parameter values, that act in the simulated recordings. The file
     /// study.toml that the virtual laboratory writes does not list the effects, since a calibration
     /// has to find them.
@@ -39,6 +66,11 @@ struct LabPlan {
     Instrument instrument;
     Fidelity fidelity;
     std::uint64_t seed = 1;
+    /// Seed of the noise of the instrument; empty: `seed`.
+    std::optional<std::uint64_t> noise_seed;
+    /// Whether the seed of a run follows from the parameters of the run, so that laboratories
+    /// share their simulated states; otherwise from the run's place in the plan.
+    bool shared_states = false;
 };
 
 /// Planned recording of a virtual laboratory: one pass through all steps of constant set points at
@@ -54,7 +86,10 @@ struct PlannedRecording {
     /// Requested condition (normal stress, inertial number and liquid content) of each step of the
     /// recording. The member `time` of a condition is the mean time [s], since the first recording
     /// began, of the part of the step after the start-up transient.
-    std::vector<Condition> conditions;
+    std::vector<Condition> conditions = {};
+    /// Angular velocity of the lid in each step [rad/s]; 0 in a step of given inertial number. The
+    /// inertial numbers of other steps are those of a typical solid fraction of 0.6.
+    std::vector<double> angular_velocities = {};
 };
 
 /// Returns all recordings of a plan in the order of measurement, without pauses between recordings.
@@ -64,18 +99,33 @@ struct PlannedRecording {
 /// acts during the whole step as at this mean time.
 std::vector<PlannedRecording> recordings_of(const LabPlan& plan);
 
+/// Sets the times of all steps of recordings that follow one another without pauses.
+void set_times(const LabPlan& plan, std::vector<PlannedRecording>& recordings);
+
 /// Returns the true condition of the grains (normal stress, inertial number and liquid content, in
 /// SI units) at which the instrument shows the requested condition. The function inverts the
 /// effects on the instrument and applies the effects on properties of grains and liquid
 /// (`ChangeCondition`). The member `grain_effects` of the result lists the effects on grains that a
 /// simulation must contain.
 ///
-/// The height of the sample follows from a typical solid fraction of 0.6, since the simulated
-/// height is not known yet. The resulting error of the condition is about 0.1 %.
+/// The height of the sample follows from `flow`: by default from a typical solid fraction of 0.6,
+/// since the simulated height is not known yet. The resulting error of the condition is about
+/// 0.1 %.
 /// @param asked requested condition, which the instrument shows
 /// @throws InputError if there is no true state that the instrument shows as the requested
 ///         condition
-EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked);
+EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked,
+                                     const FlowPoint& flow = {.stress_ratio = 0.3,
+                                                              .solid_fraction = 0.6});
+
+/// Returns the inertial number [1] that the instrument shows while the lid turns at a shown angular
+/// velocity [rad/s].
+///     I = omega (Ri + Re)/(2 H) sqrt(m/(a s22))      omega, H, s22 as the instrument shows them
+/// @param asked requested normal stress, liquid content and time
+/// @param flow true stress ratio [1] and true solid fraction [1] of the grains
+/// @throws InputError if there is no true state that the instrument shows as requested
+double inertial_number_at_speed(const LabPlan& plan, Condition asked, double angular_velocity,
+                                const FlowPoint& flow);
 
 /// Returns a function that computes the state of the cell that the instrument shows, without noise,
 /// from the time [s] since the first recording began. At the time `asked.time`, the instrument
@@ -101,13 +151,12 @@ std::string why_not_in_lab(const Effect& effect);
 /// @throws InputError if the plan fails a check; the message names the mistake
 void check_plan(const LabPlan& plan);
 
-/// Returns the requested condition (normal stress, inertial number and liquid content) of each step
-/// of a planned recording, in the order of measurement. The times of the conditions are not set.
-/// @param liquid_content liquid content of the recording [1]: liquid volume divided by grain volume
-std::vector<Condition> conditions_of(const LabPlan& plan, double liquid_content);
+/// Returns the series of recordings of a plan, in the order of measurement: `plan.series` or, if
+/// this list is empty, one series of dry grains and one for each liquid content.
+std::vector<LabSeries> series_of(const LabPlan& plan);
 
-/// Returns the liquid contents of a plan's recordings [1]: first 0 for dry grains, then the values
-/// of `plan.liquid_contents`. A liquid content is the liquid volume divided by the grain volume.
+/// Returns the liquid contents of a plan's recordings [1], each once, in the order of measurement.
+/// A liquid content is the liquid volume divided by the grain volume.
 std::vector<double> contents_of(const LabPlan& plan);
 
 /// Returns the parameters of the simulation run for a true condition of the grains, in reduced

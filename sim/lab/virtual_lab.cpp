@@ -17,10 +17,13 @@ namespace {
 
 constexpr int most_attempts = 4;
 
-/// Carries out the runs of one laboratory, with consecutive seeds.
+/// Carries out the runs of one laboratory, with consecutive seeds or, where laboratories share
+/// their states, with seeds that follow from the parameters of a run and from how often it was
+/// wanted.
 class Runs {
   public:
-    Runs(const LabPlan& plan, const Workers& workers) : seed_(plan.seed), workers_(workers) {}
+    Runs(const LabPlan& plan, const Workers& workers)
+        : seed_(plan.seed), shared_(plan.shared_states), workers_(workers) {}
 
     /// Carries out runs with new seeds, and repeats with other seeds the runs for which `complaint`
     /// returns a reason why they are unusable. Returns the usable results in the order of `runs`.
@@ -36,7 +39,7 @@ class Runs {
         for (int attempt = 1; !which.empty(); ++attempt) {
             std::vector<dem::RunParameters> batch;
             for (const std::size_t k : which) {
-                runs[k].seed = seed_of_run(seed_, ordered_++, SeedDomain::virtual_lab);
+                runs[k].seed = seed_of_run(seed_, place_of(runs[k]), SeedDomain::virtual_lab);
                 batch.push_back(runs[k]);
             }
             const auto done = run_all(batch, workers_);
@@ -56,6 +59,14 @@ class Runs {
     const std::vector<std::string>& notes() const { return notes_; }
 
   private:
+    /// Returns the number from which the seed of the next run with these parameters follows.
+    std::uint64_t place_of(dem::RunParameters run) {
+        if (!shared_) return ordered_++;
+        run.seed = 0;
+        const std::string what = run_description(run);
+        return fingerprint(fmt::format("{} {}", what, wanted_[what]++));
+    }
+
     void note_or_give_up(const dem::RunParameters& p, const std::string& why, int attempt) {
         const std::string what = fmt::format(
             "a simulation at inertial number {:g}{} {}", p.inertial_number,
@@ -71,8 +82,10 @@ class Runs {
     }
 
     std::uint64_t seed_;
+    bool shared_;
     const Workers& workers_;
     std::uint64_t ordered_ = 0;
+    std::map<std::string, std::uint64_t> wanted_;  ///< how often runs were wanted, by description
     std::vector<std::string> notes_;
 };
 
@@ -85,20 +98,95 @@ std::string unusable(const dem::RunResult& run) {
     return why.empty() && !run.steady ? "was never steady" : why;
 }
 
-/// Returns the recordings of a plan, with the condition of each step but without runs.
-std::vector<LabRecording> planned_recordings(const LabPlan& plan) {
+FlowPoint flow_of(const dem::RunResult& run) {
+    return {run[dem::Observable::stress_ratio].value, run[dem::Observable::solid_fraction].value};
+}
+
+/// Steps of given angular velocity, whose inertial numbers follow from the flow in pilot runs.
+class StepsAtSpeed {
+  public:
+    StepsAtSpeed(const LabPlan& plan, const std::vector<PlannedRecording>& recordings)
+        : plan_(plan) {
+        for (const PlannedRecording& recording : recordings) {
+            for (std::size_t k = 0; k < recording.conditions.size(); ++k) {
+                if (recording.angular_velocities[k] > 0) add(recording.conditions[k]);
+            }
+        }
+    }
+
+    const std::vector<dem::RunParameters>& pilots() const { return pilots_; }
+    void set_flows(const std::vector<dem::RunResult>& runs) {
+        std::ranges::transform(runs, std::back_inserter(flows_), flow_of);
+    }
+    /// Returns the flow in the pilot run of a step.
+    const FlowPoint& flow(const Condition& asked) const {
+        return flows_[places_.at(run_description(pilot(asked)))];
+    }
+
+  private:
+    dem::RunParameters pilot(const Condition& asked) const {
+        const EffectiveCondition imposed = imposed_condition(plan_, asked);
+        return pilot_at(plan_, imposed,
+                        imposed.dry() ? 0 : first_bridge_volume(imposed.liquid_content));
+    }
+    void add(const Condition& asked) {
+        const dem::RunParameters run = pilot(asked);
+        if (places_.emplace(run_description(run), pilots_.size()).second) pilots_.push_back(run);
+    }
+
+    const LabPlan& plan_;
+    std::vector<dem::RunParameters> pilots_;
+    std::vector<FlowPoint> flows_;
+    std::map<std::string, std::size_t> places_;
+};
+
+/// Returns the planned recordings, with the true condition of each step but without runs. The flow
+/// of a step of given speed comes from `steps`.
+std::vector<LabRecording> without_runs(const LabPlan& plan, std::vector<PlannedRecording> planned,
+                                       const StepsAtSpeed& steps) {
+    std::vector<std::vector<FlowPoint>> flows;
+    for (PlannedRecording& recording : planned) {
+        flows.emplace_back(recording.conditions.size(), FlowPoint{0.3, 0.6});
+        for (std::size_t k = 0; k < recording.conditions.size(); ++k) {
+            Condition& asked = recording.conditions[k];
+            const double speed = recording.angular_velocities[k];
+            if (speed == 0) continue;
+            flows.back()[k] = steps.flow(asked);
+            asked.inertial_number = inertial_number_at_speed(plan, asked, speed, flows.back()[k]);
+        }
+    }
+    if (!steps.pilots().empty()) set_times(plan, planned);
     std::vector<LabRecording> recordings;
-    for (const PlannedRecording& planned : recordings_of(plan)) {
-        LabRecording recording{.file = planned.file,
-                               .liquid_content = planned.liquid_content,
-                               .replicate = planned.replicate,
-                               .seed = planned.seed};
-        for (const Condition& condition : planned.conditions) {
-            recording.steps.push_back({condition, imposed_condition(plan, condition), {}});
+    for (std::size_t r = 0; r < planned.size(); ++r) {
+        LabRecording recording{.file = planned[r].file,
+                               .liquid_content = planned[r].liquid_content,
+                               .replicate = planned[r].replicate,
+                               .seed = planned[r].seed,
+                               .steps = {}};
+        for (std::size_t k = 0; k < planned[r].conditions.size(); ++k) {
+            const Condition& condition = planned[r].conditions[k];
+            recording.steps.push_back({condition,
+                                       imposed_condition(plan, condition, flows[r][k]),
+                                       {},
+                                       planned[r].angular_velocities[k]});
         }
         recordings.push_back(std::move(recording));
     }
     return recordings;
+}
+
+/// Returns the recordings of a plan without runs; pilot runs find the inertial numbers at given
+/// angular velocities.
+std::vector<LabRecording> planned_recordings(const LabPlan& plan, Runs& runs, std::size_t& pilots,
+                                             const AnnouncePhase& announce) {
+    std::vector<PlannedRecording> planned = recordings_of(plan);
+    StepsAtSpeed steps(plan, planned);
+    if (!steps.pilots().empty()) {
+        announce("simulations that seek the heights");
+        steps.set_flows(runs.simulate_all(steps.pilots(), failed_or_crystallised));
+        pilots += steps.pilots().size();
+    }
+    return without_runs(plan, std::move(planned), steps);
 }
 
 /// Distinct wet conditions of all recordings, each of which needs its own bridge volume.
@@ -146,10 +234,12 @@ std::vector<double> find_bridge_volumes(const LabPlan& plan,
     std::vector<double> contents;
     std::ranges::transform(conditions, std::back_inserter(contents),
                            &EffectiveCondition::liquid_content);
+    bool first = true;
     return bridge_volumes(
         contents, [&](std::span<const std::size_t> which, std::span<const double> volumes) {
-            announce(result.pilots == 0 ? "simulations that seek the bridge volumes"
-                                        : "second simulations that seek the bridge volumes");
+            announce(first ? "simulations that seek the bridge volumes"
+                           : "second simulations that seek the bridge volumes");
+            first = false;
             std::vector<dem::RunParameters> pilots;
             for (std::size_t i = 0; i < which.size(); ++i) {
                 pilots.push_back(pilot_at(plan, conditions[which[i]], volumes[i]));
@@ -168,13 +258,15 @@ void note_scatter(LabResult& result) {
     const double noise = result.plan.instrument.noise;
     const double torque = typical_error(result, dem::Observable::stress_ratio);
     const double fraction = typical_error(result, dem::Observable::solid_fraction);
-    if (torque > noise * torque_scatter || fraction > noise * solid_fraction_scatter) {
+    const double torque_error = result.plan.instrument.torque_error;
+    const double fraction_error = result.plan.instrument.solid_fraction_error;
+    if (torque > noise * torque_error || fraction > noise * fraction_error) {
         result.notes.push_back(
             fmt::format("the simulations alone cause a scatter of {:.2g} % in torque and {:.2g} % "
                         "in solid fraction, whereas --noise {:g} requests a total of {:g} % and "
                         "{:g} %; a higher fidelity reduces the scatter",
-                        100 * torque, 100 * fraction, noise, 100 * noise * torque_scatter,
-                        100 * noise * solid_fraction_scatter));
+                        100 * torque, 100 * fraction, noise, 100 * noise * torque_error,
+                        100 * noise * fraction_error));
     }
 }
 
@@ -209,8 +301,9 @@ double typical_error(const LabResult& result, dem::Observable which) {
 LabResult simulate_lab(const LabPlan& plan, const Workers& workers, const AnnouncePhase& announce) {
     check_plan(plan);
     const AnnouncePhase tell = announce ? announce : [](const std::string&) {};
-    LabResult result{.plan = plan, .recordings = planned_recordings(plan)};
     Runs runs(plan, workers);
+    LabResult result{.plan = plan};
+    result.recordings = planned_recordings(plan, runs, result.pilots, tell);
     const WetConditions wet(plan, result.recordings);
     const std::vector<double> volumes = find_bridge_volumes(plan, wet.all(), runs, result, tell);
 
@@ -228,6 +321,10 @@ LabResult simulate_lab(const LabPlan& plan, const Workers& workers, const Announ
     for (LabRecording& recording : result.recordings) {
         for (LabStep& step : recording.steps) {
             step.run = *next++;
+            if (step.angular_velocity > 0) {
+                step.condition.inertial_number = inertial_number_at_speed(
+                    plan, step.condition, step.angular_velocity, flow_of(step.run));
+            }
         }
     }
     result.notes = runs.notes();

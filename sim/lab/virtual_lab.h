@@ -17,6 +17,9 @@ struct LabStep {
     Condition condition;         ///< requested condition of the step, which the instrument shows
     EffectiveCondition imposed;  ///< true condition of the grains in the step (`imposed_condition`)
     dem::RunResult run;          ///< result of the simulation at the true condition of the step
+    /// Angular velocity of the lid that the instrument shows [rad/s]; 0: as the inertial number of
+    /// `condition` and the height demand.
+    double angular_velocity = 0;
 };
 
 /// Simulated recording of a virtual laboratory: one pass through all steps of constant set points
@@ -36,21 +39,27 @@ struct LabRecording {
 struct LabResult {
     LabPlan plan;
     std::vector<LabRecording> recordings;
-    /// Number of pilot runs: short simulations that determine the volumes of the liquid bridges.
+    /// Number of pilot runs: short simulations that determine the volumes of the liquid bridges,
+    /// and the solid fractions at given angular velocities.
     std::size_t pilots = 0;
     /// Messages for the user about the simulations, for example about runs that were repeated.
     std::vector<std::string> notes;
 };
 
 /// Callback that receives the name of a group of simulations of a virtual laboratory before the
-/// group begins. The names are "simulations that seek the bridge volumes", "second simulations that
-/// seek the bridge volumes" and "recordings".
+/// group begins. The names are "simulations that seek the heights", "simulations that seek the
+/// bridge volumes", "second simulations that seek the bridge volumes" and "recordings".
 using AnnouncePhase = std::function<void(const std::string&)>;
 
 /// Simulates each step of each planned recording, and returns the recordings in the order of the
 /// plan. Short pilot runs first determine the bridge volumes that give the planned liquid contents.
 /// Each step has a simulation run with a seed of its own and 1.5 times as many grains as
 /// `plan.fidelity` prescribes. The seeds differ from the seeds of a calibration (`SeedDomain`).
+///
+/// The inertial number of a step at given angular velocity depends on the height of the sample,
+/// that is on the solid fraction. A pilot run at the inertial number of a typical solid fraction of
+/// 0.6 finds the solid fraction to about 0.5 %, and the run of the step has the inertial number
+/// that follows from it. The step is recorded at exactly the given angular velocity.
 ///
 /// A run that fails, crystallises or is not steady is repeated with a new seed, at most three
 /// times. A pilot run need not be steady.

@@ -10,20 +10,11 @@
 namespace pendular {
 namespace {
 
-constexpr double step_strain = 20, transient_strain = 0.5;
+constexpr double transient_strain = 0.5;
 
 // Start-up: the torque rises elastically, overshoots and softens while the sample dilates.
 constexpr double elastic_strain = 0.02, softening_strain = 0.15;
 constexpr double overshoot = 0.3, dilation = 0.02;
-
-/// Strains over which noise decorrelates; simulated stress ratios and solid fractions do so over
-/// 0.03 and 0.1 to 0.2.
-constexpr double torque_correlation_strain = 0.03, height_correlation_strain = 0.1;
-
-constexpr double load_cell_noise = 0.002;
-
-/// Standard deviation due to noise within the step, over the total scatter of the step's mean.
-constexpr double share_within = 0.25;
 
 double square(double x) {
     return x * x;
@@ -39,13 +30,17 @@ class InstrumentNoise {
     std::normal_distribution<double> normal_;
 };
 
-/// First-order autoregressive noise x_k = rho x_(k-1) + ... whose mean over `rows` has a given
-/// standard error se, so that its variance is se^2 rows (1 - rho)/(1 + rho).
+/// First-order autoregressive noise x_k = rho x_(k-1) + ..., white if rho = 0.
 class CorrelatedNoise {
   public:
+    /// Noise whose mean over `rows` has a given standard error se, so that its variance is
+    /// se^2 rows (1 - rho)/(1 + rho).
     CorrelatedNoise(double error_of_mean, double correlation_rows, double rows)
         : keep_(std::exp(-1 / correlation_rows)),
           deviation_(error_of_mean * std::sqrt(rows * (1 - keep_) / (1 + keep_))) {}
+    /// Noise of a given standard deviation.
+    CorrelatedNoise(double deviation, double correlation_rows)
+        : keep_(std::exp(-1 / correlation_rows)), deviation_(deviation) {}
 
     double next(InstrumentNoise& random) {
         const double fresh = random();
@@ -63,7 +58,7 @@ class CorrelatedNoise {
 
 /// Returns the random factor of a step, with the part of the scatter that is not due to the
 /// simulation's standard error or to noise within the step.
-double factor(const Mean& simulated, double scatter, InstrumentNoise& random) {
+double factor(const Mean& simulated, double scatter, double share_within, InstrumentNoise& random) {
     const double known = square(simulated.standard_error / simulated.value);
     const double left = square(scatter) * (1 - square(share_within)) - known;
     return 1 + std::sqrt(std::max(0.0, left)) * random();
@@ -90,7 +85,7 @@ CellState as_it_is(const TrueState& state, const AnnularCell& cell, const GrainP
 
 /// Time between rows of a step [s].
 double spacing_of_rows(const Instrument& instrument, double shear_rate) {
-    return step_strain / instrument.rows / shear_rate;
+    return instrument.step_strain / instrument.rows / shear_rate;
 }
 
 Level level_of(const TrueState& state, const AnnularCell& cell, const GrainProperties& grains,
@@ -100,9 +95,11 @@ Level level_of(const TrueState& state, const AnnularCell& cell, const GrainPrope
     const CellState shown = state.shown ? state.shown(c.time) : as_it_is(state, cell, grains);
     // Separate statements fix the order in which random numbers are drawn, which determines the
     // recording.
-    const double of_torque = factor(state.stress_ratio, instrument.noise * torque_scatter, random);
-    const double of_height =
-        factor(state.solid_fraction, instrument.noise * solid_fraction_scatter, random);
+    const double share = instrument.share_within;
+    const double of_torque =
+        factor(state.stress_ratio, instrument.noise * instrument.torque_error, share, random);
+    const double of_height = factor(
+        state.solid_fraction, instrument.noise * instrument.solid_fraction_error, share, random);
     // If the shown solid fraction is too high, the shown gap is too small.
     return {shown.torque * of_torque,
             shown.normal_force,
@@ -114,8 +111,8 @@ Level level_of(const TrueState& state, const AnnularCell& cell, const GrainPrope
 }
 
 /// Returns the first row of a step after the transient.
-double first_steady_row(double rows) {
-    return rows * transient_strain / step_strain;
+double first_steady_row(const Instrument& instrument) {
+    return instrument.rows * transient_strain / instrument.step_strain;
 }
 
 /// Returns the values of a step at a time [s]: those of its mean time, times what the instrument
@@ -133,15 +130,17 @@ Level at_time(Level level, double time) {
 
 void append_step(Recording& recording, const Level& steady, const Instrument& instrument,
                  InstrumentNoise& random) {
-    const double rows = instrument.rows, rows_per_strain = rows / step_strain;
-    const double steady_rows = rows - first_steady_row(rows);
-    const double within = share_within * instrument.noise;
-    CorrelatedNoise torque_noise(within * torque_scatter,
-                                 rows_per_strain * torque_correlation_strain, steady_rows);
-    CorrelatedNoise height_noise(within * solid_fraction_scatter,
-                                 rows_per_strain * height_correlation_strain, steady_rows);
+    const double rows = instrument.rows, rows_per_strain = rows / instrument.step_strain;
+    const double steady_rows = rows - first_steady_row(instrument);
+    const double within = instrument.share_within * instrument.noise;
+    CorrelatedNoise torque_noise(within * instrument.torque_error,
+                                 rows_per_strain * instrument.torque_correlation, steady_rows);
+    CorrelatedNoise height_noise(within * instrument.solid_fraction_error,
+                                 rows_per_strain * instrument.gap_correlation, steady_rows);
+    CorrelatedNoise force_noise(instrument.noise * instrument.force_noise,
+                                rows_per_strain * instrument.force_correlation);
     const double spacing = spacing_of_rows(instrument, steady.shear_rate);
-    const double mean_row = (first_steady_row(rows) + rows - 1) / 2;
+    const double mean_row = (first_steady_row(instrument) + rows - 1) / 2;
     const double start = recording.time.empty() ? 0 : recording.time.back() + spacing;
     const double interval = recording.interval.empty() ? 1 : recording.interval.back() + 1;
     for (int k = 0; k < instrument.rows; ++k) {
@@ -155,8 +154,7 @@ void append_step(Recording& recording, const Level& steady, const Instrument& in
         recording.torque.push_back(level.torque *
                                    (1 + overshoot * softening - (1 + overshoot) * rising) *
                                    (1 + torque_noise.next(random)));
-        recording.normal_force.push_back(level.normal_force *
-                                         (1 + instrument.noise * load_cell_noise * random()));
+        recording.normal_force.push_back(level.normal_force * (1 + force_noise.next(random)));
         recording.height.push_back(level.height * (1 - dilation * softening) *
                                    (1 + height_noise.next(random)));
         recording.angular_velocity.push_back(level.angular_velocity);
@@ -175,7 +173,7 @@ double time_steps(std::vector<Condition>& steps, const GrainProperties& grains,
         const double spacing = spacing_of_rows(instrument, rate);
         if (&step != &steps.front()) start = last + spacing;
         last = start + (rows - 1) * spacing;
-        const double steady = start + first_steady_row(rows) * spacing;
+        const double steady = start + first_steady_row(instrument) * spacing;
         step.time = now + (steady + last) / 2;
     }
     return last;
@@ -185,14 +183,19 @@ Recording record(const std::vector<TrueState>& steps, const AnnularCell& cell,
                  const GrainProperties& grains, const Instrument& instrument, std::uint64_t seed) {
     InstrumentNoise random(seed);
     InstrumentNoise drifting(seed + 1);  // separate, so that drift changes no other random number
-    const double of_torque = instrument.drift * torque_scatter * drifting();
-    const double of_height = instrument.drift * solid_fraction_scatter * drifting();
+    const double of_torque =
+        instrument.torque_drift.value_or(instrument.drift * instrument.torque_error) * drifting();
+    const double of_height =
+        instrument.gap_drift.value_or(instrument.drift * instrument.solid_fraction_error) *
+        drifting();
+    const double of_force = instrument.force_drift.value_or(0) * drifting();
     Recording recording;
     for (std::size_t k = 0; k < steps.size(); ++k) {
         const double course = steps.size() > 1 ? static_cast<double>(k) / (steps.size() - 1) : 0;
         Level level = level_of(steps[k], cell, grains, instrument, random);
         level.torque *= 1 + of_torque * course;
         level.height *= 1 + of_height * course;
+        level.normal_force *= 1 + of_force * course;
         append_step(recording, level, instrument, random);
     }
     return recording;

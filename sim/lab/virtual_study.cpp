@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace pendular {
@@ -24,18 +25,27 @@ std::string study_toml(const LabResult& result) {
         "[grains]\n"
         "diameter = \"{:.7g} um\"\n"
         "density = \"{:.7g} kg/m^3\"\n"
-        "poisson_ratio = {:.7g}\n"
-        "# No youngs_modulus: the beads were simulated at stiffness number {:g}, whatever the "
-        "normal stress.\n"
-        "# Use a fidelity that shares it ({}).\n\n",
-        1e6 * plan.grains.diameter, plan.grains.density, plan.grains.poisson_ratio, kappa,
-        names_of_fidelities(kappa));
-    if (!plan.liquid_contents.empty()) {
+        "poisson_ratio = {:.7g}\n",
+        1e6 * plan.grains.diameter, plan.grains.density, plan.grains.poisson_ratio);
+    text +=
+        plan.grains.youngs_modulus
+            ? fmt::format("youngs_modulus = \"{:.7g} GPa\"\n\n", 1e-9 * *plan.grains.youngs_modulus)
+            : fmt::format(
+                  "# No youngs_modulus: the beads were simulated at stiffness number "
+                  "{:g}, whatever the normal stress.\n"
+                  "# Use a fidelity that shares it ({}).\n\n",
+                  kappa, names_of_fidelities(kappa));
+    const std::vector<double> contents = contents_of(plan);
+    if (*std::ranges::max_element(contents) > 0) {
         text += fmt::format(
             "[liquid]\n"
             "surface_tension = \"{:.7g} mN/m\"\n"
-            "contact_angle = \"{:.7g} deg\"\n\n",
+            "contact_angle = \"{:.7g} deg\"\n",
             1e3 * plan.liquid.surface_tension, plan.liquid.contact_angle * 180 / std::numbers::pi);
+        if (plan.liquid.viscosity > 0) {
+            text += fmt::format("viscosity = \"{:.7g} mPa.s\"\n", 1e3 * plan.liquid.viscosity);
+        }
+        text += "\n";
     }
     text += fmt::format(
         "[cell]\n"
@@ -44,7 +54,7 @@ std::string study_toml(const LabResult& result) {
         "bead_mass = \"{:.7g} g\"           # normal stress is normal force over area\n",
         1e3 * plan.cell.inner_radius, 1e3 * plan.cell.outer_radius,
         1e3 * plan.cell.bead_volume * plan.grains.density);
-    for (const double content : contents_of(plan)) {
+    for (const double content : contents) {
         text += content > 0 ? fmt::format(
                                   "\n[[recording]]\nfile = \"wet_{0:g}_*.csv\"\n"
                                   "liquid_content = {0:g}\n",

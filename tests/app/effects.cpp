@@ -202,6 +202,19 @@ TEST_F(EffectsOfAStudy, AreShownWithThoseItWrites) {
     expect_refused("effects speed-drag", "unknown effect 'speed-drag'");
 }
 
+TEST_F(EffectsOfAStudy, AreShownWithWhatMeasuresThem) {
+    const std::string method = "measured_by = \"the empty cell\"\nmeasured_to = \"0.5 mN m s\"\n";
+    EXPECT_THAT(run_pendular("effects speed-drag --study " + study(cell + drag + method)).output,
+                HasSubstr("the empty cell, to a standard error of 0.5 mN m s"));
+    // What was measured is a value of the study's own effect like any other.
+    const std::string direct = study(cell + drag + method +
+                                     "[[direct]]\neffect = \"speed-drag\"\nvalue = \"1 mN m s\"\n"
+                                     "error = \"0.5 mN m s\"\n");
+    EXPECT_EQ(run_pendular("effects --study " + direct).code, 0);
+    EXPECT_THAT(run_pendular("effects speed-drag --study " + study(cell + drag)).output,
+                Not(HasSubstr("measured by")));
+}
+
 TEST_F(EffectsOfAStudy, SayWhetherTheyApply) {
     const std::string path = study(drag);
     const Outcome all = run_pendular("effects --json - --study " + path);

@@ -222,7 +222,7 @@ TEST(VirtualLab, RefusesWhatItCannotDoBeforeSimulating) {
                 HasSubstr("liquid content"));
     EXPECT_THAT(refusal([](LabPlan& p) { p.replicates = 0; }), HasSubstr("--replicates 0"));
     EXPECT_THAT(refusal([](LabPlan& p) { p.instrument.noise = -1; }), HasSubstr("--noise -1"));
-    EXPECT_THAT(refusal([](LabPlan& p) { p.instrument.rows = 50; }), HasSubstr("--rows 50"));
+    EXPECT_THAT(refusal([](LabPlan& p) { p.instrument.rows = 10; }), HasSubstr("--rows 10"));
     EXPECT_THAT(refusal([](LabPlan& p) { p.cell.bead_volume = 1e-6; }), HasSubstr("more beads"));
     EXPECT_NO_THROW(check_plan(small_plan()));
 }

@@ -137,6 +137,25 @@ TEST_F(StudyEffects, RefuseSummariesOfSeveralLines) {
                 at(":13:11: 'summary': must be one line"));
 }
 
+TEST_F(StudyEffects, StateWhatMeasuresThem) {
+    const WrittenEffect effect =
+        read(drag + "measured_by = \"the empty cell\"\nmeasured_to = \"0.5 mN m s/rad\"\n")
+            .written_effects.at(0);
+    EXPECT_EQ(effect.measured_by, "the empty cell");
+    EXPECT_DOUBLE_EQ(effect.measured_to, 5e-4);
+    EXPECT_EQ(read(drag).written_effects.at(0).measured_by, "");
+    EXPECT_THAT(error(drag + "measured_to = \"0.5 mN m s/rad\"\n"),
+                at(":13:15: 'measured_to': is the standard error of a direct measurement; add "
+                   "measured_by"));
+    EXPECT_THAT(error(drag + "measured_by = \"a\"\nmeasured_to = \"1 N\"\n"), at(":14:15: "));
+    EXPECT_THAT(error(drag + "measured_by = \"a\"\nmeasured_to = \"0 N m s/rad\"\n"),
+                at(":14:15: 'measured_to': must be a standard error above 0"));
+    EXPECT_THAT(error(drag + "measured_by = \"one\\ntwo\"\n"), HasSubstr("must be one line"));
+    EXPECT_THAT(error("[[effect]]\nname = \"a\"\nparameter = \"on\"\nmeasured_by = \"a\"\n"
+                      "torque = \"torque*(1 + on)\"\n"),
+                HasSubstr("a switch has no size that could be measured"));
+}
+
 TEST_F(StudyEffects, RefuseUnknownKeys) {
     EXPECT_THAT(error(drag + "toruqe = \"1\"\n"),
                 at(":13:1: unknown key 'toruqe' in [[effect]]; did you mean 'torque'?"));

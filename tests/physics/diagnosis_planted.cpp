@@ -19,7 +19,8 @@ const std::vector<Planted> all_planted = {
     {"wet-friction", 0.03},   {"contact-angle", 0.9},    {"capillary-bridges", 0.03},
     {"willett-bridges", 1},   {"rupture-distance", 0.3}, {"reversible-bridges", 1},
     {"viscous-bridges", 0.1}, {"capillary-coulomb", 1},  {"rolling-resistance", 0.1},
-    {"dry-adhesion", 1e-5},   {"polydispersity", 0.2},
+    {"dry-adhesion", 1e-5},   {"polydispersity", 0.2},   {"normal-force-gain", 0.93},
+    {"cross-talk", 5e-4},
 };
 
 Diagnosis diagnosed(const Planted& planted, std::uint64_t seed) {

@@ -78,6 +78,10 @@ TEST(EffectsAlike, AreThoseThatRheologistsKnow) {
     // A factor on the torque, on the solid fraction, sizes, walls: at one bead mass much the same.
     EXPECT_GT(cosine("torque-gain", "wall-friction"), 0.93);
     EXPECT_GT(cosine("bead-loss", "polydispersity"), 0.95);
+    // Dry, a load cell that shows too little is a torque transducer that shows too much, but for the
+    // inertial number that the true force changes; and cross-talk adds a stress ratio.
+    EXPECT_GT(cosine("torque-gain", "normal-force-gain", true), 0.95);
+    EXPECT_GT(cosine("torque-gain", "cross-talk", true), 0.95);
     // Rolling resistance does what friction does, but for a hundredth part.
     EXPECT_GT(signature_of("rolling-resistance").share_imitated, 0.95);
     // These change other things.

@@ -369,6 +369,28 @@ TEST(Rig, IsReadWithItsUnits) {
     EXPECT_EQ(points.back().direct->standard_error, 0.01);
     EXPECT_EQ(points.back().cost, 2);
 
+    // An effect of the study whose direct measurement is stated needs no table of the rig.
+    const std::string rig = "normal_stress = \"1 kPa\"\ninertial_number = 0.01\n";
+    const std::string own =
+        "[[effect]]\nname = \"peak\"\nparameter = \"rise\"\nunit = \"1\"\nlower = 0\nupper = 1\n"
+        "stress_ratio = \"stress_ratio + rise\"\nmeasured_by = \"a tilted bed\"\n";
+    const auto planned = [&](const std::string& text) {
+        const Study with = study(text);
+        return points_of(*with.rig, with, 0);
+    };
+    EXPECT_EQ(planned(rig + own).size(), 1u);
+    const auto stated = planned(rig + own + "measured_to = \"2 %\"\n");
+    ASSERT_EQ(stated.size(), 2u);
+    EXPECT_EQ(stated.back().direct->parameter, "peak.rise");
+    EXPECT_EQ(stated.back().direct->by, "a tilted bed");
+    EXPECT_DOUBLE_EQ(stated.back().direct->standard_error, 0.02);
+    EXPECT_EQ(stated.back().cost, 1);
+    EXPECT_EQ(planned(rig + "[[rig.direct]]\neffect = \"peak\"\nerror = 0.1\ncost = 3\n" + own +
+                      "measured_to = 0.02\n")
+                  .back()
+                  .cost,
+              3);
+
     const auto refusal = [&](const std::string& rig) {
         try {
             study(rig);
