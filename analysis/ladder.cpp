@@ -37,7 +37,8 @@ LadderStep ladder_step_of(const Calibration& c, const Comparison& comparison,
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
         ladder_step.parameters.push_back({c.parameters[k].name, c.parameters[k].unit,
-                                          c.fit.parameters(i), c.fit.standard_error(i)});
+                                          c.fit.parameters(i), c.fit.standard_error(i),
+                                          c.fit.width(i), static_cast<bool>(c.fit.at_bound[k])});
     }
     ladder_step.chi2 = comparison.total.chi2;
     ladder_step.dof = comparison.total.dof;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,10 @@ struct LadderParameter {
     std::string name, unit;
     /// Fitted value of the parameter and standard error of this value, both in the unit `unit`.
     double value = 0, standard_error = 0;
+    /// Width of the range within which the parameter was fitted, in the unit `unit`; infinity if it
+    /// is unknown, as in a ladder that was read from its file.
+    double width = std::numeric_limits<double>::infinity();
+    bool at_bound = false;  ///< whether the value is at an end of the range
 };
 
 /// Step of a ladder (sequence of the fitted models of a study): one fitted model with its physical

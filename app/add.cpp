@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -20,8 +21,10 @@
 #include "reports/change_report.h"
 #include "reports/tables.h"
 #include "reports/with_error.h"
+#include "workflow/fit_runs.h"
 #include "workflow/json_parts.h"
 #include "workflow/proposed_effects.h"
+#include "workflow/rival_effects.h"
 
 namespace pendular::app {
 namespace {
@@ -89,6 +92,7 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
             "number of a proposal in proposed.toml, which 'pendular diagnose' wrote: add the "
             "effects of this proposal");
     }
+    options.offer_runs_of();
     auto common = options.parse(arguments);
     if (!common) {
         return std::nullopt;
@@ -117,7 +121,7 @@ std::string on_fitted_readings(const ChangedStudy& changed, bool earlier_dry) {
             "The fits with and without {0} use all readings, dry and wet. Without {0}, a fit to "
             "the dry readings alone ('pendular calibrate') gives {1} = {2}.",
             changed.change.effect, c.parameters[0].name,
-            with_error(c.fit.parameters(0), c.fit.standard_error(0), c.parameters[0].unit));
+            estimate_text(c.fit, 0, c.parameters[0].unit));
     }
     return earlier_dry ? fmt::format(
                              "Both fits, with and without {0}, use all readings, dry and wet, "
@@ -149,15 +153,25 @@ void print_evidence(Console& console, const ChangedStudy& changed, bool earlier_
         console.note(line);
     }
     if (const auto& rivals = after.ladder_step.rivals; !rivals.empty()) {
-        std::vector<std::string> names;
+        std::vector<std::string> names, effects = {change.effect};
         for (const auto& rival : rivals) {
             names.push_back(fmt::format("{}", fmt::join(rival, " with ")));
+            for (const std::string& effect : rival) {
+                if (std::ranges::find(effects, effect) == effects.end()) effects.push_back(effect);
+            }
         }
         console.line(fmt::format(
             "In the last diagnosis, other effects explained the readings as well as {}: {}. "
             "'pendular diagnose' and 'pendular next' continue to compare these models.",
             change.effect, fmt::join(names, ", ")));
+        const std::string methods = direct_methods(effects, change.study.catalogue());
+        if (!methods.empty()) {
+            console.line(
+                fmt::format("A direct measurement would decide between them: {}.", methods));
+        }
     }
+    print_limits(console, after.calibration.runs, after.calibration.readings,
+                 after.calibration.fit.parameters(0));
     if (!before.calibration.fit.converged) {
         console.note("The fit before the change did not converge: " +
                      before.calibration.fit.message);
@@ -195,6 +209,8 @@ int change_study(Action what, const std::string& effect, const AddOptions& own,
                      &after = changed.comparable_after().ladder_step;
     const Belief& belief = changed.after.belief;
     auto json = to_json(changed.change, before, after, changed.written);
+    const Calibration& fit = changed.after.calibration;
+    json["runs"] = runs_json(fit.runs, fit.known);
     add_belief(json, belief);
     if (last || !changed.written) console.json(json);  // before the figure, which needs gnuplot
     if (changed.written) {

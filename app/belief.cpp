@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/progress.h"
+#include "calib/fit/range_text.h"
 
 namespace pendular::app {
 
@@ -17,6 +18,13 @@ void print_doubts(Console& console, const Belief& belief, std::size_t named_alre
     for (std::size_t k = named_already; k < belief.reasons.size(); ++k) {
         const std::string& reason = belief.reasons[k];
         console.line(heading + as_sentence(reason));
+    }
+}
+
+void print_limits(Console& console, const std::vector<dem::RunResult>& runs,
+                  const std::vector<Reading>& readings, double friction) {
+    for (const auto& note : {implausible_friction(friction), extrapolation_note(runs, readings)}) {
+        if (note) console.line("Note: " + *note);
     }
 }
 

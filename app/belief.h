@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "analysis/misfit/believable.h"
 #include "app/console.h"
@@ -19,5 +20,11 @@ std::string warning_on(const Belief& belief, const std::string& what);
 /// @param heading text before each reason
 void print_doubts(Console& console, const Belief& belief, std::size_t named_already = 0,
                   const std::string& heading = "Warning: ");
+
+/// Prints notes on what limits a fit however well it describes the readings: readings that are
+/// slower than all simulations, and a friction coefficient that is implausible for beads.
+/// @param runs training runs of the emulator
+void print_limits(Console& console, const std::vector<dem::RunResult>& runs,
+                  const std::vector<Reading>& readings, double friction);
 
 }  // namespace pendular::app

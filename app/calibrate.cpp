@@ -70,8 +70,8 @@ std::string estimate_text(const Calibration& c, std::size_t k) {
     const auto i = static_cast<Eigen::Index>(k);
     const bool stated = c.model.discrepancy != std::array{0.0, 0.0};
     const std::string& unit = c.parameters[k].unit;
-    const std::string value = with_error(c.fit.parameters(i), c.fit.standard_error(i), unit);
-    if (!(c.fit.standard_error(i) > 0)) return value;
+    const std::string value = estimate_text(c.fit, i, unit);
+    if (!(c.fit.standard_error(i) > 0) || !c.fit.determines(i)) return value;
     return fmt::format(
         "{} ({} from the readings, {} from the {})", value,
         with_unit(c.fit.measurement_error(i), unit), with_unit(c.fit.simulation_error(i), unit),
@@ -104,6 +104,7 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
                                      : ""));
     }
     console.line(basis);
+    print_limits(console, c.runs, c.readings, c.fit.parameters(0));
     console.line(basis_of(c));
     if (c.fitted < c.readings.size()) {
         console.line(fmt::format("{} wet readings are predicted {}: {}.",
@@ -158,6 +159,7 @@ int calibrate(const std::vector<std::string>& arguments) {
     const CohesionLineOptions cohesion(options);
     options.add_switch("profile", &fit.profile,
                        "also compute the profile likelihood interval of the friction coefficient");
+    options.offer_runs_of();
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

@@ -142,7 +142,9 @@ void report(std::size_t runs, const Survey& before, const Survey& after, const R
 const char* const about_campaign =
     R"(Runs the simulations that a campaign file lists (grids, lists, Sobol sequences), the longest first,
 and keeps each result in the store as soon as the simulation ends. The same command resumes a
-stopped campaign; simulations that are in the store are not repeated.)";
+stopped campaign: simulations that are in the store are not repeated, and those that were running go
+on where they were. Tables that do not state beads, stiffness_number, strain or inertial_number take
+them from --fidelity.)";
 
 }  // namespace
 
@@ -156,7 +158,10 @@ int campaign(const std::vector<std::string>& arguments) {
         "  pendular campaign my.toml --dry-run\n",
         true);
     options.set_first_word("FILE (the file that lists the simulations)");
-    options.leave_out({"out", "fidelity"});
+    options.leave_out({"out"});
+    options.set_fidelity(
+        "settings of the tables that do not state them: beads, stiffness_number, strain, and the "
+        "lowest inertial number in place of inertial_number");
     std::string shard;
     options.add("shard", &shard,
                 "i/n: make only share i of n shares of equal computing time, for n machines or the "
@@ -170,7 +175,7 @@ int campaign(const std::vector<std::string>& arguments) {
     }
     const InterruptGuard guard;
     Console console(*common);
-    auto runs = read_campaign(common->study);
+    auto runs = read_campaign(common->study, common->fidelity);
     if (!shard.empty()) {
         const auto [share, shares] = share_from(shard);
         runs = share_of(runs, share, shares);
@@ -183,7 +188,7 @@ int campaign(const std::vector<std::string>& arguments) {
     if (MpiProcesses::there()) {
         processes.emplace();
         if (!processes->manager()) {
-            or_abort(*processes, [&] { processes->work(guard.token()); });
+            or_abort(*processes, [&] { processes->work(guard.token(), common->store); });
             return done;
         }
     }

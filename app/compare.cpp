@@ -20,6 +20,7 @@
 #include "reports/joined.h"
 #include "reports/tables.h"
 #include "workflow/fit_file.h"
+#include "workflow/fit_runs.h"
 #include "workflow/json.h"
 #include "workflow/json_parts.h"
 #include "workflow/rival_effects.h"
@@ -81,6 +82,7 @@ int compare(const std::vector<std::string>& arguments) {
     }
     const auto& [c, model, comparison, where, belief] = compared;
     auto json = to_json(comparison, c.cohesion_lines, where);
+    json["runs"] = runs_json(c.runs, c.known);
     add_belief(json, belief);
     write_json(out / "compare.json", json);
     console.answer(fmt::format(
@@ -95,6 +97,7 @@ int compare(const std::vector<std::string>& arguments) {
         console.line(fmt::format("Readings that were predicted, not fitted: {}.",
                                  misfit_text(comparison.predicted)));
     }
+    print_limits(console, c.runs, c.readings, c.fit.parameters(0));
     console.table(failure_table(where), 3);
     console.table(predictions_table(comparison, !console.all()), 5);
     if (console.all()) console.table(misfit_table(comparison), 0);
@@ -114,8 +117,7 @@ int compare(const std::vector<std::string>& arguments) {
     std::vector<std::string> drawn_figures;
     for (auto figure : comparison_figures(model, c, comparison)) {
         if (!belief.believable()) figure.title += " (the fit is not to be used: see compare.json)";
-        draw(figure, out / "figures");
-        drawn_figures.push_back(figure.name);
+        if (draw(figure, out / "figures")) drawn_figures.push_back(figure.name);
     }
     console.figures(out / "figures", drawn_figures);
     constexpr double significant = 0.05;

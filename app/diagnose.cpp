@@ -33,6 +33,7 @@
 #include "reports/with_error.h"
 #include "workflow/confirm_diagnosis.h"
 #include "workflow/diagnosis_json.h"
+#include "workflow/fit_runs.h"
 #include "workflow/impact_json.h"
 #include "workflow/json.h"
 #include "workflow/json_parts.h"
@@ -40,6 +41,7 @@
 #include "workflow/proposed_effects.h"
 #include "workflow/recording_evidence.h"
 #include "workflow/rival_effects.h"
+#include "workflow/rivals.h"
 
 namespace pendular::app {
 namespace {
@@ -238,9 +240,7 @@ std::vector<std::string> draw_all(const std::vector<Figure>& figures,
                                   const std::filesystem::path& folder) {
     std::vector<std::string> names;
     for (const Figure& figure : figures) {
-        if (figure.panels.empty()) continue;
-        draw(figure, folder);
-        names.push_back(figure.name);
+        if (!figure.panels.empty() && draw(figure, folder)) names.push_back(figure.name);
     }
     return names;
 }
@@ -302,6 +302,7 @@ int diagnose(const std::vector<std::string>& arguments) {
         "repetitions", &repetitions,
         "number of simulated repetitions of the whole experiment, such as 100, which show how "
         "often the verdict would be the same (default 0: none)");
+    options.offer_runs_of();
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -323,6 +324,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     json["model_effects"] = names_of(session->study().model.effects);
     json["rivals"] = to_json(d.rivals);
     json["proposed"] = proposals_json(d);
+    json["runs"] = runs_json(d.models->simulation().emulator().runs());
     json["confirmed"] = to_json(d.confirmed);
     json["repeated"] = to_json(d.repeated);
     const std::optional<ImpactTable> impacts =
@@ -348,6 +350,8 @@ int diagnose(const std::vector<std::string>& arguments) {
         console.line(line);
     }
     if (const std::string friction = friction_line(d); !friction.empty()) console.line(friction);
+    print_limits(console, models.simulation().emulator().runs(), d.readings,
+                 rivals_of(d).front().parameters(0));
     print_evidence(console, d, checks, impacts, *session.operator->());
     if (impacts && console.all()) console.table(impact_table(*impacts), impacts->impacts.size());
     for (const std::string& line : step_lines(steps)) {

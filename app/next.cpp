@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "app/belief.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/open_session.h"
 #include "reports/draw_figure.h"
 #include "reports/next_report.h"
 #include "reports/next_steps.h"
+#include "workflow/fit_runs.h"
 #include "workflow/json.h"
 #include "workflow/next_json.h"
 
@@ -66,6 +68,7 @@ int next(const std::vector<std::string>& arguments) {
     options.add("seed", &seed,
                 "seed of the simulated random errors from which p values and power are computed "
                 "(default 1)");
+    options.offer_runs_of();
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -83,6 +86,7 @@ int next(const std::vector<std::string>& arguments) {
     std::vector<NextStep> steps = next_steps(d, impacts, session->resolved(), common->study_word());
     const bool possible = !next.points.empty();
     if (!possible) std::erase_if(steps, &NextStep::readings);
+    json["runs"] = runs_json(d.models->simulation().emulator().runs());
     json["to_do"] = texts_of(steps);
     write_json(common->out_folder() / "next.json", json);
     const std::vector<std::string> plan = plan_lines(next);
@@ -91,6 +95,8 @@ int next(const std::vector<std::string>& arguments) {
     for (std::size_t k = 1; k < lines.size(); ++k) {
         console.line(lines[k]);
     }
+    print_limits(console, d.models->simulation().emulator().runs(), d.readings,
+                 next.rivals.front().parameters(0));
     const bool planned = std::ranges::any_of(steps, &NextStep::readings);
     if (planned && !session->study().rig) {
         console.note(
@@ -107,8 +113,8 @@ int next(const std::vector<std::string>& arguments) {
                         next.unsupported, next.unsupported + next.points.size()));
     }
     console.json(json);  // before the figure, which needs gnuplot
-    if (const Figure figure = next_figure(next); !figure.panels.empty()) {
-        draw(figure, common->out_folder() / "figures");
+    const Figure figure = next_figure(next);
+    if (!figure.panels.empty() && draw(figure, common->out_folder() / "figures")) {
         console.figures(common->out_folder() / "figures", {"next"});
     }
     if (d.diagnosis.verdict == Verdict::missing) {

@@ -74,6 +74,7 @@ OpenSession::OpenSession(std::unique_ptr<InterruptGuard> guard, const std::stop_
                 .seed = checked_seed(seed),
                 .threads = options.threads,
                 .store = store_.get(),
+                .training = training_runs(options, store_.get()),
                 .stop = guard_ ? guard_->token() : stop,
                 .listener = listener},
                options.out_folder()) {}

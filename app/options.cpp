@@ -90,6 +90,15 @@ Options::Options(std::string usage, std::string about, std::string examples, boo
     begin_section("Options");
 }
 
+void Options::offer_runs_of() {
+    add("runs-of", &runs_of_,
+        "JSON file of an earlier result, such as out/fit.json, to repeat: train the emulator on "
+        "the "
+        "simulations which that result rests on, and on no others (default: all simulations of "
+        "atlas and store that suit the study)",
+        a_file());
+}
+
 void Options::add_switch(const char* name, bool* value, const std::string& description) {
     sections_.back().add_options()(name, po::bool_switch(value), description.c_str());
 }
@@ -341,6 +350,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
             }
         }
     }
+    if (given("runs-of")) result.runs_of = runs_of_;
     result.store_named = !values.store.empty() || std::getenv("PENDULAR_STORE");
     result.store =
         values.store.empty() ? RunStore::standard_file() : std::filesystem::path(values.store);
@@ -348,7 +358,8 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
         result.out = values.out;
         demand_writable(*result.out, "--out", true);
     }
-    if (takes_study_ && std::filesystem::exists(study)) {
+    std::error_code unknown;  // set for a link to itself, for example
+    if (takes_study_ && std::filesystem::exists(study, unknown)) {
         demand_writable(result.out_folder(), "--out", true);
     }
     return result;

@@ -40,6 +40,9 @@ struct CommonOptions {
     std::filesystem::path store;  ///< SQLite file that keeps the results of all simulations
     /// Whether the user named the file `store`, by option --store or by $PENDULAR_STORE.
     bool store_named = false;
+    /// JSON file of an earlier result, whose training runs the command uses in place of all runs of
+    /// atlas and store (option --runs-of). Empty: atlas and store.
+    std::optional<std::filesystem::path> runs_of;
     /// Study or file that the command reads. Empty if the command reads neither.
     std::filesystem::path study;
 
@@ -102,6 +105,8 @@ class Options {
     void set_store(std::string meaning) { store_meaning_ = std::move(meaning); }
     /// Sets the text on option --out, the folder for results, in the help text.
     void set_out(std::string meaning) { out_meaning_ = std::move(meaning); }
+    /// Adds the option --runs-of FILE, for a command whose result rests on earlier simulations.
+    void offer_runs_of();
     /// Makes the command accept any number of arguments that belong to no option. If the command
     /// reads a study, these arguments follow the name of the study.
     /// @param words list in which `parse` stores these arguments
@@ -151,6 +156,7 @@ class Options {
     /// Name and meaning of the command's first argument, for the message that this argument is
     /// missing. If the text is empty, the first argument is a study.
     std::string missing_word_;
+    std::string runs_of_;  ///< value of the option --runs-of
     std::vector<std::string>* words_ = nullptr;
     ValueKind words_kind_;
     /// Kinds of value that the options of the command accept. The key is the name of the option.

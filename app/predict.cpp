@@ -20,6 +20,7 @@
 #include "reports/prediction_figure.h"
 #include "reports/with_error.h"
 #include "sim/runs/ensemble.h"
+#include "workflow/fit_runs.h"
 #include "workflow/state_prediction_json.h"
 
 namespace pendular::app {
@@ -115,7 +116,9 @@ void predict_one(const RequestedState& requested, const StatePredictor& predicto
         "number {:.4g}.",
         prediction.runs, simulates ? ", which cover this state: nothing was simulated" : "",
         prediction.stiffness_number));
-    console.json(to_json(prediction));
+    auto json = to_json(prediction);
+    json["runs"] = runs_json(predictor.emulator().runs());
+    console.json(json);
 }
 
 /// Name of a variable with spaces in place of underscores: "inertial number".
@@ -145,7 +148,9 @@ void predict_along(const RequestedState& requested, const VariedQuantity& varied
     }
     const std::filesystem::path folder = common.out.value_or(".");
     write_whole(folder / "prediction.csv", prediction_table(curve));
-    console.json(to_json(curve));  // before the figure, which needs gnuplot
+    auto json = to_json(curve);
+    json["runs"] = runs_json(predictor.emulator().runs());
+    console.json(json);  // before the figure, which needs gnuplot
     draw(prediction_figure(curve, predictor.emulator(), drawn), folder / "figures");
     console.answer(fmt::format(
         "{} states, predicted from {} simulations, are written to {} and {}.", curve.at.size(),
@@ -211,6 +216,7 @@ int predict(const std::vector<std::string>& arguments) {
         "simulate", &simulate,
         "if atlas and store do not cover the state, simulate it at the --fidelity, keep "
         "the result in the store and print the averages");
+    options.offer_runs_of();
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -252,7 +258,8 @@ int predict(const std::vector<std::string>& arguments) {
     StatePredictor::check_stiffness_number(stiffness_number);
     Console console(*common);
     const auto store = open_store(*common);
-    const StatePredictor predictor(common->fidelity, store.get(), stiffness_number);
+    const auto training = training_runs(*common, store.get());
+    const StatePredictor predictor(common->fidelity, store.get(), stiffness_number, training.get());
     if (line) {
         predict_along(requested, *line, drawn, predictor, *common, console);
     } else if (simulate && !predictor.supports(requested)) {

@@ -47,7 +47,7 @@ std::string progress_sentence(const Event& event) {
             return as_sentence(event.text + ": " + progress_numbers(event.runs));
         case Event::Kind::round:
             return fmt::format("Round {}: friction = {}.", event.number,
-                               with_error(event.fit->parameters(0), event.fit->standard_error(0)));
+                               estimate_text(*event.fit, 0, "1"));
         case Event::Kind::refits:  // a single fit is too short to be told
             return event.total < 2
                        ? ""

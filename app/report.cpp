@@ -42,6 +42,7 @@ int report(const std::vector<std::string>& arguments) {
     options.add("switches", &switches,
                 "largest number N of effects with a switch, 0 to 8 (default 6); 2^N models are "
                 "fitted");
+    options.offer_runs_of();
     const auto common = options.parse(arguments);
     if (!common) return done;
     if (switches > 8) throw InputError("--switches must be from 0 to 8");
@@ -66,7 +67,8 @@ int report(const std::vector<std::string>& arguments) {
     console.json({{"page", file.string()},
                   {"verdict", page.verdict},
                   {"switches", page.switches},
-                  {"models", page.models}});
+                  {"models", page.models},
+                  {"runs", page.runs}});
     console.next(page.next);
     return done;
 }

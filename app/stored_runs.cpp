@@ -24,6 +24,11 @@ std::unique_ptr<RunStore> open_store(const CommonOptions& options) {
     return std::make_unique<RunStore>(options.store);
 }
 
+std::shared_ptr<const TrainingRuns> training_runs(const CommonOptions& options,
+                                                  const RunStore* store) {
+    return options.runs_of ? runs_of_result(*options.runs_of, store) : nullptr;
+}
+
 std::int64_t run_number(const std::string& word) {
     std::int64_t id = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), id);

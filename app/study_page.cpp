@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "analysis/diagnosis/study_evidence.h"
@@ -12,6 +13,7 @@
 #include "reports/next_steps.h"
 #include "reports/page/page_curves.h"
 #include "reports/page/report_page.h"
+#include "workflow/fit_runs.h"
 #include "workflow/ladder_file.h"
 #include "workflow/switched_models.h"
 
@@ -45,6 +47,7 @@ StudyPage study_page(const Session& session, const CommonOptions& common, std::s
     const auto impacts = impacts_of(d, static_cast<std::size_t>(session.options().threads));
     const std::vector<NextStep> steps =
         next_steps(d, impacts, session.resolved(), common.study_word());
+    const auto runs = runs_json(d.models->simulation().emulator().runs());
     const PageContent content{
         .study = study_name(session.study().file),
         .study_argument = common.study_word(),
@@ -61,6 +64,7 @@ StudyPage study_page(const Session& session, const CommonOptions& common, std::s
         .version = PENDULAR_VERSION,
         .options = session.options(),
         .runs = d.models->simulation().emulator().runs().size(),
+        .runs_hash = runs.at("hash"),
         .calibrated = std::filesystem::exists(folder / "fit.json", error),
         .served_version = version,
         .recordings =
@@ -75,6 +79,7 @@ StudyPage study_page(const Session& session, const CommonOptions& common, std::s
             .models = static_cast<std::size_t>(
                 std::ranges::count_if(fits.models, [](const auto& m) { return !!m; })),
             .readings = d.readings.size(),
+            .runs = runs,
             .notes = std::move(notes)};
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ struct StudyPage {
     /// Number of readings (pairs of measured shear stress and solid fraction) that the diagnosis
     /// tested.
     std::size_t readings = 0;
+    nlohmann::ordered_json runs = {};  ///< simulations behind the page (`runs_json`)
     /// Sentences on recordings that the page cannot draw, with the reasons.
     std::vector<std::string> notes;
 };

@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <new>
+#include <stdexcept>
 
 #include "app/command.h"
 #include "data/files/printable.h"
@@ -37,6 +38,10 @@ int report_exception() {
     try {
         throw;
     } catch (const InputError& error) {
+        print_error("error: ", error.what());
+        return wrong_input;
+    } catch (const std::domain_error& error) {
+        // Readings that are impossible with the effects of the study; the text says what to do.
         print_error("error: ", error.what());
         return wrong_input;
     } catch (const dem::Interrupted& interruption) {

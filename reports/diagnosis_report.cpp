@@ -41,7 +41,7 @@ std::string spoken_parameter(std::string parameter) {
 
 /// Text of a refitted parameter of an explanation with its error: "0.41 +- 0.03 mN m".
 std::string refitted_text(const Explanation& explanation, Eigen::Index k, const std::string& unit) {
-    return with_error(explanation.fit.parameters(k), explanation.fit.standard_error(k), unit);
+    return estimate_text(explanation.fit, k, unit);
 }
 
 /// Names of the effects of an explanation with the refitted values, "torque-offset (torque 0.41 +-
@@ -262,7 +262,7 @@ std::string friction_line(const StudyDiagnosis& study) {
     const StudyModels& space = *study.models;
     if (study.mistake || study.overruled) return "";
     const auto text = [](const Fit& fit, const std::string& of) {
-        return fmt::format("{} {}", with_error(fit.parameters(0), fit.standard_error(0)), of);
+        return fmt::format("{} {}", estimate_text(fit, 0, "1"), of);
     };
     std::vector<std::string> values;
     const auto add = [&](const Explanation& each) {

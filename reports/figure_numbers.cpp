@@ -97,10 +97,11 @@ class PanelRows {
     void add(const std::string& curve, const std::string& x, const std::string& y,
              const std::string& error, const std::string& x_name, const std::string& y_name = "",
              const std::string& value = "") {
-        text_ += fmt::format("{},{},{},{},{},{},{},{}\n", number_, csv_cell(unescaped(curve)), x, y,
-                             error, csv_cell(x_name), csv_cell(unescaped(panel_.x_label)),
-                             csv_cell(unescaped(panel_.y_label)));
-        if (rows_) text_.insert(text_.size() - 1, "," + csv_cell(y_name));
+        text_ +=
+            fmt::format("{},{},{},{},{},{},{},{}\n", number_, csv_text_cell(unescaped(curve)), x, y,
+                        error, csv_text_cell(x_name), csv_text_cell(unescaped(panel_.x_label)),
+                        csv_text_cell(unescaped(panel_.y_label)));
+        if (rows_) text_.insert(text_.size() - 1, "," + csv_text_cell(y_name));
         if (cells_) text_.insert(text_.size() - 1, "," + value);
     }
 

@@ -1,6 +1,7 @@
 #include "reports/next_steps.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,7 @@ class Steps {
     }
     void sharpen() {
         if (!d_.rivals.empty() && rivals_of(d_).size() > 1) {
+            measure_directly(effects_of_rivals(), {});
             tell_apart("the present model and its rivals");
             return;
         }
@@ -93,6 +95,7 @@ class Steps {
     void unknown();
     void measure_directly(const std::vector<std::string>& effects,
                           const std::vector<Explanation>& models);
+    std::vector<std::string> effects_of_rivals() const;
     std::string expected(const Effect& effect, const std::vector<Explanation>& models) const;
     std::string to_rule_out(const Effect& effect) const;
     bool matters(const std::string& effect) const;
@@ -135,6 +138,13 @@ std::string reached(const Effect& effect, double deviation) {
                        decides ? "is" : "is not");
 }
 
+/// Clause that names the effects after the first: " and the readings call for lid-slip too".
+std::string others_than_first(const std::vector<std::string>& effects) {
+    if (effects.size() < 2) return "";
+    return fmt::format(" and the readings call for {} too",
+                       joined({effects.begin() + 1, effects.end()}, "and"));
+}
+
 /// Sentence on the value to expect if the effect is there, as the first of `models` that contains
 /// it says; empty where none determines it.
 std::string Steps::expected(const Effect& effect, const std::vector<Explanation>& models) const {
@@ -163,13 +173,46 @@ std::string Steps::expected(const Effect& effect, const std::vector<Explanation>
 
 void Steps::measure_directly(const std::vector<std::string>& effects,
                              const std::vector<Explanation>& models) {
+    std::vector<std::string> further, never;
     std::size_t named = 0;
     for (const std::string& name : effects) {
         const Effect& effect = resolved_.catalogue().find(name);
-        if (effect.directly.empty() || named++ >= most_direct) continue;
+        if (effect.directly.empty()) {
+            never.push_back(name);
+            continue;
+        }
+        if (named++ >= most_direct) {
+            further.push_back(fmt::format("{} by {}", name, effect.directly));
+            continue;
+        }
         say_direct(fmt::format("Measure {} directly, by {}.{}", name, effect.directly,
                                expected(effect, models)));
     }
+    if (!further.empty()) {
+        say(fmt::format("Measure the others directly too, if it is easy: {}.",
+                        fmt::join(further, "; ")));
+    }
+    if (!never.empty() && never.size() < effects.size()) {
+        say(fmt::format("No direct measurement settles {}: readings decide about {}.",
+                        joined(never, "and"), never.size() == 1 ? "it" : "them"));
+    }
+}
+
+/// Effects of the present model, and those that could stand in for them, which measurements without
+/// shearing would tell apart.
+std::vector<std::string> Steps::effects_of_rivals() const {
+    std::vector<std::string> effects;
+    const auto add = [&](const std::string& name) {
+        if (std::ranges::find(effects, name) == effects.end()) effects.push_back(name);
+    };
+    for (const RivalModel& rival : d_.rivals) {
+        add(rival.in_place_of);
+        std::ranges::for_each(rival.effects, add);
+    }
+    std::erase_if(effects, [&](const std::string& name) {
+        return resolved_.catalogue().find(name).directly.empty();
+    });
+    return effects;
 }
 
 void Steps::missing() {
@@ -193,9 +236,9 @@ void Steps::missing() {
         tell_apart("the further effects");
     } else if (diagnosis_.leaders || diagnosis_.effects.size() > 1) {
         say(
-            fmt::format("Diagnose the study again, since a misfit remains with {} alone: "
+            fmt::format("Diagnose the study again, since a misfit remains with {} alone{}: "
                         "pendular diagnose {}.",
-                        first, study_));
+                        first, others_than_first(diagnosis_.effects), study_));
     } else {
         sharpen();
     }
@@ -204,7 +247,7 @@ void Steps::missing() {
 void Steps::indistinguishable() {
     measure_directly(diagnosis_.effects, diagnosis_.confidence_set);
     repeat_suspects();
-    tell_apart("these effects");
+    tell_apart(joined(diagnosis_.effects, "and"));
 }
 
 /// Sentence on the accuracy that rules an effect out at its smallest size of interest.

@@ -65,6 +65,21 @@ std::string with_error(double value, double error, const std::string& unit) {
     return with_unit_name(number, scale.unit);
 }
 
+std::string estimate_text(double value, double error, const std::string& unit, double width,
+                          bool at_bound) {
+    constexpr int digits = 4;
+    const std::string plain = with_unit(value, unit, digits);
+    if (error >= width || !std::isfinite(error)) return plain + ", not determined";
+    if (!at_bound) return with_error(value, error, unit);
+    return (error > 0 ? with_error(value, error, unit) : plain) + " (at bound)";
+}
+
+std::string estimate_text(const Fit& fit, Eigen::Index k, const std::string& unit) {
+    const auto at = static_cast<std::size_t>(k);
+    return estimate_text(fit.parameters(k), fit.standard_error(k), unit, fit.width(k),
+                         at < fit.at_bound.size() && fit.at_bound[at]);
+}
+
 std::string change_text(double change, double value, double error, const std::string& unit) {
     const Scale scale = scale_of(std::max(std::abs(value), std::abs(error)), unit);
     const double scaled = error / scale.factor;

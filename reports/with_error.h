@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "calib/fit/fit.h"
+
 namespace pendular {
 
 /// Returns the number of decimals that show the second significant digit of a standard error, at
@@ -18,6 +20,16 @@ std::string with_error(double value, double error);
 /// 4.1e-4, 3e-5 and "N m", the text is "0.410 +- 0.030 mN m".
 /// @param unit SI unit of value and standard error; the unit "1" is left out of the text
 std::string with_error(double value, double error, const std::string& unit);
+
+/// Returns the text of a fitted parameter with its standard error and unit. An error that is larger
+/// than the range of the parameter says nothing: "0.1563, not determined". Beside a value at the
+/// end of the range, an error holds on one side only: "0.600 +- 0.091 (at bound)".
+/// @param width width of the range within which the parameter was fitted, in its unit
+/// @param at_bound whether the value is at an end of this range
+std::string estimate_text(double value, double error, const std::string& unit, double width,
+                          bool at_bound);
+/// Returns the text of the fitted parameter `k` of a fit (see above).
+std::string estimate_text(const Fit& fit, Eigen::Index k, const std::string& unit);
 
 /// Returns the text of a change of a value with sign and unit, such as "-0.0145". The change is
 /// rounded to the second significant digit of the standard error of the value. The SI prefix is the

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "calib/fit/calibrate_study.h"
 #include "data/files/file_bytes.h"
@@ -138,6 +139,9 @@ Json to_json(const Calibration& c, const Comparison& comparison) {
         parameter["stderr_measurement"] = c.fit.measurement_error(i);
         parameter["stderr_simulation"] = c.fit.simulation_error(i);
         parameter["at_bound"] = static_cast<bool>(c.fit.at_bound[k]);
+        parameter["determined"] = c.fit.determines(i);
+        if (i < c.fit.range.upper.size())
+            parameter["range"] = {c.fit.range.lower(i), c.fit.range.upper(i)};
         if (c.profile && k == 0) {
             parameter["profile_68_percent"] = {c.profile->first, c.profile->second};
         }
@@ -168,7 +172,7 @@ Json to_json(const Calibration& c, const Comparison& comparison) {
     json["cold"] = c.cold;
     json["emulator"] = emulator_json(c);
     json["notes"] = c.notes;
-    json["runs"] = run_names(c.runs);
+    json["runs"] = runs_json(c.runs, c.known);
     return json;
 }
 
@@ -209,6 +213,19 @@ Eigen::MatrixXd matrix_from(const Json& rows, Eigen::Index n) {
     return matrix;
 }
 
+/// Reads the ranges within which the parameters were fitted, which earlier versions did not write.
+void read_ranges(const Json& json, Fit& fit) {
+    const auto n = static_cast<Eigen::Index>(json.at("parameters").size());
+    ParameterBounds range{Eigen::VectorXd(n), Eigen::VectorXd(n)};
+    Eigen::Index k = 0;
+    for (const auto& [name, parameter] : json.at("parameters").items()) {
+        if (!parameter.contains("range")) return;
+        range.lower(k) = parameter.at("range").at(0), range.upper(k) = parameter.at("range").at(1);
+        ++k;
+    }
+    fit.range = std::move(range);
+}
+
 /// Reads the fitted parameters with their errors, in the order of the file.
 void read_parameters(const Json& json, Calibration& c) {
     const auto n = static_cast<Eigen::Index>(json.at("parameters").size());
@@ -222,6 +239,7 @@ void read_parameters(const Json& json, Calibration& c) {
         c.fit.measurement_part(k, k) = measurement * measurement;
         c.fit.at_bound.push_back(parameter.at("at_bound"));
     }
+    read_ranges(json, c.fit);
     c.fit.widening = matrix_from(json.at("parameter_covariance_by_few_replicates"), n);
     c.fit.covariance = matrix_from(json.at("parameter_covariance"), n) - c.fit.widening;
     c.fit.measurement_part.diagonal() -= c.fit.widening.diagonal();
@@ -273,7 +291,9 @@ Calibration parse_calibration(const Json& json, const ResolvedStudy& resolved,
     c.fit.chi2 = json.at("chi2");
     c.fit.dof = json.at("dof");
     c.fit.converged = json.at("converged");
-    c.runs = named_runs(json.at("runs"), where.file);
+    TrainingRuns training = named_runs(json.at("runs"), where.file);
+    c.runs = std::move(training.runs);
+    c.known = training.began_with;
     if (c.runs.size() < 3) {
         throw InputError(where,
                          "the simulations of this fit are missing; run 'pendular calibrate' again");

@@ -1,37 +1,57 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <vector>
 
 #include "data/input_error.h"
 #include "sim/dem/run.h"
+#include "sim/runs/store/run_store.h"
 
 namespace pendular {
 
-// Training runs of a calibration: simulations on which its emulator is trained. A fit file
-// (fit.json) names each run by its fingerprint, a hash of inputs and results. Most of the runs are
-// in the atlas (the simulations supplied with Pendular). The other runs are in the table
-// fit_runs.csv beside the fit file.
+// Training runs: simulations on which the emulator of a result is trained. Every run of the store
+// that suits a study trains its emulator, so that an unrelated simulation changes the last digits
+// of a result. Each result therefore names its runs by their fingerprints (hashes of inputs and
+// results), and can be repeated with these runs alone (option --runs-of). Most of the runs are in
+// the atlas, the others in the store and, for a fit, in fit_runs.csv beside fit.json.
 
-/// Returns a JSON array with the names of `runs`, the simulations on which an emulator is trained,
-/// in the order of `runs`. The name of a run is its fingerprint, a hash of the run's inputs and
-/// results. The order must be kept, since the emulator's rounding errors depend on the order.
-nlohmann::ordered_json run_names(const std::vector<dem::RunResult>& runs);
+/// Training runs of an earlier result, in the order in which its emulator was trained on them.
+struct TrainingRuns {
+    std::vector<dem::RunResult> runs;
+    /// Number of runs, the first ones of `runs`, that existed before the result. The result had the
+    /// others simulated, and has them simulated again, or found in the store, when it is repeated.
+    std::size_t began_with = 0;
+};
 
-/// Writes the training runs of a fit (simulations on which its emulator is trained) that are not in
-/// the atlas (the simulations supplied with Pendular) to FOLDER/fit_runs.csv. Removes
+/// Returns the JSON of the training runs of a result: `number`, `hash` (independent of the order of
+/// the runs), `began_with` and `names`. The order of the names must be kept, since the rounding
+/// errors of the emulator depend on it.
+/// @param began_with number of runs that existed before the result; empty: all
+nlohmann::ordered_json runs_json(const std::vector<dem::RunResult>& runs,
+                                 std::optional<std::size_t> began_with = {});
+
+/// Writes the training runs of a fit that are not in the atlas to FOLDER/fit_runs.csv. Removes
 /// FOLDER/fit_runs.csv if the atlas contains all of `runs`.
 /// @throws std::runtime_error if the file cannot be written
 void write_own_runs(const std::filesystem::path& folder, const std::vector<dem::RunResult>& runs);
 
-/// Returns the training runs (simulations on which an emulator is trained) that a fit file names,
-/// in the order of `names`. The runs are read from the atlas (the simulations supplied with
-/// Pendular) and from fit_runs.csv beside the fit file.
-/// @param names JSON array of the fingerprints (hashes) of the runs or, in a fit file of an earlier
-///        version, of the runs themselves
+/// Returns the training runs that a fit names, from the atlas and from fit_runs.csv beside the fit.
+/// @param json entry `runs` of the fit; in a fit of an earlier version, a list of fingerprints or
+/// of
+///        whole runs
 /// @throws InputError if a named run is neither in the atlas nor in fit_runs.csv
-std::vector<dem::RunResult> named_runs(const nlohmann::ordered_json& names,
-                                       const std::filesystem::path& fit_file);
+TrainingRuns named_runs(const nlohmann::ordered_json& json, const std::filesystem::path& fit_file);
+
+/// Returns the training runs of a result that a command wrote as JSON, from the atlas, from `store`
+/// and from fit_runs.csv beside the result.
+/// @param store user's file of simulations; may be null
+/// @throws InputError if the file names no runs, or if some of the runs are gone; the message says
+///         how many
+std::shared_ptr<const TrainingRuns> runs_of_result(const std::filesystem::path& result,
+                                                   const RunStore* store);
 
 }  // namespace pendular

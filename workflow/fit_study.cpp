@@ -33,18 +33,32 @@ CalibrationRequest request_for(std::optional<KnownRuns> known, const SessionOpti
     return request;
 }
 
+/// Runs that exist before a fit; empty where the fit simulates all its runs. A fit that is repeated
+/// begins with the runs that existed before it, and orders the others again, which are in the store
+/// by now: the emulators of its rounds, and so the last bits of the result, are the same.
+std::optional<KnownRuns> runs_before(const Study& study, const SessionOptions& session,
+                                     const FitOptions& options) {
+    if (options.cold) return std::nullopt;
+    if (!session.training)
+        return known_runs(study, session.fidelity, session.store, session.listener);
+    const auto& [runs, began_with] = *session.training;
+    if (began_with == 0) return std::nullopt;
+    return KnownRuns{{runs.begin(), runs.begin() + static_cast<std::ptrdiff_t>(began_with)},
+                     atlas_hyperparameters()};
+}
+
 }  // namespace
 
 bool begins_cold(const Study& study, const SessionOptions& session, const FitOptions& options) {
-    return options.cold || !known_runs(study, session.fidelity, session.store);
+    SessionOptions silent = session;
+    silent.listener = {};
+    return !runs_before(study, silent, options);
 }
 
 Calibration fit_study(const ResolvedStudy& study, const Measurements& measurements,
                       const SessionOptions& session, const FitOptions& options) {
-    CalibrationRequest request = request_for(
-        options.cold ? std::nullopt
-                     : known_runs(study, session.fidelity, session.store, session.listener),
-        session, options);
+    CalibrationRequest request =
+        request_for(runs_before(study, session, options), session, options);
     std::string stage = "round 1";
     request.stage = [&](std::string_view name) { stage = name; };
     const Workers workers{session.threads, session.stop,
@@ -52,7 +66,7 @@ Calibration fit_study(const ResolvedStudy& study, const Measurements& measuremen
                               tell(session.listener,
                                    {.kind = Event::Kind::runs, .text = stage, .runs = progress});
                           },
-                          session.store, !options.cold};
+                          session.store, !options.cold || session.training};
     const auto report = [&](int round, const Fit& fit) {
         tell(session.listener,
              {.kind = Event::Kind::round, .number = static_cast<std::size_t>(round), .fit = &fit});
@@ -67,9 +81,10 @@ Calibration fit_study(const ResolvedStudy& study, const Measurements& measuremen
 
 dem::Interrupted interrupted_with(const RunStore* store) {
     if (!store) return dem::Interrupted();
-    return dem::Interrupted(
-        fmt::format("The finished simulations are in {}; give the same command again to continue.",
-                    store->file().string()));
+    return dem::Interrupted(fmt::format(
+        "The finished simulations are in {}; give the same command again to continue, with the "
+        "unfinished simulations where they are.",
+        store->file().string()));
 }
 
 }  // namespace pendular

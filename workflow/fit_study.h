@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stop_token>
 
 #include "calib/fit/calibrate_study.h"
 #include "sim/dem/simulation_error.h"
 #include "sim/runs/store/run_store.h"
+#include "workflow/fit_runs.h"
 #include "workflow/listener.h"
 
 namespace pendular {
@@ -22,6 +24,9 @@ struct SessionOptions {
     /// Store (the user's file of simulations), which keeps new runs and provides earlier runs.
     /// Null: no store is used.
     RunStore* store = nullptr;
+    /// Training runs of an earlier result (option --runs-of), on which the emulator is trained in
+    /// place of all runs of atlas and store. Null: atlas and store.
+    std::shared_ptr<const TrainingRuns> training = nullptr;
     /// Request to stop, which ends a computation by the exception dem::Interrupted.
     std::stop_token stop = {};
     /// Callback that receives notes and progress reports. May be empty.

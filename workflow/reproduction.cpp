@@ -9,6 +9,7 @@
 #include "calib/emulator/emulated_observables.h"
 #include "data/input_error.h"
 #include "sim/runs/store/run_table.h"
+#include "workflow/fit_runs.h"
 #include "workflow/known_runs.h"
 #include "workflow/requested_state.h"
 
@@ -67,6 +68,7 @@ nlohmann::ordered_json to_json(const Reproduction& reproduction) {
     }
     return {{"rows", rows},
             {"agreeing", reproduction.agreeing()},
+            {"runs", runs_json(reproduction.emulator().runs())},
             {"states", reproduction.study().states().size()},
             {"missing", reproduction.study().missing().size()}};
 }

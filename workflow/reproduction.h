@@ -25,6 +25,7 @@ class Reproduction {
     Reproduction(const Reproduction&) = delete;
     Reproduction& operator=(const Reproduction&) = delete;
 
+    const Emulator& emulator() const { return *emulator_; }
     const PaperStudy& study() const { return *study_; }
     const std::vector<ScoreboardRow>& rows() const { return rows_; }
     /// Returns the number of published numbers or ranges that agree with the simulated numbers.

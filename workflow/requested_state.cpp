@@ -45,6 +45,10 @@ std::string with_liquid_content(const RequestedState& requested, std::string why
 
 }  // namespace
 
+/// Largest pressure, volume or content that is tried, and the inverse of the least [1]: far beyond
+/// all simulations, and small enough that no power of it overflows.
+constexpr double extreme = 1e9;
+
 void RequestedState::check_supported() const {
     if (!(friction >= 0 && friction <= 1)) {
         throw InputError(fmt::format("--friction {}: 0 to 1 is needed", friction));
@@ -58,6 +62,10 @@ void RequestedState::check_supported() const {
           std::pair("bridge-volume", bridge_volume), std::pair("liquid-content", liquid_content)}) {
         if (value && !(*value > 0 && std::isfinite(*value))) {
             throw InputError(fmt::format("--{} {}: a positive number is needed", name, *value));
+        }
+        if (value && !(*value >= 1 / extreme && *value <= extreme)) {
+            throw InputError(
+                fmt::format("--{} {}: {:g} to {:g} is needed", name, *value, 1 / extreme, extreme));
         }
     }
     if (reduced_pressure && bridge_volume.has_value() == liquid_content.has_value()) {

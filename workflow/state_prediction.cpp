@@ -15,9 +15,17 @@
 namespace pendular {
 namespace {
 
-/// Emulator trained on the runs of the atlas and of a store, which may be null.
+constexpr int most_points = 10'000;  ///< ten for each dot of the figure; nothing finer is seen
+/// Largest ratio of the ends of a curve [1], beyond which powers of their ratio lose digits or
+/// overflow; simulated reduced pressures differ by less than a factor of 1e4.
+constexpr double widest = 1e12;
+
+/// Emulator trained on the runs of the atlas and of a store, which may be null, or on the runs of
+/// an earlier result.
 /// @throws InputError where there are too few runs
-Emulator emulator_of_known_runs(const Fidelity& fidelity, const RunStore* store) {
+Emulator emulator_of_known_runs(const Fidelity& fidelity, const RunStore* store,
+                                const TrainingRuns* training) {
+    if (training) return Emulator(training->runs, atlas_hyperparameters());
     auto known = known_runs(Study{}, fidelity, store);
     if (!known) {
         throw InputError(
@@ -86,7 +94,19 @@ VariedQuantity VariedQuantity::parsed(const std::string& text, int points) {
         throw InputError(fmt::format("--along {}: '{}' is no quantity that can be varied; {}", text,
                                      name, did_you_mean(name, names)));
     }
-    if (!from || !to || !(*from < *to) || points < 2) {
+    if (points < 2 || points > most_points) {
+        throw InputError(fmt::format(
+            "--points {}: 2 to {} are needed; the figure is {} dots wide, and more would not show",
+            points, most_points, 1000));
+    }
+    if (from && to && *from > 0 && !(*to / *from <= widest)) {
+        throw InputError(
+            fmt::format("--along {}: the second number is more than {:g} times the first; no "
+                        "quantity of a flow "
+                        "of grains varies so much: give a narrower range",
+                        text, widest));
+    }
+    if (!from || !to || !(*from < *to)) {
         throw InputError(fmt::format(
             "--along {}: two numbers are needed, the lesser first, as in {}=0.5:10", text, name));
     }
@@ -116,10 +136,10 @@ void VariedQuantity::set(RequestedState& requested, double value) const {
 }
 
 StatePredictor::StatePredictor(const Fidelity& fidelity, const RunStore* store,
-                               double stiffness_number)
+                               double stiffness_number, const TrainingRuns* training)
     : fidelity_(fidelity),
       stiffness_number_(stiffness_number),
-      emulator_(emulator_of_known_runs(fidelity, store)),
+      emulator_(emulator_of_known_runs(fidelity, store, training)),
       known_(emulator_) {
     check_stiffness_number(stiffness_number);
 }

@@ -9,6 +9,7 @@
 #include "calib/emulator/known_range.h"
 #include "sim/closures/closure_values.h"
 #include "sim/runs/store/run_store.h"
+#include "workflow/fit_runs.h"
 #include "workflow/requested_state.h"
 
 namespace pendular {
@@ -92,9 +93,12 @@ class StatePredictor {
     ///        1000) of the training runs
     /// @param store user's file of simulations; null: only the atlas is used
     /// @param stiffness_number stiffness number of the grains to predict [1]
+    /// @param training runs of an earlier result, on which the emulator is trained in place of all
+    ///        runs of atlas and store; null: atlas and store
     /// @throws InputError if there are too few earlier runs to train an emulator, or if the
     ///         stiffness number is below 100
-    StatePredictor(const Fidelity& fidelity, const RunStore* store, double stiffness_number);
+    StatePredictor(const Fidelity& fidelity, const RunStore* store, double stiffness_number,
+                   const TrainingRuns* training = nullptr);
     StatePredictor(const StatePredictor&) = delete;
     StatePredictor& operator=(const StatePredictor&) = delete;
 

@@ -47,7 +47,6 @@ Json to_json(const StatePrediction& prediction) {
     Json json = state_json(prediction.state, prediction.observables);
     json["stiffness_number"] = prediction.stiffness_number;
     json["beyond"] = prediction.beyond;
-    json["runs"] = prediction.runs;
     json["simulated"] = false;
     if (prediction.closures) json["closures"] = closures_json(*prediction.closures);
     return json;

@@ -117,6 +117,7 @@ void check_readings(const std::vector<Reading>& readings, const Study& study,
 }  // namespace
 
 KnownRuns runs_for_diagnosis(const ResolvedStudy& study, const SessionOptions& session) {
+    if (session.training) return {session.training->runs, atlas_hyperparameters()};
     auto known = known_runs(StudyModels::with_all_effects(study), session.fidelity, session.store,
                             session.listener);
     if (!known) {

@@ -138,7 +138,8 @@ StudyInput read_input(const fs::path& file, const OutputPlaces& outputs) {
 }
 
 std::filesystem::path study_folder(const std::filesystem::path& study) {
-    if (std::filesystem::is_directory(study)) {
+    std::error_code error;  // set for a link to itself, for example
+    if (std::filesystem::is_directory(study, error)) {
         return study;
     }
     return study.has_parent_path() ? study.parent_path() : std::filesystem::path(".");
@@ -146,7 +147,8 @@ std::filesystem::path study_folder(const std::filesystem::path& study) {
 
 std::optional<AnnularCell> cell_beside(const std::filesystem::path& file) {
     const std::filesystem::path study = file.parent_path() / "study.toml";
-    if (!std::filesystem::is_regular_file(study)) return std::nullopt;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(study, error)) return std::nullopt;
     try {
         return read_study(study).cell;
     } catch (const InputError&) {

@@ -34,7 +34,7 @@ std::string tidy_table(const FileView& view) {
     text += "\n" + units + "\n";
     for (std::size_t k = 0; k < view.series.size(); ++k) {
         const IntervalSeries& series = view.series[k];
-        const std::string begin = fmt::format("{},{},{}", csv_cell(view.file.blocks[k].test),
+        const std::string begin = fmt::format("{},{},{}", csv_text_cell(view.file.blocks[k].test),
                                               view.file.blocks[k].number, view.roles[k].role);
         for (std::size_t i = 0; i < series.size(); ++i) {
             text += fmt::format("{},{}", begin, series.line[i]);

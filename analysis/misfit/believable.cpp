@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "calib/fit/range_text.h"
+
 namespace pendular {
 namespace {
 
@@ -50,8 +52,8 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         if (!out_of_range(fit, parameters, k)) continue;
         belief.reasons.push_back(fmt::format(
-            "The fitted {} is {:.3g}, at the end of its range or of the range of the simulations.",
-            parameters[k].name, fit.parameters(static_cast<Eigen::Index>(k))));
+            "The fitted {} is {:.3g}, at the end of its range, {}.", parameters[k].name,
+            fit.parameters(static_cast<Eigen::Index>(k)), range_text(fit, parameters, k)));
     }
     for (std::size_t k = 0; k < std::min(most_doubts, measurements.doubts.size()); ++k) {
         belief.reasons.push_back(measurements.doubts[k].what);

@@ -78,10 +78,6 @@ void set_routes(httplib::Server& server, const ServerAddress& address, ServedStu
     const auto route_of = [&address](const httplib::Request& request) {
         return std::get<Route>(check_request(head_of(request), address));
     };
-    // One request for each connection, so that the content of a refused one is never read as
-    // another.
-    server.set_keep_alive_max_count(1);
-    server.set_keep_alive_timeout(2);
     server.set_payload_max_length(largest_received);
     server.set_pre_routing_handler([&address](const auto& request, auto& response) {
         const auto checked = check_request(head_of(request), address);

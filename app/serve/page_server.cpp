@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "app/serve/bounded_server.h"
 #include "app/serve/page_routes.h"
 #include "data/input_error.h"
 #include "reports/page/report_page.h"
@@ -26,24 +27,15 @@ httplib::Headers security_headers() {
 }  // namespace
 
 struct PageServer::Inside {
-    httplib::Server server;
+    BoundedServer server;
     ServerAddress address;
     std::jthread thread;
 };
 
 PageServer::PageServer(int port) : inside_(std::make_unique<Inside>()) {
-    httplib::Server& server = inside_->server;
-    // Without SO_REUSEPORT, which would let two servers share a port.
-    server.set_socket_options([](socket_t socket) {
-        const int yes = 1;
-        setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-    });
+    BoundedServer& server = inside_->server;
     server.set_default_headers(security_headers());
-    if (port == 0) {
-        inside_->address.port = server.bind_to_any_port("127.0.0.1");
-    } else {
-        inside_->address.port = server.bind_to_port("127.0.0.1", port) ? port : -1;
-    }
+    inside_->address.port = server.bind(port);
     if (inside_->address.port < 0)
         throw InputError(fmt::format(
             "--port {}: another program uses this port, or it is not permitted; name another one, "

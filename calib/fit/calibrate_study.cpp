@@ -342,6 +342,7 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
     c.prediction = predict_readings(model.whole().model(), c);
     const Emulator& emulator = planner.simulation()->emulator();
     c.runs = emulator.runs();
+    c.known = request.known.runs.size();
     c.hyperparameters = emulator.hyperparameters();
     c.simulated = planner.simulated();
     c.notes = notes_on(c, resolved, planner, wet_known);

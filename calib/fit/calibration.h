@@ -67,6 +67,8 @@ struct Calibration {
     int rounds = 0;
     /// Simulation runs on which the emulator of the model is trained, earlier runs and new runs.
     std::vector<dem::RunResult> runs;
+    /// Number of runs, the first ones of `runs`, that existed before the calibration.
+    std::size_t known = 0;
     /// Hyperparameters of the emulator (amplitudes, correlation lengths and noise of the Gaussian
     /// processes) for each observable.
     EmulatorHyperparameters hyperparameters;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "calib/emulator/known_range.h"
+#include "calib/fit/range_text.h"
 #include "calib/fit/reading_order.h"
 #include "calib/fit/stopping_rule.h"
 #include "calib/fit/undetermined.h"
@@ -100,7 +101,9 @@ std::optional<std::string> exhausted_note(const Calibration& c, const RunPlanner
 
 /// Note on a parameter whose fit ended at a bound. A bound at the neutral value means that the
 /// effect is not needed; any other bound means that the best fit lies beyond the range.
-std::string bound_note(const Parameter& parameter, double value, const ResolvedStudy& resolved) {
+std::string bound_note(const Calibration& c, std::size_t k, const ResolvedStudy& resolved) {
+    const Parameter& parameter = c.parameters[k];
+    const double value = c.fit.parameters(static_cast<Eigen::Index>(k));
     const Study& study = resolved;
     const auto dot = parameter.name.rfind('.');
     const double close = 1e-6 * (parameter.upper - parameter.lower);
@@ -120,9 +123,9 @@ std::string bound_note(const Parameter& parameter, double value, const ResolvedS
         }
     }
     return fmt::format(
-        "The fitted {} ended at a bound of its range, {:.3g} to {:.3g}: the best fit lies beyond "
-        "the range.",
-        parameter.name, parameter.lower, parameter.upper);
+        "The fitted {} ended at a bound of its range, {}: the best fit lies beyond the range, and "
+        "the standard error holds on one side only, if at all.",
+        parameter.name, range_text(c.fit, c.parameters, k));
 }
 
 std::vector<std::string> warnings(const Calibration& c, const ResolvedStudy& study) {
@@ -149,8 +152,7 @@ std::vector<std::string> warnings(const Calibration& c, const ResolvedStudy& stu
     }
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
         if (c.fit.at_bound[k]) {
-            notes.push_back(
-                bound_note(c.parameters[k], c.fit.parameters(static_cast<Eigen::Index>(k)), study));
+            notes.push_back(bound_note(c, k, study));
         }
     }
     return notes;

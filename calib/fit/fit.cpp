@@ -324,6 +324,11 @@ Measured stack(const std::vector<Reading>& readings, const std::vector<DirectMea
     return measured;
 }
 
+double Fit::width(Eigen::Index k) const {
+    return k < range.upper.size() ? range.upper(k) - range.lower(k)
+                                  : std::numeric_limits<double>::infinity();
+}
+
 double Fit::standard_error(Eigen::Index k) const {
     return std::sqrt(covariance(k, k) + (widening.size() > 0 ? widening(k, k) : 0.0));
 }
@@ -426,6 +431,7 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
         result.at_bound.push_back(parameters(k) - range.lower(k) < close ||
                                   range.upper(k) - parameters(k) < close);
     }
+    result.range = range;
     return result;
 }
 

@@ -61,6 +61,9 @@ struct Fit {
     /// For each parameter, whether the fitted value is at an end of the parameter's range or of the
     /// range that simulations support.
     std::vector<bool> at_bound;
+    /// Range within which each parameter was fitted: its own range, or the range that simulations
+    /// support where that is narrower. Empty for a fit that an earlier version wrote.
+    ParameterBounds range = {};
     /// Prediction of the measured values at the fitted parameters, with derivatives and covariance.
     Prediction prediction;
     /// Message of the solver Ceres or of Pendular that says why the fit stopped.
@@ -70,6 +73,12 @@ struct Fit {
     /// The standard error is widened (`widening`) if few replicates (repeated readings) determine
     /// the scatter of the readings.
     double standard_error(Eigen::Index k) const;
+    /// Returns the width of the range of the parameter with index `k`, in the unit of the
+    /// parameter; infinity if the range is unknown.
+    double width(Eigen::Index k) const;
+    /// Whether the readings determine the parameter with index `k`: its standard error is smaller
+    /// than the width of its range.
+    bool determines(Eigen::Index k) const { return standard_error(k) < width(k); }
     /// Returns the standard errors of all parameters, each in the unit of the parameter. The
     /// standard errors are widened (`widening`) if few replicates (repeated readings) determine the
     /// scatter of the readings.

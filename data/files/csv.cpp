@@ -219,4 +219,10 @@ std::string csv_cell(std::string_view text) {
     return result + '"';
 }
 
+std::string csv_text_cell(std::string_view text) {
+    const bool formula =
+        !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
+    return csv_cell(formula && !parse_number(text) ? "'" + std::string(text) : std::string(text));
+}
+
 }  // namespace pendular

@@ -81,4 +81,10 @@ Table table_of(const std::string& file, const std::vector<std::string_view>& lin
 /// each line end becomes a blank.
 std::string csv_cell(std::string_view text);
 
+/// Returns a cell of a CSV file with a text that people made, such as the name of a file. A text
+/// that a spreadsheet would take for a formula, since it begins with =, +, -, @, TAB or CR, gets an
+/// apostrophe in front, at which spreadsheets show it as text. A number stays as it is.
+/// Source: OWASP, CSV Injection.
+std::string csv_text_cell(std::string_view text);
+
 }  // namespace pendular

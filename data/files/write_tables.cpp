@@ -25,7 +25,7 @@ std::string header(std::string_view name, std::string_view suffix = "") {
 
 std::string file_from(const std::filesystem::path& written, const std::string& file) {
     const std::filesystem::path folder = written.has_parent_path() ? written.parent_path() : ".";
-    return csv_cell(std::filesystem::proximate(file, folder).string());
+    return csv_text_cell(std::filesystem::proximate(file, folder).string());
 }
 
 std::string reading_row(const Reading& reading, const std::filesystem::path& path,
@@ -95,7 +95,7 @@ void write_excluded(const std::filesystem::path& path, const Measurements& measu
     std::string text = "file,first_line,last_line,reason\n";
     for (const Excluded& each : measurements.excluded)
         text += fmt::format("{},{},{},{}\n", file_from(path, each.origin.file), each.origin.line,
-                            each.last_line, csv_cell(each.reason));
+                            each.last_line, csv_text_cell(each.reason));
     write_whole(path, text);
 }
 

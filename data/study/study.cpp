@@ -44,7 +44,10 @@ constexpr double right_angle = 1.5707963267948966;
 std::filesystem::path study_file(const std::filesystem::path& study) {
     std::error_code error;  // set for a link to itself, for example
     if (!std::filesystem::exists(study, error))
-        throw InputError({study.string()}, "does not exist; name a study folder or its study.toml");
+        throw InputError({study.string()},
+                         error == std::errc::too_many_symbolic_link_levels
+                             ? "is a link that leads to itself; name the folder of a study"
+                             : "does not exist; name a study folder or its study.toml");
     if (!std::filesystem::is_directory(study, error)) {
         if (study.extension() == ".csv" || study.extension() == ".txt" ||
             study.extension() == ".xlsx")

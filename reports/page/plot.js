@@ -272,7 +272,9 @@ class Plot {
   }
 
   csv() {
-    const quoted = text => /[",\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text;
+    // An apostrophe in front of what a spreadsheet would take for a formula.
+    const safe = text => /^[=+\-@\t\r]/.test(text) && isNaN(text) ? "'" + text : text;
+    const quoted = any => (text => /[",\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text)(safe(any));
     const names = this.spec.names ? this.spec.names() : null, at = x => names ? quoted(`${x}: ${names[x]}`) : x;
     const rows = [["series", "kind", this.spec.xLabel, this.spec.yLabel || "value", "standard error"].map(quoted)];
     for (const s of this.shown) {

@@ -152,8 +152,8 @@ PageTable rivals_table(const PageContent& content) {
         }
         table.rows.push_back({names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
                               fmt::format("{:.2f}", each.chi2), fmt::format("{}", each.fit.dof),
-                              with_error(each.fit.parameters(0), each.fit.standard_error(0)),
-                              p_text(each.lack_of_fit_p, ""), p_text(each.further_p, "")});
+                              estimate_text(each.fit, 0, "1"), p_text(each.lack_of_fit_p, ""),
+                              p_text(each.further_p, "")});
     };
     for (const Explanation& each : d.confidence_set) {
         add(each);
@@ -261,10 +261,10 @@ std::string readings_text(const StudyDiagnosis& d) {
 PageSection provenance_section(const PageContent& content) {
     PageSection section{.id = "provenance", .title = "Provenance"};
     section.lines = {
-        fmt::format("Made by Pendular {} from {} and {} earlier simulations, fidelity "
-                    "{}, seed {}.",
+        fmt::format("Made by Pendular {} from {} and {} earlier simulations (hash {}), "
+                    "fidelity {}, seed {}.",
                     content.version, readings_text(content.diagnosis), content.runs,
-                    content.options.fidelity.name, content.options.seed),
+                    content.runs_hash, content.options.fidelity.name, content.options.seed),
         "No simulation was made for the fits of this page: the emulator predicts what simulations "
         "would give, with its error. 'pendular calibrate' confirms the fit of the study's model by "
         "new simulations.",

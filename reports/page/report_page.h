@@ -52,6 +52,8 @@ struct PageContent {
     SessionOptions options;
     /// Number of simulations on which the emulator (interpolation between simulations) was trained.
     std::size_t runs = 0;
+    /// Hash of these simulations, as in the JSON of the results (`runs_json`).
+    std::string runs_hash = {};
     bool calibrated = false;  ///< whether the results folder has a fit of the study
     /// Version number of the page, by which a browser finds out that `pendular serve` has a newer
     /// page. Empty for a page without a server.

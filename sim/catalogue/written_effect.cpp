@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 
+#include "data/quantities/number.h"
 #include "sim/catalogue/formula.h"
 #include "sim/catalogue/homogeneity.h"
 
@@ -203,10 +204,10 @@ class ShownValue {
     void set(State& state, double value) const { target_(state) = value; }
 
     /// Returns the value of the formula.
-    /// @throws InputError where the value is not finite
+    /// @throws InputError where the value is not finite, or so large that its square overflows soon
     double checked(const State& state, double parameter) const {
         const double value = of(state, parameter);
-        if (!std::isfinite(value)) {
+        if (!(std::abs(value) <= largest_magnitude)) {
             refuse(
                 fmt::format("gives {} at {}; guard it with CONDITION ? A : B, or correct the "
                             "bounds",

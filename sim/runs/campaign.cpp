@@ -217,8 +217,13 @@ std::vector<Point> sobol_points(const StudyTable& table) {
     return points;
 }
 
-dem::RunParameters run_at(const Point& point) {
+/// Run at a point; what the point does not state is that of the fidelity.
+dem::RunParameters run_at(const Point& point, const Fidelity& fidelity) {
     dem::RunResult run;
+    run.parameters.inertial_number = fidelity.lowest_inertial_number;
+    run.parameters.stiffness_number = fidelity.stiffness_number;
+    run.parameters.grains = fidelity.grains;
+    run.parameters.strain = fidelity.strain;
     for (const auto& [parameter, value] : point) {
         const bool whole = parameter->type == RunColumn::Type::integer;
         parameter->set(run, whole ? RunCell(std::int64_t{std::llround(value)}) : RunCell(value));
@@ -239,12 +244,12 @@ std::uint64_t own_fingerprint(dem::RunParameters run) {
 
 class Reader {
   public:
-    explicit Reader(std::uint64_t seed) : seed_(seed) {}
+    Reader(std::uint64_t seed, const Fidelity& fidelity) : seed_(seed), fidelity_(fidelity) {}
 
     void add(const StudyTable& table, const std::vector<Point>& points) {
         const std::size_t repeats = count(table, "repeats", 1, 1);
         for (const Point& point : points) {
-            dem::RunParameters run = run_at(point);
+            dem::RunParameters run = run_at(point, fidelity_);
             const std::uint64_t own = own_fingerprint(run);
             for (std::size_t repeat = 0; repeat < repeats; ++repeat) {
                 // 53 bits, which every program that reads the store can hold.
@@ -274,15 +279,17 @@ class Reader {
     }
 
     std::uint64_t seed_;
+    Fidelity fidelity_;
     std::vector<dem::RunParameters> runs_;
     std::set<std::string> there_;
 };
 
 }  // namespace
 
-std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file) {
+std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file,
+                                              const Fidelity& fidelity) {
     const StudyTable root = StudyTable::read(file, {"seed", "grid", "list", "sobol"});
-    Reader reader(count(root, "seed", 1, 0));
+    Reader reader(count(root, "seed", 1, 0), fidelity);
     for (const StudyTable& table : root.tables("grid", keys_and({"repeats"}))) {
         reader.add(table, grid_points(table));
     }

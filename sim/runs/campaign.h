@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/dem/run.h"
+#include "sim/runs/fidelity.h"
 
 namespace pendular {
 
@@ -30,10 +31,13 @@ namespace pendular {
 /// parameters. The value of `repeats` is the number of runs that differ only in their seeds. The
 /// seed of a run follows from the file's seed, the parameters of the run and the number of the
 /// repeat.
+/// @param fidelity settings for tables without `beads`, `stiffness_number`, `strain` or
+///        `inertial_number`, which is then the lowest inertial number of the fidelity
 /// @throws InputError if the file cannot be read, requests no run or too many runs, or contains a
 ///         syntax error, an unknown key, a value out of range or a run that cannot be simulated;
 ///         the error names the line
-std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file);
+std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file,
+                                              const Fidelity& fidelity);
 
 /// Divides the runs of a campaign (list of simulations) into groups of about equal expected
 /// computing time, for example one group for each machine. Returns the parameters of the runs of

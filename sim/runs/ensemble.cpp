@@ -10,6 +10,7 @@
 #include <numeric>
 #include <thread>
 
+#include "sim/runs/run_checkpoints.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_store.h"
 
@@ -63,15 +64,6 @@ std::vector<std::size_t> longest_first(const std::vector<dem::RunParameters>& ru
     return order;
 }
 
-dem::RunResult run_one(const dem::RunParameters& run, const dem::RunOptions& options) {
-    try {
-        return simulate(run, options);
-    } catch (const dem::SimulationError& error) {
-        // The failure of one sample must not end the other runs.
-        return {.parameters = run, .failure = error.what()};
-    }
-}
-
 namespace {
 
 /// Work shared by the threads of one ensemble.
@@ -82,7 +74,8 @@ class Ensemble {
           workers_(workers),
           results_(runs.size()),
           done_(runs.size(), 0.0),
-          order_(longest_first(runs)) {
+          order_(longest_first(runs)),
+          checkpoints_(workers.store ? workers.store->file() : std::filesystem::path()) {
         if (workers_.store && workers_.reads_store) {
             take_stored();
         }
@@ -130,13 +123,17 @@ class Ensemble {
             }
             const std::size_t k = order_[turn];
             try {
-                results_[k] = pendular::run_one(
-                    runs_[k],
-                    {.stop = stop_.get_token(), .progress = [&](double strain, double expected) {
-                         note(k, std::min(0.999, strain / expected));
-                     }});
+                results_[k] =
+                    checkpoints_.simulated(runs_[k],
+                                           {.stop = stop_.get_token(),
+                                            .progress =
+                                                [&](double strain, double expected) {
+                                                    note(k, std::min(0.999, strain / expected));
+                                                }},
+                                           [&](const dem::RunResult& run) {
+                                               if (workers_.store) workers_.store->add(run);
+                                           });
                 if (workers_.store) {
-                    workers_.store->add(results_[k]);
                     results_[k].trace.clear();
                     results_[k].final_state = {};
                 }
@@ -179,6 +176,7 @@ class Ensemble {
     std::vector<dem::RunResult> results_;
     std::vector<double> done_;
     std::vector<std::size_t> order_;
+    const RunCheckpoints checkpoints_;
     double total_ = 0;
     std::atomic<std::size_t> next_{0};
     std::stop_source stop_;

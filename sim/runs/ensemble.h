@@ -45,21 +45,13 @@ struct Workers {
 /// simulation first. Returns the results in the order of `runs`. The results do not depend on the
 /// number of threads. If a simulation fails, its result has only its parameters and
 /// `RunResult::failure`, and the other simulations continue. A result that is read from a store has
-/// no profiles and no distributions.
+/// no profiles and no distributions. With a store, a run that is stopped or killed goes on where it
+/// was when it is carried out again (`RunCheckpoints`).
 /// @throws std::invalid_argument for a run that cannot be simulated
 /// @throws dem::Interrupted if a stop is requested
 /// @throws InputError, std::runtime_error if the store cannot be read or written
 std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs,
                                     const Workers& workers);
-
-/// Carries out one simulation in the calling thread and returns the averages of its observables. If
-/// the simulation fails (dem::SimulationError), the result has only the parameters of the run and
-/// `RunResult::failure`.
-/// @throws std::invalid_argument for a run that cannot be simulated
-/// @throws dem::Interrupted if a stop is requested
-/// @throws InputError if the checkpoint belongs to a run other than `run` or to another version of
-///         the program, or is corrupt
-dem::RunResult run_one(const dem::RunParameters& run, const dem::RunOptions& options);
 
 /// Returns the indices of `runs` in the order of decreasing expected computing time. If runs are
 /// started in this order, no long run is left to the end.

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "sim/dem/archive.h"
+#include "sim/runs/run_checkpoints.h"
 #include "sim/runs/store/run_columns.h"
 #include "sim/runs/store/run_store.h"
 
@@ -149,14 +150,17 @@ void MpiProcesses::manage(const std::vector<dem::RunParameters>& runs,
     }
 }
 
-void MpiProcesses::work(const std::stop_token& stop) const {
+void MpiProcesses::work(const std::stop_token& stop, const std::filesystem::path& store) const {
+    const RunCheckpoints checkpoints(store);
     for (;;) {
         const Received message = receive(stop);
         if (message.tag == Tag::no_more) {
             return;
         }
         const dem::RunParameters parameters = unpacked(message.bytes).parameters;
-        send(message.from, Tag::result, packed(run_one(parameters, {.stop = stop})));
+        checkpoints.simulated(parameters, {.stop = stop}, [&](const dem::RunResult& run) {
+            send(message.from, Tag::result, packed(run));
+        });
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include "sim/runs/ensemble.h"
@@ -39,8 +40,10 @@ class MpiProcesses {
     /// Carries out the simulations that rank 0 sends and returns each result to rank 0, until rank
     /// 0 reports that no simulations are left. The processes of all ranks other than 0 must call
     /// this function.
+    /// @param store file of the store, beside which unfinished runs have their checkpoints; all
+    ///        machines must see it at this path, else a run begins anew after a stop
     /// @throws dem::Interrupted if a stop is requested
-    void work(const std::stop_token& stop) const;
+    void work(const std::stop_token& stop, const std::filesystem::path& store) const;
 
     /// Ends all MPI processes of this program, including this process, with an exit code
     /// (MPI_Abort).

@@ -5,9 +5,13 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <fstream>
 
 #include <nlohmann/json.hpp>
 
+#include "sim/dem/archive.h"
+#include "sim/runs/campaign.h"
+#include "sim/runs/run_checkpoints.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_columns.h"
 #include "sim/runs/store/run_store.h"
@@ -89,6 +93,84 @@ TEST(CampaignCommand, GoesOnWhereItWasStopped) {
     EXPECT_EQ(json::parse(last.output)["new"], 8 - before);
     EXPECT_EQ(content_of_store(part), content_of_store(expected));
     EXPECT_EQ(json::parse(run_pendular(words + " --json -").output)["new"], 0);
+}
+
+// One run of some seconds, stopped in its middle by each signal: it goes on from its checkpoint,
+// with the result of a run that was not stopped.
+TEST(CampaignCommand, GoesOnWithinARunThatWasStopped) {
+    const TemporaryFolder folder;
+    const std::string file =
+        folder
+            .write("long.toml",
+                   "[[grid]]\nfriction = 0.2\ninertial_number = 0.05\nstiffness_number = 1000\n"
+                   "beads = 500\nstrain = 20\n")
+            .string();
+    const fs::path expected = folder.path() / "whole.sqlite", part = folder.path() / "part.sqlite",
+                   unfinished = folder.path() / "part.sqlite.unfinished";
+    const auto words = [&](const fs::path& store) {
+        return fmt::format("campaign {} --quiet --threads 1 --store {}", file, store.string());
+    };
+    ASSERT_EQ(run_pendular(words(expected)).code, 0);
+    EXPECT_FALSE(fs::exists(expected.string() + ".unfinished"));
+    const double whole_seconds = RunStore(expected).select().front().run.wall_seconds;
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const pid_t campaign = start_pendular(words(part));
+        usleep(static_cast<useconds_t>(0.25e6 * whole_seconds) + 300'000);
+        kill(campaign, signal);
+        waitpid(campaign, nullptr, 0);
+        ASSERT_EQ(RunStore(part).size(), 0u) << "the run is too short to be stopped";
+        ASSERT_FALSE(fs::is_empty(unfinished));
+    }
+    ASSERT_EQ(run_pendular(words(part)).code, 0);
+    EXPECT_EQ(content_of_store(part), content_of_store(expected));
+    EXPECT_FALSE(fs::exists(unfinished));
+    EXPECT_TRUE(pendular::dem::archived(RunStore(part).get(1).run.trace) ==
+                pendular::dem::archived(RunStore(expected).get(1).run.trace));
+}
+
+TEST(CampaignCommand, BeginsARunAnewWhoseCheckpointCannotBeRead) {
+    const TemporaryFolder folder;
+    const fs::path expected = whole(folder), part = folder.path() / "part.sqlite";
+    const fs::path unfinished = part.string() + ".unfinished";
+    const auto runs =
+        pendular::read_campaign(folder.path() / "runs.toml", pendular::fidelity_named("standard"));
+    fs::create_directory(unfinished);
+    const pendular::RunCheckpoints checkpoints(part);
+    for (const auto& run : runs)
+        std::ofstream(checkpoints.file_of(run)) << "spoiled";
+    ASSERT_EQ(run_pendular(fmt::format("campaign {} --quiet --store {}",
+                                       (folder.path() / "runs.toml").string(), part.string()))
+                  .code,
+              0);
+    EXPECT_EQ(content_of_store(part), content_of_store(expected));
+    EXPECT_FALSE(fs::exists(unfinished));
+}
+
+TEST(CampaignCommand, TakesWhatATableDoesNotStateFromTheFidelity) {
+    const TemporaryFolder folder;
+    const std::string file =
+        folder
+            .write("few.toml",
+                   "[[grid]]\nfriction = 0.2\n[[grid]]\nfriction = 0.3\nbeads = 123\n"
+                   "strain = 2\nstiffness_number = 400\ninertial_number = 0.2\n")
+            .string();
+    const auto runs = pendular::read_campaign(file, pendular::fidelity_named("paper"));
+    ASSERT_EQ(runs.size(), 2u);
+    EXPECT_EQ(runs[0].grains, 4000);
+    EXPECT_EQ(runs[0].stiffness_number, 8400);
+    EXPECT_EQ(runs[0].inertial_number, 1e-3);
+    EXPECT_EQ(runs[0].strain, 20);
+    EXPECT_EQ(runs[1].grains, 123);
+    EXPECT_EQ(runs[1].stiffness_number, 400);
+    EXPECT_EQ(runs[1].inertial_number, 0.2);
+    EXPECT_EQ(runs[1].strain, 2);
+    // The command passes the option on: the settings show in the estimated duration.
+    const auto seconds = [&](const std::string& fidelity) {
+        return json_of("campaign " + file + " --dry-run --fidelity " + fidelity + " --store " +
+                       (folder.path() / "none.sqlite").string())["estimated_seconds"]
+            .get<double>();
+    };
+    EXPECT_GT(seconds("paper"), 5 * seconds("quick"));
 }
 
 TEST(CampaignCommand, MayBeginTwiceAtOnce) {

@@ -236,6 +236,11 @@ TEST(Predict, RefusesWhatIsNoState) {
     expect_refused("predict --reduced-pressure 1", "either --bridge-volume or --liquid-content");
     expect_refused("predict --bridge-volume 0.001", "need --reduced-pressure");
     expect_refused("predict --reduced-pressure -1 --bridge-volume 0.001", "a positive number");
+    expect_refused("predict --along reduced-pressure=1e-300:1e300 --liquid-content 0.03",
+                   "give a narrower range");
+    expect_refused("predict --along reduced-pressure=1e-300:1e-299 --liquid-content 0.03",
+                   "1e-09 to 1e+09 is needed");
+    expect_refused("predict --along friction=0:0.3 --points 1000000000", "2 to 10000 are needed");
     expect_refused("predict --along frition=0:1", "did you mean 'friction'");
     expect_refused("predict --along friction=0.3", "as in friction=0.5:10");
     expect_refused("predict --along friction=0.3:0.1", "the lesser first");

@@ -174,6 +174,9 @@ TEST_F(JsonOutput, OfRunsIsAsTheSchemasSay) {
     const auto file = folder_.write("few.toml",
                                     "[[grid]]\nfriction = [0.1]\ninertial_number = [0.5]\n"
                                     "stiffness_number = 300\nbeads = 100\nstrain = 1\n");
+    const std::string plan =
+        expect_output("campaign " + file.string() + " --dry-run" + store, "campaign");
+    EXPECT_THAT(plan, HasSubstr("estimated_seconds"));
     expect_output("campaign " + file.string() + store, "campaign");
 }
 
@@ -197,6 +200,20 @@ TEST_F(JsonOutput, OfAVirtualLaboratoryIsAsTheSchemasSay) {
         "truth");
     EXPECT_EQ(json::parse(content_of(path("lab/truth.json"))), json::parse(truth));
     expect_output("import " + path("lab"), "import");
+}
+
+TEST(Schemas, DescribeEveryShippedTruth) {
+    std::size_t found = 0;
+    for (const char* const folder : {"examples", "tests/data"}) {
+        for (const auto& entry :
+             fs::recursive_directory_iterator(fs::path(PENDULAR_SOURCE_DIR) / folder)) {
+            if (entry.path().filename() != "truth.json") continue;
+            ++found;
+            SCOPED_TRACE(entry.path());
+            expect_valid(content_of(entry.path()), "truth");
+        }
+    }
+    EXPECT_GE(found, 3u);
 }
 
 TEST_F(JsonOutput, OfAWetStudyIsAsTheSchemasSay) {
@@ -285,7 +302,8 @@ TEST_F(CalibratedStudy, RefusesALadderOfAnotherFormat) {
 
 TEST_F(CalibratedStudy, WhoseRunsAreGoneSaysWhatToDo) {
     auto other = fit();
-    other["runs"][3] = "0123456789abcdef";
+    std::string names = other["runs"]["names"];
+    other["runs"]["names"] = names.replace(3 * 17, 16, "0123456789abcdef");
     write(other);
     expect_refused_with("1 of the ");
     expect_refused_with("run 'pendular calibrate' again");

@@ -221,6 +221,29 @@ TEST(FigureNumbers, AreATableWhateverTheLabels) {
                 ElementsAre("1", "", "2", "", "", "none", "own_unit [N, m]", "y [1]"));
 }
 
+// OWASP, CSV Injection: a spreadsheet executes a cell that begins with one of these characters.
+TEST(FigureNumbers, ContainNoFormula) {
+    const TemporaryFolder folder;
+    for (const std::string begin : {"=", "+", "-", "@"}) {
+        const std::string label = begin + "HYPERLINK(\"http://x\")";
+        Panel panel{.x_label = plain_text(label), .y_label = plain_text(label)};
+        panel.curves = {{.label = plain_text(label), .x = {1}, .y = {-2}}};
+        panel.x_names = {{plain_text(label)}};
+        draw({.name = "figure", .title = "", .panels = {panel}}, folder.path());
+        const Table table = read_table(folder.path() / "figure.csv");
+        ASSERT_EQ(table.rows.size(), 1u);
+        for (const std::size_t text : {1u, 5u, 6u, 7u})
+            EXPECT_EQ(table.rows[0].cells[text].text.front(), '\'') << begin << text;
+        EXPECT_EQ(table.rows[0].cells[3].text, "-2");  // a number stays one
+    }
+    EXPECT_EQ(csv_text_cell("\t=1+1"), "\"'\t=1+1\"");  // of a figure, a blank by now
+    EXPECT_EQ(csv_text_cell("\r=1+1").substr(0, 2), "\"'");
+    EXPECT_EQ(csv_text_cell("-12.5"), "-12.5");
+    EXPECT_EQ(csv_text_cell("=1+1"), "'=1+1");
+    EXPECT_EQ(csv_text_cell("@a,b"), "\"'@a,b\"");
+    EXPECT_EQ(csv_text_cell("dry_1.csv"), "dry_1.csv");
+}
+
 TEST(BrokenName, EndsNoLineInTheMiddleOfACharacter) {
     EXPECT_THAT(broken_name("capillary-shear-stress"),
                 ElementsAre("capillary-", "shear-", "stress"));

@@ -12,6 +12,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         digits = c >= '0' && c <= '9' ? digits + 1 : 0;
         if (digits > 3) return -1;
     }
-    fuzz::refuse_or([&] { read_campaign(fuzz::file_of("campaign.toml", text)); });
+    fuzz::refuse_or(
+        [&] { read_campaign(fuzz::file_of("campaign.toml", text), fidelity_named("quick")); });
     return 0;
 }

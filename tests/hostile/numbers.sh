@@ -103,3 +103,12 @@ E
 attack "formulas: never finite" 2 "" <<'E'
 own_effect 'torque + a/(torque - torque)'; printf '[model]\neffects = ["own"]\n' >>s/study.toml; run calibrate s --no-confirm --quiet
 E
+attack "numbers: an own formula whose square overflows" 2 "guard it" <<'E'
+study s; printf '[[effect]]\nname = "own"\nparameter = "a"\nunit = "1"\nlower = -1.0\nupper = 1.0\nmatters = 0.1\nstress_ratio = "stress_ratio*exp(a*normal_stress)"\n' >>s/study.toml; run diagnose s
+E
+attack "numbers: a curve over 600 decades" 2 "narrower range" <<'E'
+run predict --along reduced-pressure=1e-300:1e300 --liquid-content 0.03
+E
+attack "numbers: a curve of a thousand million points" 2 "--points" <<'E'
+run predict --along friction=0:0.3 --points 1000000000
+E

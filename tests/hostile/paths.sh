@@ -102,3 +102,6 @@ E
 attack "paths: a study of another user" 0 "" <<'E'
 recordings s; [ "$(id -u)" != 0 ] || chown 1234:1234 s/study.toml; owner=$(stat -c %u:%g s/study.toml); run add s torque-offset --quiet; [ "$(stat -c %u:%g s/study.toml)" = "$owner" ] || fail "owner $(stat -c %u:%g s/study.toml)"
 E
+attack "paths: the folder of a study is a link to itself" 2 "leads to itself" <<'E'
+ln -s s s; run calibrate s
+E

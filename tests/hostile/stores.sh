@@ -109,3 +109,10 @@ E
 attack "stores: a checkpoint of random bytes" 2 "checkpoint" <<'E'
 head -c 100000 /dev/urandom >x.ckpt; run simulate --beads 200 --strain 1 --checkpoint x.ckpt
 E
+attack "stores: an unknown column in double quotes selects nothing" 2 "did you mean 'crystallised'" <<'E'
+store; run runs prune --where 'NOT "crystalized"' --yes
+E
+attack "stores: a condition that joins the runs with themselves" 2 "steps of SQLite" <<'E'
+for i in $(seq 40); do head -$((i + 1)) "$PENDULAR_ATLAS" >all.csv; done; "$program" runs import all.csv
+run runs list --where "(SELECT count(*) FROM runs a, runs b, runs c, runs d, runs e, runs f) > 1"
+E

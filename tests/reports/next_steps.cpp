@@ -170,6 +170,11 @@ TEST_F(NextSteps, NameAtMostThreeDirectMeasurements) {
                             "contact-angle", "normal-force-offset", "height-offset"};
     EXPECT_EQ(std::ranges::count_if(steps(), &NextStep::direct), 3);
     EXPECT_TRUE(steps().back().readings);
+    // The headline names all of them, and so do the steps.
+    for (const std::string& effect : d_.diagnosis.effects) {
+        EXPECT_THAT(texts(), testing::Contains(HasSubstr(effect))) << effect;
+        EXPECT_THAT(texts().back(), HasSubstr(effect));
+    }
     EXPECT_EQ(command(), "pendular next beads");
 }
 

@@ -128,7 +128,8 @@ TEST(Atlas, IsWhatItsCampaignAsksFor) {
         EXPECT_TRUE(there.emplace(run_description(stored.run.parameters), &stored).second);
         EXPECT_EQ(stored.physics_version, dem::physics_version);
     }
-    for (const auto& run : read_campaign(atlas_folder / "campaign.toml")) {
+    for (const auto& run :
+         read_campaign(atlas_folder / "campaign.toml", fidelity_named("standard"))) {
         EXPECT_TRUE(there.contains(run_description(run))) << run_description(run);
     }
     EXPECT_LT(std::filesystem::file_size(atlas_folder / "atlas.csv"), 4'000'000u);

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 std::vector<dem::RunParameters> runs_of(const std::string& text) {
     const TemporaryFolder folder;
-    return read_campaign(folder.write("runs.toml", text));
+    return read_campaign(folder.write("runs.toml", text), fidelity_named("standard"));
 }
 
 std::string refusal(const std::string& text) {

@@ -314,6 +314,27 @@ TEST(RunStore, RefusesAConditionThatFailsOnlyOnRuns) {
     EXPECT_EQ(store.size(), 1u);
 }
 
+// SQLite by itself takes "crystalized" for a text, which is false, so that NOT selects every run.
+TEST(RunStore, RefusesAnUnknownColumnInDoubleQuotes) {
+    RunStore store(RunStore::in_memory);
+    store.add(invented(1));
+    EXPECT_THAT(input_error([&] { store.numbers("NOT \"crystalized\""); }),
+                HasSubstr("did you mean 'crystallised'"));
+    EXPECT_EQ(store.numbers("NOT \"crystallised\"").size(), 1u);
+}
+
+// 400 runs, each with each with each with each: 3e10 rows.
+TEST(RunStore, EndsAConditionThatJoinsTheRunsWithThemselves) {
+    RunStore store(RunStore::in_memory);
+    for (std::uint64_t seed = 0; seed < 400; ++seed)
+        store.add(invented(seed));
+    EXPECT_THAT(input_error([&] {
+                    store.numbers("(SELECT count(*) FROM runs a, runs b, runs c, runs d) > 1");
+                }),
+                HasSubstr("more than 1e+09 steps"));
+    EXPECT_EQ(store.numbers("id > 0").size(), 400u);
+}
+
 TEST(RunStore, LearnsColumnsItDoesNotHaveYet) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "runs.sqlite";
