@@ -42,6 +42,48 @@ class Sessions : public testing::Test {
     std::vector<std::string> texts_;
 };
 
+/// Writes a study of readings at two shear rates whose solid fractions no friction explains, near
+/// the end of the simulated frictions, where the errors of the simulation depend most on the
+/// friction.
+void write_misfitting_study(const fs::path& folder) {
+    fs::create_directory(folder);
+    std::ofstream(folder / "study.toml") << R"([grains]
+diameter = "300 um"
+density = "2500 kg/m^3"
+[liquid]
+surface_tension = "72 mN/m"
+contact_angle = "0 deg"
+[[readings]]
+file = "points.csv"
+[model]
+fit_to = "all"
+)";
+    std::ofstream points(folder / "points.csv");
+    points << "normal_stress [Pa],stress_ratio [1],stress_ratio_sd [1],solid_fraction [1],"
+              "solid_fraction_sd [1],shear_rate [1/s],liquid_content [1]\n";
+    for (const double content : {0.0, 0.03}) {
+        for (const double rate : {1.0, 8.0}) {
+            for (const double stress : {400.0, 700.0, 1300.0, 2500.0, 5000.0}) {
+                const double wet = content > 0 ? 754 / stress : 0;  // 1/P*
+                points << stress << ',' << 0.362 + 0.38 * wet - 0.06 * wet * wet << ",0.005,"
+                       << 0.563 - 0.027 * wet << ",0.0015," << rate << ',' << content << '\n';
+            }
+        }
+    }
+}
+
+TEST_F(Sessions, FitOneModelOnce) {
+    const fs::path study = folder_.path() / "misfit";
+    write_misfitting_study(study);
+    const Session session(study, options());
+    const Fit calibrated = session.calibrate({.confirm = false}).calibration.fit;
+    const Diagnosis diagnosed = session.diagnose().diagnosis;
+    EXPECT_GT(calibrated.chi2, 2 * calibrated.dof);
+    EXPECT_NEAR(calibrated.parameters(0), diagnosed.fit.parameters(0),
+                0.01 * calibrated.standard_error(0));
+    EXPECT_NEAR(calibrated.chi2, diagnosed.chi2, 1e-3 * diagnosed.chi2);
+}
+
 TEST_F(Sessions, GoFromRecordingsToTheEffectThatWasMissing) {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
