@@ -10,6 +10,7 @@
 #include "data/recordings/measurements.h"
 #include "data/recordings/robust.h"
 #include "sim/catalogue/effect.h"
+#include "sim/lab/lab_checks.h"
 #include "sim/lab/lab_like.h"
 #include "sim/lab/virtual_lab.h"
 #include "sim/lab/virtual_study.h"
