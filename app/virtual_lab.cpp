@@ -14,6 +14,7 @@
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "reports/truth.h"
+#include "sim/lab/lab_checks.h"
 #include "sim/lab/virtual_lab.h"
 #include "sim/lab/virtual_study.h"
 #include "sim/runs/store/run_store.h"
@@ -45,7 +46,8 @@ const char* what_pilots_found(const LabResult& result) {
     bool speeds = false, wet = false;
     for (const LabRecording& recording : result.recordings) {
         wet = wet || recording.liquid_content > 0;
-        for (const LabStep& step : recording.steps) speeds = speeds || step.angular_velocity > 0;
+        for (const LabStep& step : recording.steps)
+            speeds = speeds || step.angular_velocity > 0;
     }
     return speeds && wet ? "heights and bridge volumes" : speeds ? "heights" : "bridge volumes";
 }

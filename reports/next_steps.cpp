@@ -99,6 +99,11 @@ class Steps {
     std::string expected(const Effect& effect, const std::vector<Explanation>& models) const;
     std::string to_rule_out(const Effect& effect) const;
     bool matters(const std::string& effect) const;
+    /// Whether the study states a direct measurement of an effect already.
+    bool measured(const std::string& effect) const {
+        const auto& direct = resolved_.study().direct;
+        return std::ranges::find(direct, effect, &StatedDirect::effect) != direct.end();
+    }
     std::string repetition_of(const SuspectError& error) const;
     void check_suspect_sensors(const std::vector<SuspectError>& errors);
     void check_sensors();
@@ -177,6 +182,7 @@ void Steps::measure_directly(const std::vector<std::string>& effects,
     std::size_t named = 0;
     for (const std::string& name : effects) {
         const Effect& effect = resolved_.catalogue().find(name);
+        if (measured(name)) continue;
         if (effect.directly.empty()) {
             never.push_back(name);
             continue;
@@ -285,7 +291,8 @@ void Steps::inconclusive() {
     std::size_t named = 0;
     for (const std::string& name : effects) {
         const Effect& effect = resolved_.catalogue().find(name);
-        if (effect.directly.empty() || !matters(name) || named++ >= most_direct) continue;
+        if (effect.directly.empty() || measured(name) || !matters(name) || named++ >= most_direct)
+            continue;
         say_direct(fmt::format("To rule out {}, measure it directly, by {}.{}", name,
                                effect.directly, to_rule_out(effect)));
     }

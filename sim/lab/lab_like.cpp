@@ -147,7 +147,7 @@ std::vector<LabSeries> series_like(const std::vector<Reading>& readings, const S
     return all;
 }
 
-/// What the rows of steady steps show, one value for each step.
+/// Properties of the rows of steady steps, one value for each step.
 struct RowsOfSteps {
     std::vector<double> rows, strain, force_noise;
     std::vector<double> torque_within, gap_within;  ///< relative standard errors of means [1]

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <map>
+#include <random>
 #include <stdexcept>
 #include <string>
 
 #include "data/input_error.h"
 #include "sim/catalogue/instrument.h"
-#include "sim/lab/liquid_volume.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/seeds.h"
 
@@ -27,167 +27,68 @@ constexpr double pilot_share_of_beads = 0.5, pilot_strain = 1;
 /// fraction, less than a tenth of the instrument's 0.2 %; a run costs sqrt(kappa).
 constexpr double stiffest = 3e4;
 
-/// Checks that all values are positive and differ from each other by at least 5 %, which is more
-/// than replicates differ.
-/// @throws InputError where they do not
-void demand_distinct(const std::vector<double>& values, const std::string& what) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!(values[i] > 0) || !std::isfinite(values[i])) {
-            throw InputError(fmt::format("{} {:g}: it must be above 0", what, values[i]));
+std::vector<LabSetPoint> set_points_of(const LabPlan& plan, bool wet) {
+    std::vector<LabSetPoint> steps;
+    for (const double stress : wet ? plan.wet_normal_stresses : plan.dry_normal_stresses) {
+        for (const double speed : plan.angular_velocities) {
+            steps.push_back({.normal_stress = stress, .angular_velocity = speed});
         }
-        for (std::size_t k = 0; k < i; ++k) {
-            if (std::abs(values[i] / values[k] - 1) < 0.05) {
-                throw InputError(fmt::format(
-                    "{} {:g} and {:g} are too close: values that differ by less than 5 % count as "
-                    "equal; leave one out, or raise --replicates to measure it more often",
-                    what, values[k], values[i]));
-            }
+        if (!plan.angular_velocities.empty()) continue;
+        for (const double number : plan.inertial_numbers) {
+            steps.push_back({.normal_stress = stress, .inertial_number = number});
         }
+    }
+    return steps;
+}
+
+/// Shuffles by Fisher and Yates, which std::shuffle leaves to the library.
+void shuffle(std::vector<LabSetPoint>& steps, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    for (std::size_t left = steps.size(); left > 1; --left) {
+        std::swap(steps[left - 1], steps[random() % left]);
     }
 }
 
-void check_cell(const LabPlan& plan) {
-    constexpr double fewest_layers = 5, loose = 0.6;
-    const AnnularCell& cell = plan.cell;
-    const double diameter = plan.grains.diameter;
-    if (!(plan.cell.bead_volume > 0)) {
-        throw InputError("the bead mass must be above 0");
-    }
-    if (!(cell.inner_radius >= 0 && cell.outer_radius > cell.inner_radius)) {
-        throw InputError(
-            fmt::format("an outer radius of {:g} mm is not above the inner radius of {:g} mm",
-                        1e3 * cell.outer_radius, 1e3 * cell.inner_radius));
-    }
-    if (const double width = cell.outer_radius - cell.inner_radius;
-        width < fewest_layers * diameter) {
-        throw InputError(fmt::format(
-            "the annulus is {:.3g} mm wide, less than {:g} diameters of beads of {:.3g} mm; use "
-            "smaller beads or a wider cell",
-            1e3 * width, fewest_layers, 1e3 * diameter));
-    }
-    if (height(loose, plan.cell) < fewest_layers * plan.grains.diameter) {
-        throw InputError(
-            fmt::format("a bead mass of {:g} g fills the cell to {:.2g} mm, less than {:g} bead "
-                        "diameters; use more beads",
-                        1e3 * plan.cell.bead_volume * plan.grains.density,
-                        1e3 * height(loose, plan.cell), fewest_layers));
-    }
+/// Returns the steps from the lowest normal stress to the highest and back; the highest is measured
+/// once.
+std::vector<LabSetPoint> up_and_down(std::vector<LabSetPoint> steps) {
+    const double highest =
+        std::ranges::max_element(steps, {}, &LabSetPoint::normal_stress)->normal_stress;
+    std::vector<LabSetPoint> back;
+    std::ranges::copy_if(steps, std::back_inserter(back),
+                         [&](const LabSetPoint& step) { return step.normal_stress < highest; });
+    std::ranges::stable_sort(back, std::greater{}, &LabSetPoint::normal_stress);
+    steps.insert(steps.end(), back.begin(), back.end());
+    return steps;
 }
 
-/// @throws InputError where a value of the instrument is outside of its range; `option` names it
-void demand_between(const char* option, double value, double lower, double upper) {
-    if (!(value >= lower && value <= upper)) {
-        throw InputError(
-            fmt::format("{} {:g} is not between {:g} and {:g}", option, value, lower, upper));
+std::vector<LabSetPoint> in_order(std::vector<LabSetPoint> steps, StepOrder order,
+                                  std::uint64_t seed) {
+    if (steps.empty() || order == StepOrder::as_listed) return steps;
+    if (order == StepOrder::random) {
+        shuffle(steps, seed);
+    } else if (order == StepOrder::decreasing) {
+        std::ranges::stable_sort(steps, std::greater{}, &LabSetPoint::normal_stress);
+    } else {
+        std::ranges::stable_sort(steps, {}, &LabSetPoint::normal_stress);
     }
+    return order == StepOrder::up_and_down ? up_and_down(std::move(steps)) : steps;
 }
 
-void check_noise(const Instrument& instrument) {
-    constexpr double largest_noise = 10, largest_error = 0.5, longest_correlation = 10;
-    demand_between("--noise", instrument.noise, 0, largest_noise);
-    demand_between("--drift", instrument.drift, 0, largest_noise);
-    demand_between("--torque-scatter", instrument.torque_error, 0, largest_error);
-    demand_between("--solid-fraction-scatter", instrument.solid_fraction_error, 0, largest_error);
-    demand_between("--force-scatter", instrument.force_noise, 0, largest_error);
-    demand_between("--scatter-within-steps", instrument.share_within, 0, 1);
-    demand_between("--torque-drift", instrument.torque_drift.value_or(0), 0, largest_error);
-    demand_between("--gap-drift", instrument.gap_drift.value_or(0), 0, largest_error);
-    demand_between("--force-drift", instrument.force_drift.value_or(0), 0, largest_error);
-    for (const double strain : {instrument.torque_correlation, instrument.gap_correlation,
-                                instrument.force_correlation}) {
-        demand_between("--correlation-strain", strain, 0, longest_correlation);
-    }
-}
-
-void check_instrument(const LabPlan& plan) {
-    // Shorter steps than 20 rows are no steps to `import`, which also needs a strain of 1 after the
-    // transient.
-    constexpr int fewest_rows = shortest_step, most_rows = 100'000, most_replicates = 99;
-    constexpr double least_strain = 2, most_strain = 1000;
-    check_noise(plan.instrument);
-    demand_between("--step-strain", plan.instrument.step_strain, least_strain, most_strain);
-    if (plan.instrument.rows < fewest_rows || plan.instrument.rows > most_rows) {
-        throw InputError(fmt::format("--rows {} is not between {} and {}", plan.instrument.rows,
-                                     fewest_rows, most_rows));
-    }
-    for (const LabSeries& series : series_of(plan)) {
-        if (series.replicates < 1 || series.replicates > most_replicates) {
-            throw InputError(fmt::format("--replicates {} is not between 1 and {}",
-                                         series.replicates, most_replicates));
+void add_steps(const LabPlan& plan, const std::vector<LabSetPoint>& steps,
+               PlannedRecording& recording) {
+    constexpr FlowPoint typical{.stress_ratio = 0.3, .solid_fraction = 0.6};
+    for (const LabSetPoint& step : steps) {
+        Condition condition{.normal_stress = step.normal_stress,
+                            .inertial_number = step.inertial_number,
+                            .liquid_content = recording.liquid_content,
+                            .height = {}};
+        if (step.angular_velocity > 0) {
+            condition.inertial_number =
+                inertial_number_at_speed(plan, condition, step.angular_velocity, typical);
         }
-    }
-}
-
-/// Checks the runs of one step.
-/// @throws InputError, std::invalid_argument where they cannot be simulated
-void check_runs_of(const LabPlan& plan, const Condition& asked) {
-    const EffectiveCondition condition = imposed_condition(plan, asked);
-    const double volume = first_bridge_volume(condition.liquid_content);
-    check_run(run_at(plan, condition, volume));
-    if (!condition.dry()) check_run(pilot_at(plan, condition, volume));
-}
-
-void check_runs(const LabPlan& plan) {
-    for (const PlannedRecording& recording : recordings_of(plan)) {
-        for (std::size_t k = 0; k < recording.conditions.size(); ++k) {
-            const Condition& asked = recording.conditions[k];
-            try {
-                check_runs_of(plan, asked);
-            } catch (const std::invalid_argument& error) {
-                const double speed = recording.angular_velocities[k];
-                if (speed == 0) throw InputError(error.what());
-                throw InputError(
-                    fmt::format("at {:.4g} rpm and {:g} Pa: {}; use another speed or normal stress",
-                                speed * 30 / std::numbers::pi, asked.normal_stress, error.what()));
-            }
-        }
-    }
-}
-
-/// Whether an effect of type ChangeCondition leaves the runs of a plan unchanged, such as a
-/// negative contact angle, which is limited to 0. The effect is tried at two normal stresses [Pa]
-/// and at three times [s], since its change may begin or end with time. Returns false for an effect
-/// that is always on, which may have its present value.
-bool changes_nothing(const LabPlan& plan, const ActiveEffect& active) {
-    if (!active.effect->of_condition() || active.effect->given_by_liquid) {
-        return false;
-    }
-    const auto same_run = [&](const Condition& asked) {
-        const auto run = [&](const std::vector<ActiveEffect>& effects) {
-            const EffectiveCondition condition = changed_condition(asked, effects, plan.liquid);
-            return run_description(run_at(plan, condition, 1e-3));
-        };
-        return !touches(*active.effect, asked) || run({active}) == run({});
-    };
-    for (const double content : contents_of(plan)) {
-        for (const double stress : {500.0, 2000.0}) {
-            for (const double time : {0.0, 10.0, 3600.0}) {
-                if (!same_run({.normal_stress = stress, .liquid_content = content, .time = time}))
-                    return false;
-            }
-        }
-    }
-    return true;
-}
-
-/// Checks the effects of a plan.
-/// @throws InputError for an effect that is not simulated or that changes no recording
-void check_effects(const LabPlan& plan) {
-    for (const ActiveEffect& active : plan.effects) {
-        const std::string what = to_string(active);
-        if (const std::string why = why_not_in_lab(*active.effect); !why.empty()) {
-            throw InputError(what + " " + why);
-        }
-        const auto contents = contents_of(plan);
-        if (active.effect->touches == Touches::wet && *std::ranges::max_element(contents) == 0) {
-            throw InputError(fmt::format(
-                "{} acts on wet grains only, and there are no wet recordings; leave it out, or "
-                "record wet grains too",
-                what));
-        }
-        if (changes_nothing(plan, active)) {
-            throw InputError(fmt::format("{} changes nothing here; give another value", what));
-        }
+        recording.conditions.push_back(condition);
+        recording.angular_velocities.push_back(step.angular_velocity);
     }
 }
 
@@ -310,21 +211,47 @@ dem::RunParameters pilot_at(const LabPlan& plan, const EffectiveCondition& condi
     return run;
 }
 
-void check_plan(const LabPlan& plan) {
-    const bool speeds = !plan.angular_velocities.empty();
-    if (plan.series.empty() &&
-        (plan.dry_normal_stresses.empty() || (plan.inertial_numbers.empty() && !speeds))) {
-        throw InputError("there is nothing to measure: give normal stresses and inertial numbers");
+std::vector<LabSeries> series_of(const LabPlan& plan) {
+    if (!plan.series.empty()) return plan.series;
+    std::vector<LabSeries> series = {{0, set_points_of(plan, false), plan.replicates}};
+    for (const double content : plan.liquid_contents) {
+        series.push_back({content, set_points_of(plan, true), plan.replicates});
     }
-    demand_distinct(plan.dry_normal_stresses, "dry normal stress");
-    demand_distinct(plan.wet_normal_stresses, "wet normal stress");
-    demand_distinct(plan.liquid_contents, "liquid content");
-    demand_distinct(plan.inertial_numbers, "inertial number");
-    demand_distinct(plan.angular_velocities, "angular velocity [rad/s]");
-    check_cell(plan);
-    check_instrument(plan);
-    check_effects(plan);
-    check_runs(plan);
+    return series;
+}
+
+std::vector<PlannedRecording> recordings_of(const LabPlan& plan) {
+    std::vector<PlannedRecording> recordings;
+    const std::vector<LabSeries> all = series_of(plan);
+    std::map<double, int> total, made;
+    for (const LabSeries& series : all)
+        total[series.liquid_content] += series.replicates;
+    for (const LabSeries& series : all) {
+        const double content = series.liquid_content;
+        const auto width = std::to_string(total[content]).size();
+        for (int k = 1; k <= series.replicates; ++k) {
+            const int replicate = ++made[content];
+            const std::string kind = content > 0 ? fmt::format("wet_{:g}", content) : "dry";
+            PlannedRecording recording{
+                .file = fmt::format("{}_{:0{}}.csv", kind, replicate, width),
+                .liquid_content = content,
+                .replicate = replicate,
+                .seed = seed_of_run(plan.noise_seed.value_or(plan.seed), recordings.size(),
+                                    SeedDomain::instrument)};
+            // The order has random numbers of its own, so that it changes none of the noise.
+            add_steps(plan, in_order(series.steps, plan.order, recording.seed + 2), recording);
+            recordings.push_back(std::move(recording));
+        }
+    }
+    set_times(plan, recordings);
+    return recordings;
+}
+
+void set_times(const LabPlan& plan, std::vector<PlannedRecording>& recordings) {
+    double now = 0;
+    for (PlannedRecording& recording : recordings) {
+        now += time_steps(recording.conditions, plan.grains, plan.instrument, now);
+    }
 }
 
 }  // namespace pendular

@@ -145,12 +145,6 @@ std::function<CellState(double)> shown_over_time(const LabPlan& plan, const Cond
 /// act, since closures and predicted flows belong to models only.
 std::string why_not_in_lab(const Effect& effect);
 
-/// Checks that a plan can be simulated and recorded. Any two planned values of a quantity must
-/// differ by at least 5 %. The quantities are the normal stress of dry grains, the normal stress of
-/// wet grains, the liquid content and the inertial number.
-/// @throws InputError if the plan fails a check; the message names the mistake
-void check_plan(const LabPlan& plan);
-
 /// Returns the series of recordings of a plan, in the order of measurement: `plan.series` or, if
 /// this list is empty, one series of dry grains and one for each liquid content.
 std::vector<LabSeries> series_of(const LabPlan& plan);

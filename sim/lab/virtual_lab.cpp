@@ -8,6 +8,7 @@
 
 #include "data/input_error.h"
 #include "data/recordings/robust.h"
+#include "sim/lab/lab_checks.h"
 #include "sim/lab/liquid_volume.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/seeds.h"

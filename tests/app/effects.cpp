@@ -205,7 +205,7 @@ TEST_F(EffectsOfAStudy, AreShownWithThoseItWrites) {
 TEST_F(EffectsOfAStudy, AreShownWithWhatMeasuresThem) {
     const std::string method = "measured_by = \"the empty cell\"\nmeasured_to = \"0.5 mN m s\"\n";
     EXPECT_THAT(run_pendular("effects speed-drag --study " + study(cell + drag + method)).output,
-                HasSubstr("the empty cell, to a standard error of 0.5 mN m s"));
+                HasSubstr("the empty cell, to a standard error of 500 uN m s"));
     // What was measured is a value of the study's own effect like any other.
     const std::string direct = study(cell + drag + method +
                                      "[[direct]]\neffect = \"speed-drag\"\nvalue = \"1 mN m s\"\n"

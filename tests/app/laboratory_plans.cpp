@@ -10,6 +10,7 @@
 #include "data/recordings/measurements.h"
 #include "data/recordings/robust.h"
 #include "sim/catalogue/effect.h"
+#include "sim/lab/lab_checks.h"
 #include "sim/lab/lab_like.h"
 #include "sim/lab/virtual_lab.h"
 #include "sim/lab/virtual_study.h"
@@ -109,8 +110,8 @@ TEST(LabAtSpeeds, TheShownHeightGivesTheShownInertialNumber) {
 }
 
 TEST(LabAtSpeeds, RefusesWhatCannotBeSimulated) {
-    EXPECT_THAT(refusal([](LabPlan& p) { p.angular_velocities = {60}; }),
-                testing::AllOf(HasSubstr("at 573 rpm and 500 Pa"), HasSubstr("inertial number"),
+    EXPECT_THAT(refusal([](LabPlan& p) { p.angular_velocities = {200}; }),
+                testing::AllOf(HasSubstr("at 1910 rpm and 500 Pa"), HasSubstr("inertial number"),
                                HasSubstr("another speed")));
     EXPECT_THAT(refusal([](LabPlan& p) { p.cell.outer_radius = 0.023; }),
                 HasSubstr("smaller beads or a wider cell"));

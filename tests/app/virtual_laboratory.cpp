@@ -1,5 +1,6 @@
 // The virtual laboratory from end to end, on samples too small and soft to measure with.
 #include "data/recordings/measurements.h"
+#include "sim/lab/lab_checks.h"
 #include "sim/lab/virtual_lab.h"
 #include "sim/lab/virtual_study.h"
 #include "sim/runs/run_request.h"

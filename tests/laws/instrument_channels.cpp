@@ -16,7 +16,7 @@ using namespace pendular;
 constexpr std::array channels = {&CellState::torque, &CellState::normal_force, &CellState::height,
                                  &CellState::angular_velocity};
 
-/// What an effect at its smallest size of interest shows of a state.
+/// State that the instrument shows under an effect of the smallest size of interest.
 CellState shown(const Effect& effect, const CellState& truth) {
     const EffectParameter& p = effect.parameters.front();
     double value = p.neutral + p.smallest_of_interest;
