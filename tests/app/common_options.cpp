@@ -22,7 +22,7 @@ const std::map<std::string, std::set<std::string>> unused = {
     {"compare", {"fidelity", "store", "threads", "quiet"}},
     {"effects", {"out", "store", "threads", "quiet"}},
     {"predict", {"threads"}},
-    {"campaign", {"out", "fidelity"}},
+    {"campaign", {"out"}},
     {"runs", {"fidelity", "threads"}},
     {"virtual-lab", {"out", "store"}}};
 

@@ -253,7 +253,7 @@ TEST(LadderFigure, ShowsEveryRung) {
                   300u);
     }
     const std::string numbers = content_of(folder.path() / "ladder.csv");
-    for (const char* part : {"1,start,1,97.5,,start,,", "1,fall,3,7.5,,+ capillary-shear-stress,,",
+    for (const char* part : {"1,start,1,97.5,,start,,", "1,fall,3,7.5,,'+ capillary-shear-stress,,",
                              "1,fall,8,1.025,,− torque-offset,,χ^2 per degree of freedom\n",
                              "2,\"shear stress, fitted\",0.88,14.1,,start,,RMS error [%]\n"}) {
         EXPECT_THAT(numbers, HasSubstr(part));

@@ -219,8 +219,8 @@ TEST(FitFile, NamesItsRunsWhichStandBesideIt) {
     const Calibration c = small_calibration();
     const auto file = folder.path() / "fit.json", runs = folder.path() / "fit_runs.csv";
     const auto json = write_calibration(folder.path(), c, compare(c), {});
-    EXPECT_EQ(json["runs"].size(), c.runs.size());
-    EXPECT_TRUE(json["runs"][0].is_string());
+    EXPECT_EQ(json["runs"]["number"], c.runs.size());
+    EXPECT_EQ(json["runs"]["names"].get<std::string>().size(), 17 * c.runs.size() - 1);
     const Calibration back = read_calibration(file, study(), c.readings);
     const auto predicted = [](const Calibration& by) {
         return predict_readings(StudyModel(study(), by).model(), by);
@@ -229,8 +229,15 @@ TEST(FitFile, NamesItsRunsWhichStandBesideIt) {
     EXPECT_EQ(predicted(back).value, predicted(c).value);
     EXPECT_EQ(predicted(back).covariance, predicted(c).covariance);
 
-    // Versions without formats wrote whole runs.
+    // Versions before --runs-of wrote a list of the names, those without formats whole runs.
     auto older = json;
+    older["runs"] = nlohmann::ordered_json::array();
+    for (std::size_t k = 0; k < c.runs.size(); ++k) {
+        older["runs"].push_back(json["runs"]["names"].get<std::string>().substr(17 * k, 16));
+    }
+    folder.write("listed.json", older.dump());
+    EXPECT_EQ(predicted(read_calibration(folder.path() / "listed.json", study(), c.readings)).value,
+              predicted(c).value);
     older["runs"] = nlohmann::ordered_json::array();
     for (const auto& run : c.runs) {
         older["runs"].push_back(to_json(run));
