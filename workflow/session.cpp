@@ -42,6 +42,7 @@ CalibratedStudy Session::calibrate(const FitOptions& fit) const {
 }
 
 ComparedStudy Session::compare() const {
+    demand_readings(study(), measurements());
     Calibration c =
         read_calibration(folder_ / "fit.json", input_.study, readings_to_fit(measurements()));
     StudyModel model(input_.study, c);
