@@ -52,6 +52,9 @@ class States:
         with open(path) as file:
             rows = [r for r in csv.DictReader(file) if abs(float(r["friction"]) - friction) < 1e-9]
         self.dry, self.wet = {}, {}
+        self.runs = len([r for r in rows if not r["reduced_pressure"]])
+        if self.runs < 12:
+            return
         for name in ("stress_ratio", "solid_fraction"):
             dry = [(math.log(float(r["inertial_number"])), float(r[name])) for r in rows
                    if not r["reduced_pressure"]]
@@ -64,7 +67,7 @@ class States:
                     u, x = math.log(float(r["inertial_number"])), 1 / float(r["reduced_pressure"])
                     design.append([x, x * u, x * x])
                     values.append(float(r[name]) - self.of_dry(name, u))
-                if len(values) >= 8:
+                if len(values) >= 10:
                     self.wet[name, content] = fit(design, values)
 
     def of_dry(self, name, u):
@@ -82,8 +85,9 @@ class States:
             result.append(value)
         return result
 
-    def contents(self):
-        return sorted({content for _, content in self.wet})
+    def holds(self, content):
+        """Whether states of a liquid content are known, beside the dry ones."""
+        return self.runs >= 12 and (content == 0 or ("stress_ratio", content) in self.wet)
 
 
 def fit(design, values):
@@ -217,8 +221,8 @@ def decimal_comma(rows):
 
 
 def tabbed(rows):
-    """Tabs, units in a row of their own, gram-force."""
-    lines = ["Time\tTorque\tNormal force\tGap\tAngular velocity\tInterval", "s\tmN m\tgf\tum\trad/s\t1"]
+    """Tabs, units in parentheses, gram-force and um."""
+    lines = ["Time (s)\tTorque (mN.m)\tNormal force (gf)\tGap (um)\tAngular velocity (rad/s)\tInterval"]
     for time, torque, force, height, speed, step in rows:
         lines.append(f"{time:.4f}\t{1e3 * torque:.6g}\t{1e3 * force / G:.6g}\t{1e6 * height:.2f}"
                      f"\t{speed:.6g}\t{step}")

@@ -118,10 +118,16 @@ def set_points(spec, wet):
     return [(s, v, None) for s in all_ for v in speeds]
 
 
+class MissingStates(Exception):
+    """States that make_states.py has not simulated yet."""
+
+
 def make_python(spec, folder):
     beads = BEADS[spec["beads"]]
-    rig = Rig(CELLS[spec["cell"]], beads, States(HERE / "states.csv", beads.friction),
-              bead_mass(CELLS[spec["cell"]], beads), LIQUIDS[spec["liquid"]], faults_of(spec))
+    states = States(HERE / "states.csv", beads.friction)
+    if not states.holds(CONTENT if spec["liquid"] != "none" else 0.0):
+        raise MissingStates(f"states.csv lacks states of {spec['beads']}")
+    rig = Rig(CELLS[spec["cell"]], beads, states, bead_mass(CELLS[spec["cell"]], beads), LIQUIDS[spec["liquid"]], faults_of(spec))
     contents = [0.0] + ([CONTENT] if spec["liquid"] != "none" else [])
     noise = Noise(memory=0.8 if spec["noise"] == "correlated" else 0.0)
     layout = ["decimal-comma", "tabs", "other-order"][spec["lab"] // 2 % 3]
@@ -186,7 +192,9 @@ def score(program, scratch, spec, folder, cohesion):
     findings = [f.get("kind", "?") for f in imported["findings"] + imported["file_findings"]]
     rivals = sorted({name for names in diagnosis["confidence_set"] for name in names})
     right = FAULTS[spec["fault"]][1]
-    told = set(findings) | set(diagnosis["effects"]) | set(rivals)
+    # The effects of an inconclusive diagnosis are those that could go undetected: nothing is named.
+    blamed = diagnosis["effects"] if diagnosis["verdict"] != "inconclusive" else []
+    told = set(findings) | set(blamed) | set(rivals)
     named = bool(told & set(right)) or diagnosis["verdict"] == "suspect-measurement"
     result = {"friction": friction, "fitted": value, "stated": error,
               "ratio": (value - friction) / error if error else "",
@@ -247,6 +255,9 @@ def main():
             else:
                 make_program(a.program, a.scratch, spec, folder)
             row.update(score(a.program, a.scratch, spec, folder, cohesion))
+        except MissingStates as error:
+            print(index, error, flush=True)
+            continue
         except (RuntimeError, KeyError, json.JSONDecodeError) as error:
             row["error"] = f"{type(error).__name__}: {error}"
         row["seconds"] = round(time.time() - begun, 1)

@@ -58,7 +58,7 @@ TEST(Tutorial, DoesWhatItSays) {
     EXPECT_THAT(said["diagnose"][0], HasSubstr("Missing: wall-friction (coefficient 0.1483"));
     EXPECT_THAT(said["effects"][0], HasSubstr("Janssen"));
     EXPECT_THAT(said["add"][0],
-                HasSubstr("wall-friction added: chi2/dof falls from 15.98 to 0.99"));
+                HasSubstr("wall-friction added: chi2/dof falls from 15.04 to 0.95"));
     EXPECT_THAT(said["compare"][1],
                 HasSubstr("checks of the residuals show no significant misfit (p = 0.23)"));
     EXPECT_THAT(said["diagnose"][1],

@@ -67,7 +67,8 @@ TEST_F(SwitchedModelsTest, KnowHowFarTheirExpansionHolds) {
     for (const std::optional<SwitchedModel>& each : all.models) {
         ASSERT_TRUE(each);
         const Calibration& c = each->calibration;
-        const Measured measured = stack(c.readings);
+        const ModelOfReadings model(each->predictor, conditions_of(c.readings), c.direct);
+        const Measured measured = stack(c.readings, c.direct);
         const Eigen::VectorXd tolerance = 0.1 * measured.covariance.diagonal().cwiseSqrt();
         EXPECT_NEAR(each->chi2_form(0, 0), each->comparison.total.chi2, 1e-6);
         // Points inside of the box, which the search for the box did not try.
@@ -77,13 +78,12 @@ TEST_F(SwitchedModelsTest, KnowHowFarTheirExpansionHolds) {
                 const double end = share > 0 ? each->trusted.upper(k) : each->trusted.lower(k);
                 change(k) = std::abs(share) * (k % 2 == 0 ? 1 : 0.7) * (end - c.fit.parameters(k));
             }
-            const Eigen::VectorXd exact =
-                each->predictor->predict(c.fit.parameters + change, conditions_of(c.readings))
-                    .value;
+            const Eigen::VectorXd exact = model.predict(c.fit.parameters + change).value;
             const Eigen::VectorXd off = (exact - each->response.after(change)).cwiseAbs();
             EXPECT_LE(off.cwiseQuotient(tolerance).maxCoeff(), 1.2);
             const Eigen::VectorXd misfit = measured.value - each->response.after(change);
-            const Eigen::MatrixXd total = measured.covariance + c.prediction.covariance;
+            const Eigen::MatrixXd total =
+                measured.covariance + model.predict(c.fit.parameters).covariance;
             const double chi2 = misfit.dot(total.ldlt().solve(misfit));
             Eigen::VectorXd terms(each->chi2_form.rows());
             terms << 1, change, products(change);
@@ -101,8 +101,8 @@ TEST_F(SwitchedModelsTest, SayWhatLeavingOutAReadingDoes) {
     const std::size_t left_out = 5;
     std::vector<Reading> rest = c.readings;
     rest.erase(rest.begin() + left_out);
-    const ModelOfReadings of_rest(model.predictor, conditions_of(rest));
-    const Fit refitted = fit(of_rest, stack(rest), c.fit.parameters);
+    const ModelOfReadings of_rest(model.predictor, conditions_of(rest), c.direct);
+    const Fit refitted = fit(of_rest, stack(rest, c.direct), c.fit.parameters);
     EXPECT_NEAR(c.fit.chi2 - refitted.chi2, model.without_each(left_out, 0), 0.02);
     for (Eigen::Index k = 0; k < refitted.parameters.size(); ++k) {
         EXPECT_NEAR(refitted.parameters(k) - c.fit.parameters(k),
