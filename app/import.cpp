@@ -104,16 +104,16 @@ int import(const std::vector<std::string>& arguments) {
     write_excluded(common->out_folder() / "excluded.csv", measurements);
     const std::string left_out = excluded_text(measurements);
     const std::string reason = common_reason(measurements).value_or("");
-    console.answer(fmt::format(
-        "{} written to {}.{}{}{}",
-        measurements.readings.size() == 1
-            ? "1 reading"
-            : fmt::format("{} readings", measurements.readings.size()),
-        readings.string(),
-        left_out.empty() ? ""
-                         : fmt::format(" Excluded: {} (listed in {}).", left_out,
-                                       (common->out_folder() / "excluded.csv").string()),
-        reason.empty() ? "" : " ", reason));
+    console.answer(fmt::format("{} written to {}.{}{}{}",
+                               measurements.readings.size() == 1
+                                   ? "1 reading"
+                                   : fmt::format("{} readings", measurements.readings.size()),
+                               readings.string(),
+                               left_out.empty()
+                                   ? ""
+                                   : fmt::format(" Excluded: {} (listed in {}).", left_out,
+                                                 (common->out_folder() / "excluded.csv").string()),
+                               reason.empty() ? "" : " ", reason));
     for (const Doubt& doubt : measurements.doubts) {
         console.line(fmt::format("Warning: {} {}", doubt.what,
                                  doubt.set_aside ? "The affected readings are excluded."

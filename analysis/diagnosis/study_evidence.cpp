@@ -124,8 +124,7 @@ std::vector<Quantity> quantities_of(const std::vector<Reading>& readings,
                  return predicted_height(readings[k], fraction(k));
              }},
             {"time", none, [&readings](std::size_t k) { return readings[k].condition.time; }},
-            {"run order", none,
-             [order = run_order(readings)](std::size_t k) { return order[k]; }}};
+            {"run order", none, [order = run_order(readings)](std::size_t k) { return order[k]; }}};
 }
 
 /// Values of a quantity for each reading, without the readings' own errors.

@@ -53,8 +53,8 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
                                              measurements.doubts.size() - most_doubts));
     }
     if (const auto reason = common_reason(measurements)) belief.reasons.push_back(*reason);
-    belief.meaningless = (undescribed && !fit.at_bound.empty() && fit.at_bound[0]) ||
-                         mostly_set_aside(measurements);
+    belief.meaningless =
+        (undescribed && !fit.at_bound.empty() && fit.at_bound[0]) || mostly_set_aside(measurements);
     return belief;
 }
 

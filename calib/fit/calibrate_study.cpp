@@ -78,7 +78,8 @@ void check_fitted(const Study& study, const Measurements& measurements, const Ca
         return;
     }
     demand_readings(study, measurements);
-    std::string why = "give dry recordings or readings (liquid_content = 0), or set fit_to = \"all\"";
+    std::string why =
+        "give dry recordings or readings (liquid_content = 0), or set fit_to = \"all\"";
     if (const std::string aside = set_aside(measurements); !aside.empty()) why += "; " + aside;
     throw InputError({study.file.string()},
                      fmt::format("there is no {}reading to fit; {}",

@@ -61,7 +61,8 @@ std::optional<std::string> common_reason(const Measurements& measurements) {
                         })->second;
     if (doubted(measurements) >= most.count) return std::nullopt;  // the doubts say why
     if (steps == 1) return capitalised(most.first->reason) + ".";
-    const char* const which = measurements.readings.empty() ? "steps" : "steps that gave no reading";
+    const char* const which =
+        measurements.readings.empty() ? "steps" : "steps that gave no reading";
     const std::string where = most.count == steps
                                   ? fmt::format("all {} {}", steps, which)
                                   : fmt::format("{} of {} {}", most.count, steps, which);
@@ -75,10 +76,9 @@ std::string why_no_reading(const Measurements& measurements) {
     if (doubt != measurements.doubts.end())
         return "Readings were set aside; the reason for the first: " + doubt->what;
     if (const auto reason = common_reason(measurements)) return *reason;
-    return measurements.excluded.empty()
-               ? "Give recordings or readings."
-               : "All rows were left out; the reason for the first: " +
-                     measurements.excluded.front().reason + ".";
+    return measurements.excluded.empty() ? "Give recordings or readings."
+                                         : "All rows were left out; the reason for the first: " +
+                                               measurements.excluded.front().reason + ".";
 }
 
 }  // namespace pendular

@@ -118,7 +118,8 @@ std::vector<double> KnownRows::likely_offsets(const Stretch& later, const Stretc
     for (std::size_t i = 0; i < later.size(); i += stride) {
         for (auto at = std::ranges::lower_bound(torques, later.torque[i] - torque);
              at != torques.end() && *at <= later.torque[i] + torque; ++at) {
-            const std::size_t row = earlier.by_torque[static_cast<std::size_t>(at - torques.begin())];
+            const std::size_t row =
+                earlier.by_torque[static_cast<std::size_t>(at - torques.begin())];
             if (std::abs(earlier.normal_force[row] - later.normal_force[i]) <= force &&
                 std::abs(earlier.height[row] - later.height[i]) <= height)
                 offsets.push_back(later.time[i] - earlier.time[row]);

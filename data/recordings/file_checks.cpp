@@ -237,8 +237,8 @@ void check_compression(const std::vector<IntervalSeries>& series,
     const std::size_t negative = rows_in(finding.lines);
     if (static_cast<double>(negative) <= (1 - most_positive) * static_cast<double>(known)) return;
     finding.kind = "no-compression";
-    finding.what = fmt::format("the normal force or stress is negative in {} of {} rows.", negative,
-                               known);
+    finding.what =
+        fmt::format("the normal force or stress is negative in {} of {} rows.", negative, known);
     finding.done =
         "Compression must be positive, or a study makes no readings of these rows: reverse the "
         "sign of the column in the file.";

@@ -11,6 +11,7 @@
 #include "data/recordings/plausibility.h"
 #include "data/recordings/robust.h"
 #include "data/recordings/speed_ramp.h"
+#include "data/recordings/stated_role.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/time_series.h"
 
@@ -23,8 +24,8 @@ struct Loading {
     /// Whether a normal stress presses the sample, as in a test of grains: the shear stress is
     /// below three times the normal stress.
     bool pressed = false;
-    double normal = 0;            ///< median normal stress or force
-    std::optional<double> angle;  ///< angle by which the lid turned [rad], if known
+    double normal = 0;              ///< median normal stress or force
+    std::optional<double> angle;    ///< angle by which the lid turned [rad], if known
     std::optional<SpeedRamp> ramp;  ///< speeds between which the lid's speed changed, if it did
 };
 
@@ -169,15 +170,6 @@ IntervalRole role_of_resting(const BlockFile& file, const std::vector<Loading>& 
 }
 
 }  // namespace
-
-std::string stated_role(const Block& block, const FileFormat& format) {
-    for (const auto& [role, intervals] : format.roles)
-        for (const std::string& interval : intervals)
-            if (interval == std::to_string(block.number) || interval == block.name ||
-                interval == block.test)
-                return role;
-    return "";
-}
 
 double median_of_known(const std::vector<double>& values) {
     std::vector<double> known;

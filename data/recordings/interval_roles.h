@@ -45,10 +45,6 @@ struct IntervalRole {
 std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<IntervalSeries>& series,
                                    const FileFormat& format);
 
-/// Returns the role that the user states for an interval by the interval's number, the interval's
-/// name or the name of the interval's test. The text is empty if the user states no role.
-std::string stated_role(const Block& block, const FileFormat& format);
-
 /// Returns the median of the finite values in a column, in the unit of the values; NaN if no value
 /// is finite.
 double median_of_known(const std::vector<double>& values);

@@ -79,8 +79,8 @@ std::vector<std::map<Eigen::Index, double>> shared_weights(const TwoWay& layout)
     return shared;
 }
 
-/// Effects of both factors by weighted least squares, z = first + second + error. The effects of the
-/// first factor are eliminated, so that the time is that of solving for as many unknowns as the
+/// Effects of both factors by weighted least squares, z = first + second + error. The effects of
+/// the first factor are eliminated, so that the time is that of solving for as many unknowns as the
 /// second factor has classes.
 struct Effects {
     Eigen::VectorXd first, second;
@@ -162,8 +162,8 @@ ScatterSums analyse_scatter(const std::vector<ReplicatedValue>& values, double e
         const Effects effects = fit_effects(few_files ? layout : layout.swapped(), z);
         const auto& [of_condition, of_file] =
             few_files ? effects : Effects{effects.second, effects.first};
-        sums.left_over = whitening.cwiseProduct(z - of_condition(layout.first) -
-                                                of_file(layout.second));
+        sums.left_over =
+            whitening.cwiseProduct(z - of_condition(layout.first) - of_file(layout.second));
         sums.within = sums.left_over.squaredNorm();
         sums.freedom_within = freedom - between_files;
         sums.between = std::max(0.0, all - sums.within);

@@ -109,8 +109,7 @@ Reason no_steady_turn(const StepSeries& series) {
         return {"the lid turns back and forth: no steady shear",
                 {"the lid turns back and forth", "export steps of constant speed"}};
     return {"the lid does not turn: rest or consolidation",
-            {"the lid does not turn",
-             "check the column of the angular velocity, and its unit"}};
+            {"the lid does not turn", "check the column of the angular velocity, and its unit"}};
 }
 
 Reason ramped(const SpeedRamp& ramp) {

@@ -131,7 +131,8 @@ void check_bead_size(const StudyTable& root, const Study& study) {
     constexpr double too_loose = 0.4;
     const double diameter = study.grains.diameter,
                  width = study.cell->outer_radius - study.cell->inner_radius,
-                 volume = study.cell->bead_volume, height = volume / (too_loose * study.cell->area());
+                 volume = study.cell->bead_volume,
+                 height = volume / (too_loose * study.cell->area());
     const StudyTable grains = *root.table("grains", grains_keys);
     const auto refuse = [&](const std::string& than) {
         grains.refuse("diameter", fmt::format("beads of {:.4g} mm are larger than {}; check the "
@@ -141,9 +142,10 @@ void check_bead_size(const StudyTable& root, const Study& study) {
     if (diameter > width)
         refuse(fmt::format("the gap between the walls of the cell, {:.4g} mm", 1e3 * width));
     if (volume > 0 && diameter > height)
-        refuse(fmt::format("the height of the filling, which the beads in the cell reach even as "
-                           "a loose bed, {:.4g} mm",
-                           1e3 * height));
+        refuse(
+            fmt::format("the height of the filling, which the beads in the cell reach even as "
+                        "a loose bed, {:.4g} mm",
+                        1e3 * height));
 }
 
 std::string no_file(const std::string& pattern, const Study& study) {

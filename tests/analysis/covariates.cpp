@@ -71,10 +71,10 @@ TEST(SuspectMeasurements, HoldAllRecordingsSinceAChangeOfTheInstrument) {
     EXPECT_THAT(suspects_of(readings), Each(Not(HasSubstr("later"))));
 }
 
-/// Clean studies of a cell of 0.01 m^2 with two fillings (bead volumes), each sheared dry and wet at
-/// five normal stresses in three replicates: shear stress 0.4 s22 and solid fraction 0.6 - 2e-6 s22
-/// (0.05 less if wet), scattered by 1 % and 0.2 %. The gap shows `offset` [m] too much. Speed and
-/// normal force scatter by 0.1 %.
+/// Clean studies of a cell of 0.01 m^2 with two fillings (bead volumes), each sheared dry and wet
+/// at five normal stresses in three replicates: shear stress 0.4 s22 and solid fraction 0.6 - 2e-6
+/// s22 (0.05 less if wet), scattered by 1 % and 0.2 %. The gap shows `offset` [m] too much. Speed
+/// and normal force scatter by 0.1 %.
 struct CleanStudy {
     std::vector<Reading> readings;
     Prediction prediction;
@@ -134,7 +134,8 @@ double p_of_trend(const WhereItFails& where, const std::string& of, const std::s
 
 TEST(Covariates, CarryNoErrorOfTheReading) {
     // Along the measured height, the residual of the solid fraction V/(A H) decreases in each of
-    // these studies. 200 right studies exceed a rate of 5 % by chance in 1 of 1000 cases from 21 on.
+    // these studies. 200 right studies exceed a rate of 5 % by chance in 1 of 1000 cases from 21
+    // on.
     constexpr int studies = 200, most = 20;
     int together = 0, by_height = 0, by_speed = 0;
     for (std::uint64_t study = 1; study <= studies; ++study) {
@@ -149,8 +150,8 @@ TEST(Covariates, CarryNoErrorOfTheReading) {
 }
 
 TEST(Covariates, ShowAnOffsetOfTheHeightByTwoFillings) {
-    // 0.04 mm of 5 and 10 mm lower the solid fractions by 0.8 % and 0.4 %: a difference of 2 standard
-    // errors of a reading, 8 of the means of 30 readings each.
+    // 0.04 mm of 5 and 10 mm lower the solid fractions by 0.8 % and 0.4 %: a difference of 2
+    // standard errors of a reading, 8 of the means of 30 readings each.
     for (std::uint64_t study = 1; study <= 10; ++study) {
         const WhereItFails where = failures_of(CleanStudy(study, 4e-5), study);
         EXPECT_LT(p_of_trend(where, "solid fraction", "height"), 0.05);

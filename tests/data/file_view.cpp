@@ -116,8 +116,7 @@ TEST(FileViewTest, FindsTheRolesOfAYieldLocusTest) {
 /// torque [mN m].
 std::string recording_at(const std::vector<std::pair<double, double>>& loads,
                          const std::string& speed = "20") {
-    std::string text =
-        "Interval,Time [s],Torque [mN m],Normal force [N],Gap [mm],Speed [1/min]\n";
+    std::string text = "Interval,Time [s],Torque [mN m],Normal force [N],Gap [mm],Speed [1/min]\n";
     for (std::size_t i = 0; i < loads.size(); ++i)
         for (int row = 0; row < 30; ++row)
             text += fmt::format("{},{},{},{},6.2,{}\n", i + 1, 30 * i + row,
@@ -160,7 +159,8 @@ TEST(FileViewTest, CallsARestARestWhateverTorqueIsLeft) {
 
 TEST(FileViewTest, SaysThatASpeedChangesWithinAnInterval) {
     const TemporaryFolder folder;
-    std::string text = "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+    std::string text =
+        "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
     for (int row = 0; row < 200; ++row)
         text += fmt::format("{},50,5,6.2,{}\n", row, 0.05 + 0.05 * row);
     const FileView view = view_of_file(folder.write("t.csv", text));

@@ -278,8 +278,7 @@ Measurements changed(const SpoilFile& change) {
 }
 
 TEST(CommonReason, IsSaidOnceForAllSteps) {
-    const Measurements m =
-        changed([](RowOfStep row, int, int) { row.force = -row.force; });
+    const Measurements m = changed([](RowOfStep row, int, int) { row.force = -row.force; });
     EXPECT_TRUE(m.readings.empty());
     EXPECT_TRUE(mostly_set_aside(m));
     EXPECT_THAT(common_reason(m).value_or(""),

@@ -252,7 +252,8 @@ TEST(StudyTest, RefusesBeadsThatDoNotFitIntoTheCell) {
         folder.write("study.toml", "[grains]\ndiameter = \"" + diameter +
                                        "\"\ndensity = \"2500 kg/m^3\"\n[cell]\n"
                                        "inner_radius = \"15 mm\"\nouter_radius = \"30 mm\"\n"
-                                       "bead_mass = \"" + mass + "\"\n");
+                                       "bead_mass = \"" +
+                                       mass + "\"\n");
         try {
             read_study(folder.path());
         } catch (const InputError& error) {

@@ -19,9 +19,8 @@ int found_in(const StationaryNoise& noise, int files, std::uint64_t first, const
     for (int study = 0; study < studies; ++study) {
         const auto findings =
             findings_in_noise(files, first + static_cast<std::uint64_t>(study), noise, 450, fault);
-        count += std::ranges::any_of(findings, [&](const RecordingFinding& each) {
-            return !kind || each.kind == *kind;
-        });
+        count += std::ranges::any_of(
+            findings, [&](const RecordingFinding& each) { return !kind || each.kind == *kind; });
     }
     return count;
 }
@@ -36,8 +35,8 @@ TEST(StationaryNoise, SeldomGivesAFinding) {
             [](RowOfStep row, int, int) { row.torque *= 1 + 0.02 * std::cos(row.angle + 0.7); },
             Kind::wobble);
         const int drifts = found_in(
-            noise, 3, 920000,
-            [](RowOfStep row, int, int) { row.gap *= 1 - 0.003 * row.time / 90; }, Kind::drift);
+            noise, 3, 920000, [](RowOfStep row, int, int) { row.gap *= 1 - 0.003 * row.time / 90; },
+            Kind::drift);
         const int steps = found_in(
             noise, 6, 930000,
             [](RowOfStep row, int, int file) { row.torque *= file >= 3 ? 1.1 : 1; },

@@ -78,9 +78,8 @@ inline std::vector<double> low_passed(std::mt19937_64& random, std::size_t n) {
 
 inline std::vector<StationaryNoise> stationary_noises() {
     const auto ar = [](double a, double b = 0) {
-        return [=](std::mt19937_64& random, std::size_t n) {
-            return autoregressive(random, n, a, b);
-        };
+        return
+            [=](std::mt19937_64& random, std::size_t n) { return autoregressive(random, n, a, b); };
     };
     const auto ma = [](std::size_t length) {
         return [=](std::mt19937_64& random, std::size_t n) {
@@ -126,8 +125,8 @@ inline Recording stationary_recording(const std::string& file, std::uint64_t see
     Recording r;
     r.file = file;
     for (int step = 0; step < 3; ++step) {
-        const double stress = 500 * std::pow(2, step),
-                     rate = rates[static_cast<std::size_t>(step)], duration = 90;
+        const double stress = 500 * std::pow(2, step), rate = rates[static_cast<std::size_t>(step)],
+                     duration = 90;
         const double level =
             torque(0.29 * stress, ordinary_cell) * of_file * (1 + scatter * normal(random));
         const auto a = noise.series(random, rows), b = noise.series(random, rows),
@@ -143,8 +142,8 @@ inline Recording stationary_recording(const std::string& file, std::uint64_t see
             if (noise.missing > 0 && k >= gap_until && uniform(random) < noise.missing / 17)
                 gap_until = k + 5 + static_cast<std::size_t>(26 * uniform(random));
             const double spacing = duration / static_cast<double>(rows);
-            const double time = spacing * (static_cast<double>(k) +
-                                           noise.jitter * (uniform(random) - 0.5));
+            const double time =
+                spacing * (static_cast<double>(k) + noise.jitter * (uniform(random) - 0.5));
             if (k > 0 && k < gap_until) continue;
             const double fading = std::exp(-time / 4);
             double t = level * (1 + 0.35 * fading + 0.03 * a[k]),
@@ -189,9 +188,8 @@ inline std::vector<RecordingFinding> findings_in_noise(
                              .files = {recording.file}});
         const ImportSettings import;
         inside.look_at(recording.file, steps, ordinary_cell, import.least_strain);
-        const Measurements part =
-            reduce_steps(steps, recording, ordinary_cell,
-                         {.diameter = 5e-4, .density = 1050}, 0, clock, import);
+        const Measurements part = reduce_steps(
+            steps, recording, ordinary_cell, {.diameter = 5e-4, .density = 1050}, 0, clock, import);
         readings.insert(readings.end(), part.readings.begin(), part.readings.end());
     }
     const auto more = inside.findings(readings, ordinary_cell);

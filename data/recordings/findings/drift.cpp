@@ -40,10 +40,11 @@ struct PooledChange {
 
 /// Variance of the relative change of each step [1]. In strongly correlated noise, a step has few
 /// independent rows and its own estimate is poor: the smallest estimates, whose steps would have
-/// most weight, are too small. Each estimate is therefore averaged with the mean of all steps, which
-/// counts as `common_freedom` degrees of freedom.
+/// most weight, are too small. Each estimate is therefore averaged with the mean of all steps,
+/// which counts as `common_freedom` degrees of freedom.
 std::vector<double> variances_of(const std::vector<const StepTrend*>& trends) {
-    // Chosen: a step in weakly correlated noise has some hundred of its own, so that it loses nothing.
+    // Chosen: a step in weakly correlated noise has some hundred of its own, so that it loses
+    // nothing.
     constexpr double common_freedom = 10;
     const auto own = [](const StepTrend* trend) {
         return std::pow(trend->course.change_error / trend->course.mean, 2);

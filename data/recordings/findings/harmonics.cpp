@@ -19,15 +19,16 @@ constexpr double least_turns = 1.5, least_samples_per_turn = 8;
 constexpr std::size_t least_samples = 40;
 constexpr int highest_per_turn = 2;
 /// Numbers of neighbouring frequencies that the noise is estimated from; the larger of the two
-/// p values counts. The narrow window follows spectra that bend within 12 frequencies, such as those
-/// of moving averages over a tenth of a step; the wide one has more degrees of freedom.
+/// p values counts. The narrow window follows spectra that bend within 12 frequencies, such as
+/// those of moving averages over a tenth of a step; the wide one has more degrees of freedom.
 constexpr int windows[] = {6, 12};
 /// Largest order of the autoregressive model by which the noise is whitened.
 constexpr std::size_t highest_order = 20;
 /// Degrees of freedom of the noise for each period of the wobble, at most. Below the frequency of a
-/// wobble over few turns, there are few frequencies or none, and the trend and the wobble themselves
-/// are taken out there: how far the spectrum rises towards zero is not known. Without a limit, 22 of
-/// 100 studies with noise behind a low-pass filter gave a wobble, all over fewer than 3 turns.
+/// wobble over few turns, there are few frequencies or none, and the trend and the wobble
+/// themselves are taken out there: how far the spectrum rises towards zero is not known. Without a
+/// limit, 22 of 100 studies with noise behind a low-pass filter gave a wobble, all over fewer than
+/// 3 turns.
 constexpr double freedom_per_period = 0.7;
 /// p value of a periodic part below which means are taken over whole turns [1].
 constexpr double certain_wobble = 1e-3;
@@ -74,14 +75,14 @@ double squared_amplitude(const Eigen::VectorXd& residuals, const Eigen::ArrayXcd
     return std::norm(scale * (wave * residuals.array()).sum());
 }
 
-/// Values after a filter that makes noise of an autoregressive model white; the first values, as many
-/// as the model has coefficients, are left out.
+/// Values after a filter that makes noise of an autoregressive model white; the first values, as
+/// many as the model has coefficients, are left out.
 Eigen::VectorXd whitened(const Autoregression& noise, const Eigen::VectorXd& values) {
     const Eigen::Index order = std::ssize(noise.coefficients), left = values.size() - order;
     Eigen::VectorXd result = values.tail(left);
     for (Eigen::Index j = 0; j < order; ++j)
-        result -= noise.coefficients[static_cast<std::size_t>(j)] *
-                  values.segment(order - 1 - j, left);
+        result -=
+            noise.coefficients[static_cast<std::size_t>(j)] * values.segment(order - 1 - j, left);
     return result;
 }
 
@@ -99,8 +100,8 @@ WhitenedFit whitened_fit(const Autoregression& noise, const Eigen::VectorXd& val
     for (Eigen::Index c = 0; c < columns.cols(); ++c)
         white.col(c) = whitened(noise, columns.col(c));
     const Eigen::VectorXd left = whitened(noise, values);
-    WhitenedFit fit{noise, white.colPivHouseholderQr().solve(left),
-                    (white.transpose() * white).inverse(), {}};
+    WhitenedFit fit{
+        noise, white.colPivHouseholderQr().solve(left), (white.transpose() * white).inverse(), {}};
     fit.residuals = left - white * fit.coefficients;
     return fit;
 }
@@ -109,7 +110,8 @@ WhitenedFit whitened_fit(const Autoregression& noise, const Eigen::VectorXd& val
 /// of strongly correlated noise leaks into the amplitudes of a plain fit, far above the noise at
 /// their frequency; whitened noise has little to leak.
 WhitenedFit whitened_fit(const Eigen::VectorXd& values, const Eigen::MatrixXd& columns) {
-    constexpr int turns_taken = 3;  // the first two leave the wobble, then its leakage, in the noise
+    constexpr int turns_taken =
+        3;  // the first two leave the wobble, then its leakage, in the noise
     const auto highest = std::min(highest_order, static_cast<std::size_t>(values.size() / 10));
     const Eigen::MatrixXd line = columns.leftCols(2);
     Eigen::VectorXd noise = values - line * line.householderQr().solve(values);
@@ -170,8 +172,8 @@ std::optional<Harmonic> tested(int q, const WhitenedFit& fit, std::span<const do
         level.spectrum * fit.unit_covariance.block<2, 2>(cosine, cosine);
     const Eigen::Vector2d waves = fit.coefficients.segment<2>(cosine);
     const double f = waves.dot(of_waves.inverse() * waves) / 2;
-    const double k = std::min<double>(
-        level.frequencies, std::max(1.0, freedom_per_period * q * turns_covered(angle)));
+    const double k = std::min<double>(level.frequencies,
+                                      std::max(1.0, freedom_per_period * q * turns_covered(angle)));
     return Harmonic{q, waves.norm(), std::sqrt(of_waves.trace() / 2), std::pow(1 + f / k, -k)};
 }
 

@@ -38,7 +38,7 @@ std::vector<std::string> files_in_order(const std::vector<Reading>& readings) {
 /// Comparison of the recordings of a study: a linear map that removes from values of readings what
 /// their conditions explain and averages the rest over each recording.
 struct FileComparison {
-    std::vector<std::string> files;  ///< in run order
+    std::vector<std::string> files;     ///< in run order
     std::vector<Eigen::Index> file_of;  ///< index of the file of each reading
     /// Readings at one condition, whose mean is removed before the averages over files; or none.
     std::vector<std::vector<std::size_t>> groups = {};
@@ -131,8 +131,8 @@ std::vector<Reading> repeated_readings(const std::vector<Reading>& readings) {
 FileComparison by_repetition(const std::vector<Reading>& readings) {
     FileComparison result = comparison_of(readings);
     result.groups = replicate_groups(readings);
-    result.freedom = static_cast<double>(result.files.size()) -
-                     static_cast<double>(separate_sets(result)) - 1;
+    result.freedom =
+        static_cast<double>(result.files.size()) - static_cast<double>(separate_sets(result)) - 1;
     return result;
 }
 
