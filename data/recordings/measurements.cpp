@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "data/files/formats/layouts.h"
@@ -161,6 +162,31 @@ std::optional<std::string> pendular_range_warning(double content) {
 
 namespace {
 
+/// Note on a cell in which few beads fit side by side, or on one another; empty if enough do.
+std::optional<std::string> note_on_few_beads(const Study& study,
+                                             const std::vector<Reading>& readings) {
+    // Walls order the beads over some diameters: the model, a flow without walls, holds between
+    // them. Source: GDR MiDi, Eur. Phys. J. E 14 (2004) 341: shear bands of 5 to 10 diameters.
+    constexpr double enough = 10;
+    if (!study.cell) return std::nullopt;
+    const double diameter = study.grains.diameter,
+                 width = study.cell->outer_radius - study.cell->inner_radius;
+    double height = INFINITY;
+    for (const Reading& reading : readings)
+        height = std::min(height, reading.condition.height.value_or(INFINITY));
+    const bool narrow = width < enough * diameter, low = height < enough * diameter;
+    if (!narrow && !low) return std::nullopt;
+    const auto beads = [&](const char* name, double size) {
+        return fmt::format("the {} of the sample, {:.3g} mm, is {:.2g} bead diameters", name,
+                           1e3 * size, size / diameter);
+    };
+    return fmt::format(
+        "{}{}{}: below ten, the walls order the beads, and the model, a flow without walls, may "
+        "not hold",
+        narrow ? beads("width", width) : "", narrow && low ? "; " : "",
+        low ? beads("height", height) : "");
+}
+
 /// Note on readings that are points of failure, if there are any.
 std::optional<std::string> note_on_failure(const std::vector<Reading>& readings) {
     const auto count = std::ranges::count_if(
@@ -203,6 +229,7 @@ Measurements read_measurements(const Study& study) {
     append(all.notes, notes_on_incomplete_files(study, all));
     pool_replicates(all, study.scatter);
     if (const auto note = merging_note(all.readings)) all.notes.push_back(*note);
+    if (const auto note = note_on_few_beads(study, all.readings)) all.notes.push_back(*note);
     if (const auto note = note_on_failure(all.readings)) all.notes.push_back(*note);
     all.weight_note = grain_weight_note(study, all.readings);
     return all;

@@ -119,6 +119,32 @@ std::optional<AnnularCell> read_cell(const StudyTable& root, const GrainProperti
     return cell;
 }
 
+/// Checks that the beads fit into the cell: between its walls and, as a filling, below the lid.
+/// @throws InputError if a bead is larger than the gap between the walls, or than the height of the
+///         filling
+void check_bead_size(const StudyTable& root, const Study& study) {
+    if (!study.cell) return;
+    // Random loose packing has a solid fraction of 0.55; no filling under load is as loose as this.
+    constexpr double too_loose = 0.4;
+    const double diameter = study.grains.diameter,
+                 width = study.cell->outer_radius - study.cell->inner_radius,
+                 volume = study.cell->bead_volume,
+                 height = volume / (too_loose * study.cell->area());
+    const StudyTable grains = *root.table("grains", grains_keys);
+    const auto refuse = [&](const std::string& than) {
+        grains.refuse("diameter", fmt::format("beads of {:.4g} mm are larger than {}; check the "
+                                              "diameter and its unit, and [cell]",
+                                              1e3 * diameter, than));
+    };
+    if (diameter > width)
+        refuse(fmt::format("the gap between the walls of the cell, {:.4g} mm", 1e3 * width));
+    if (volume > 0 && diameter > height)
+        refuse(
+            fmt::format("the height of the filling, which the beads in the cell reach even as "
+                        "a loose bed, {:.4g} mm",
+                        1e3 * height));
+}
+
 std::string no_file(const std::string& pattern, const Study& study) {
     return fmt::format("no file matches \"{}\" in {}; put the file there, or correct the name",
                        pattern, study.folder.string());
@@ -320,6 +346,7 @@ Study read_study(const std::filesystem::path& path) {
     study.grains = read_grains(root);
     study.liquid = read_liquid(root);
     study.cell = read_cell(root, study.grains);
+    check_bead_size(root, study);
     study.model = read_model(root);
     study.written_effects = read_written_effects(root);
     study.direct = read_direct(root);

@@ -246,4 +246,27 @@ TEST_F(ReadStudy, TakesTheExpectedErrorOfTheModel) {
     EXPECT_EQ(read(start).model.discrepancy, (Pair{0, 0}));
 }
 
+TEST(StudyTest, RefusesBeadsThatDoNotFitIntoTheCell) {
+    const TemporaryFolder folder;
+    const auto refused = [&](const std::string& diameter, const std::string& mass) {
+        folder.write("study.toml", "[grains]\ndiameter = \"" + diameter +
+                                       "\"\ndensity = \"2500 kg/m^3\"\n[cell]\n"
+                                       "inner_radius = \"15 mm\"\nouter_radius = \"30 mm\"\n"
+                                       "bead_mass = \"" +
+                                       mass + "\"\n");
+        try {
+            read_study(folder.path());
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_THAT(refused("300 mm", "20 g"),
+                testing::AllOf(HasSubstr("study.toml:2:"), HasSubstr("300 mm"),
+                               HasSubstr("the walls of the cell, 15 mm")));
+    // 2 g fill 0.8 cm^3 of an area of 21.2 cm^2: less than 1 mm in any packing.
+    EXPECT_THAT(refused("2 mm", "2 g"), HasSubstr("height of the filling"));
+    EXPECT_THAT(refused("2 mm", "20 g"), HasSubstr("nothing was measured"));  // and no more
+}
+
 }  // namespace pendular::data_study_test
