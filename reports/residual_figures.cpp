@@ -35,7 +35,7 @@ Axis axis_of(const Covariate& covariate) {
         return {"liquid content Φ_L/Φ_S"};
     }
     if (covariate.name == "height") {
-        return {"height [mm]", false, 1e3};
+        return {"predicted height [mm]", false, 1e3};
     }
     if (covariate.name == "time") {
         constexpr double minute = 60, hour = 3600;
@@ -70,7 +70,9 @@ Panel residual_panel(const Comparison& comparison, const Covariate& covariate) {
 
 Figure residuals_along(const Comparison& comparison) {
     std::vector<Reading> readings;
+    Eigen::VectorXd predicted(2 * std::ssize(comparison.readings));
     for (const ReadingMisfit& misfit : comparison.readings) {
+        predicted.segment<2>(2 * std::ssize(readings)) = misfit.predicted;
         readings.push_back(misfit.reading);
     }
     Figure figure{.name = "residuals",
@@ -78,7 +80,7 @@ Figure residuals_along(const Comparison& comparison) {
                                        comparison.total.chi2, comparison.total.dof),
                   .panels = {},
                   .columns = 3};
-    for (const Covariate& covariate : covariates_of(readings)) {
+    for (const Covariate& covariate : covariates_of(readings, predicted)) {
         figure.panels.push_back(residual_panel(comparison, covariate));
     }
     if (!figure.panels.empty()) {

@@ -169,7 +169,7 @@ Checks checks_of(const StudyDiagnosis& d, const EffectSet& effects, const Predic
     return check_fit(
         {d.evidence.measured, prediction},
         entries_of(d.readings, d.models->with(effects)->parameters(), direct),
-        covariates_of(d.readings, direct),
+        covariates_of(d.readings, prediction.value, direct),
         NullDraws(d.evidence.measured, d.evidence.errors, seed, DiagnosisOptions{}.draws));
 }
 

@@ -76,29 +76,87 @@ std::vector<double> run_order(const std::vector<Reading>& readings) {
 
 }  // namespace
 
-std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::size_t direct) {
-    using Of = std::function<double(std::size_t, const Reading&)>;
-    const std::vector<double> order = run_order(readings);
-    const std::vector<std::pair<std::string, Of>> all = {
-        {"normal stress", [](auto, const auto& r) { return r.condition.normal_stress; }},
-        {"inertial number", [](auto, const auto& r) { return r.condition.inertial_number; }},
-        {"liquid content", [](auto, const auto& r) { return r.condition.liquid_content; }},
-        {"height", [](auto, const auto& r) { return r.condition.height.value_or(0); }},
-        {"time", [](auto, const auto& r) { return r.condition.time; }},
-        {"run order", [&](std::size_t k, const auto&) { return order[k]; }}};
+namespace {
+
+/// Height of the sample [m] that the model predicts for a reading: V/(A Phi_model). The measured
+/// height V/(A Phi) has the error of the measured solid fraction Phi.
+double predicted_height(const Reading& reading, double predicted_fraction) {
+    return reading.condition.height.value_or(0) * reading.value(1) / predicted_fraction;
+}
+
+/// Inertial number [1] of a reading at the predicted height; the shear rate is proportional to
+/// 1/height. Tables without a height state the number itself.
+double predicted_inertial_number(const Reading& reading, double predicted_fraction) {
+    const double number = reading.condition.inertial_number;
+    return reading.condition.height ? number * predicted_fraction / reading.value(1) : number;
+}
+
+/// Quantity along which residuals are checked. The checks use ranks. If the error of a reading
+/// moved the rank of this reading, its residual would depend on its rank in a right model too. Of
+/// each reading, a quantity must therefore be free of the reading's own errors.
+struct Quantity {
+    enum class OwnErrors {
+        none,
+        /// Small, and averaged over the readings at a condition, which then have one rank.
+        averaged
+    };
+    std::string name;
+    OwnErrors errors;
+    std::function<double(std::size_t)> of_reading;
+};
+
+std::vector<Quantity> quantities_of(const std::vector<Reading>& readings,
+                                    const Eigen::VectorXd& predicted) {
+    using enum Quantity::OwnErrors;
+    const auto fraction = [&predicted](std::size_t k) {
+        return predicted(2 * static_cast<Eigen::Index>(k) + 1);
+    };
+    return {{"normal stress", averaged,
+             [&readings](std::size_t k) { return readings[k].condition.normal_stress; }},
+            {"inertial number", averaged,
+             [&readings, fraction](std::size_t k) {
+                 return predicted_inertial_number(readings[k], fraction(k));
+             }},
+            {"liquid content", none,
+             [&readings](std::size_t k) { return readings[k].condition.liquid_content; }},
+            {"height", averaged,
+             [&readings, fraction](std::size_t k) {
+                 return predicted_height(readings[k], fraction(k));
+             }},
+            {"time", none, [&readings](std::size_t k) { return readings[k].condition.time; }},
+            {"run order", none, [order = run_order(readings)](std::size_t k) { return order[k]; }}};
+}
+
+/// Values of a quantity for each reading, without the readings' own errors.
+Eigen::VectorXd values_of(const Quantity& quantity, const std::vector<Reading>& readings,
+                          const std::vector<std::vector<std::size_t>>& conditions) {
+    Eigen::VectorXd values(std::ssize(readings));
+    for (std::size_t k = 0; k < readings.size(); ++k)
+        values(static_cast<Eigen::Index>(k)) = quantity.of_reading(k);
+    if (quantity.errors == Quantity::OwnErrors::none) return values;
+    for (const auto& condition : conditions) {
+        const std::vector<Eigen::Index> members(condition.begin(), condition.end());
+        values(members).setConstant(values(members).mean());
+    }
+    return values;
+}
+
+}  // namespace
+
+std::vector<Covariate> covariates_of(const std::vector<Reading>& readings,
+                                     const Eigen::VectorXd& predicted, std::size_t direct) {
+    const auto conditions = replicate_groups(readings);
     std::vector<Covariate> result;
-    for (const auto& [name, of] : all) {
+    for (const Quantity& quantity : quantities_of(readings, predicted)) {
+        const Eigen::VectorXd of_readings = values_of(quantity, readings, conditions);
         const auto entries = static_cast<Eigen::Index>(2 * readings.size() + direct);
-        Covariate covariate{name, Eigen::VectorXd::Constant(entries, std::nan(""))};
-        for (std::size_t k = 0; k < readings.size(); ++k) {
-            covariate.values.segment<2>(2 * static_cast<Eigen::Index>(k))
-                .setConstant(of(k, readings[k]));
-        }
-        const auto of_readings =
-            covariate.values.head(2 * static_cast<Eigen::Index>(readings.size()));
+        Covariate covariate{quantity.name, Eigen::VectorXd::Constant(entries, std::nan(""))};
+        for (Eigen::Index k = 0; k < of_readings.size(); ++k)
+            covariate.values.segment<2>(2 * k).setConstant(of_readings(k));
         const double low = of_readings.minCoeff(), high = of_readings.maxCoeff();
         // The ranks of the times give the run order.
-        const bool known = name == "run order" && !result.empty() && result.back().name == "time";
+        const bool known =
+            quantity.name == "run order" && !result.empty() && result.back().name == "time";
         if (!known && high - low > 0.1 * std::max(std::abs(low), std::abs(high))) {
             result.push_back(std::move(covariate));
         }

@@ -28,8 +28,16 @@ Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatte
 /// returned only if its values differ by more than 10 % between the readings. The values of a
 /// covariate are in the order of the measured values: two for each reading, then one for each
 /// direct measurement of an effect's parameter.
+///
+/// No covariate has the errors of the reading itself: the residual of the solid fraction V/(A H)
+/// would depend on the measured height H, and on the inertial number at H, in a right model too.
+/// The height and the shear rate are therefore those at the predicted solid fraction, and readings
+/// at one condition have one normal stress, inertial number and height, their mean.
+/// @param predicted predicted shear stress [Pa] and solid fraction [1] of each reading in turn;
+///        entries beyond these are ignored
 /// @param direct number of direct measurements, for which the values of all covariates are NaN
-std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::size_t direct = 0);
+std::vector<Covariate> covariates_of(const std::vector<Reading>& readings,
+                                     const Eigen::VectorXd& predicted, std::size_t direct = 0);
 
 /// Returns the observable and the condition of each measured value. The measured values are the
 /// shear stress and solid fraction of each reading in turn, then the direct measurements of

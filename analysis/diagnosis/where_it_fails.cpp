@@ -38,7 +38,7 @@ WhereItFails where_it_fails(const std::vector<Reading>& readings, const Replicat
     const WeightedResiduals residuals(evidence.measured, prediction);
     const NullDraws draws(evidence.measured, evidence.errors, seed, DiagnosisOptions{}.draws);
     return {check_fit(residuals, entries_of(readings, parameters, direct.size()),
-                      covariates_of(readings, direct.size()), draws),
+                      covariates_of(readings, prediction.value, direct.size()), draws),
             offending_of(evidence, residuals, draws)};
 }
 
