@@ -10,6 +10,7 @@
 #include "app/options.h"
 #include "app/recording_views.h"
 #include "data/files/write_tables.h"
+#include "data/recordings/common_reason.h"
 #include "reports/recording_figures.h"
 #include "reports/tables.h"
 #include "workflow/json.h"
@@ -102,15 +103,17 @@ int import(const std::vector<std::string>& arguments) {
     write_readings(readings, measurements);
     write_excluded(common->out_folder() / "excluded.csv", measurements);
     const std::string left_out = excluded_text(measurements);
-    console.answer(fmt::format(
-        "{} written to {}.{}",
-        measurements.readings.size() == 1
-            ? "1 reading"
-            : fmt::format("{} readings", measurements.readings.size()),
-        readings.string(),
-        left_out.empty() ? ""
-                         : fmt::format(" Excluded: {} (listed in {}).", left_out,
-                                       (common->out_folder() / "excluded.csv").string())));
+    const std::string reason = common_reason(measurements).value_or("");
+    console.answer(fmt::format("{} written to {}.{}{}{}",
+                               measurements.readings.size() == 1
+                                   ? "1 reading"
+                                   : fmt::format("{} readings", measurements.readings.size()),
+                               readings.string(),
+                               left_out.empty()
+                                   ? ""
+                                   : fmt::format(" Excluded: {} (listed in {}).", left_out,
+                                                 (common->out_folder() / "excluded.csv").string()),
+                               reason.empty() ? "" : " ", reason));
     for (const Doubt& doubt : measurements.doubts) {
         console.line(fmt::format("Warning: {} {}", doubt.what,
                                  doubt.set_aside ? "The affected readings are excluded."
@@ -136,7 +139,7 @@ int import(const std::vector<std::string>& arguments) {
     console.json(to_json(measurements));
     if (!file.figures.empty())
         draw_all(figures_of_recordings(input, console), file.figures, console);
-    return done;
+    return mostly_set_aside(measurements) ? not_converged : done;
 }
 
 }  // namespace pendular::app

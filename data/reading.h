@@ -127,6 +127,13 @@ struct Excluded {
     int last_line = 0;   ///< last line of the rows that were left out
     std::string reason;  ///< reason why the rows or the reading were left out, for the user
     Kind kind = Kind::rows;
+    /// Reason without what is particular to one step, for messages on many steps: `what` is a
+    /// clause such as "the normal force is negative", to be followed by "in all 30 steps"; `advice`
+    /// says what to do. Empty for rows that are not a whole step.
+    struct Cause {
+        std::string what, advice;
+    };
+    Cause cause = {};
 };
 
 /// Statement that measured values are probably wrong, such as a solid fraction above that of the

@@ -42,6 +42,7 @@ CalibratedStudy Session::calibrate(const FitOptions& fit) const {
 }
 
 ComparedStudy Session::compare(const std::optional<CohesionOptions>& cohesion) const {
+    demand_readings(study(), measurements());
     Calibration c = read_calibration(folder_ / "fit.json", input_.study, dry_first(measurements()));
     StudyModel model(input_.study, c);
     check_parameters(c, model.model());

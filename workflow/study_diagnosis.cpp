@@ -96,18 +96,11 @@ std::function<void(std::string_view, std::size_t, std::size_t)> progress_of(
 }
 
 /// Checks that the readings suffice for a diagnosis.
-/// @throws InputError where there is no reading, where all readings are at one condition, and
+/// @throws InputError where all readings are at one condition, and
 ///         where a reading cannot be simulated
 void check_readings(const std::vector<Reading>& readings, const Study& study,
                     const Fidelity& fidelity) {
     check_range(readings, study, fidelity);
-    if (readings.empty()) {
-        const auto folder = study.file.parent_path();
-        throw InputError({study.file.string()},
-                         fmt::format("there is no reading to diagnose; 'pendular import {}' says "
-                                     "what was left out and why",
-                                     folder.empty() ? "." : folder.string()));
-    }
     if (replicate_groups(readings).size() < 2) {
         throw InputError({study.file.string()},
                          "all readings are at one condition, where no effect can be told from "
@@ -136,6 +129,7 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
 
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session, KnownRuns known) {
+    demand_readings(study.study(), measurements);
     const std::vector<Reading> all = dry_first(measurements);
     check_readings(all, study, session.fidelity);
     StudyDiagnosis result{.readings = binned_readings(all, most_tested), .measured = all.size()};

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+
+#include "data/recordings/common_reason.h"
 
 namespace pendular {
 namespace {
@@ -20,17 +21,6 @@ bool out_of_range(const Fit& fit, const std::vector<Parameter>& parameters, std:
     const double at = fit.parameters(static_cast<Eigen::Index>(k));
     const bool lower = std::abs(at - p.lower) < std::abs(at - p.upper);
     return fit.at_bound[k] && (friction || !lower || p.lower != 0);
-}
-
-/// Number of readings, or groups of rows, that import excluded because of doubts.
-std::size_t readings_set_aside(const Measurements& measurements) {
-    std::set<std::pair<std::string, int>> rows;
-    for (const Doubt& doubt : measurements.doubts) {
-        if (!doubt.set_aside) continue;
-        for (const Position& origin : doubt.origins)
-            rows.emplace(origin.file, origin.line);
-    }
-    return rows.size();
 }
 
 }  // namespace
@@ -60,9 +50,9 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
         belief.reasons.push_back(fmt::format("{} further warnings; 'pendular import' lists them.",
                                              measurements.doubts.size() - most_doubts));
     }
-    const std::size_t aside = readings_set_aside(measurements);
-    belief.meaningless = (undescribed && !fit.at_bound.empty() && fit.at_bound[0]) ||
-                         aside > measurements.readings.size();
+    if (const auto reason = common_reason(measurements)) belief.reasons.push_back(*reason);
+    belief.meaningless =
+        (undescribed && !fit.at_bound.empty() && fit.at_bound[0]) || mostly_set_aside(measurements);
     return belief;
 }
 

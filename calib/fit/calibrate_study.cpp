@@ -13,9 +13,17 @@
 #include "calib/fit/study_model.h"
 #include "calib/model/run_planner.h"
 #include "data/input_error.h"
+#include "data/recordings/common_reason.h"
 #include "sim/runs/run_request.h"
 
 namespace pendular {
+
+void demand_readings(const Study& study, const Measurements& measurements) {
+    if (!measurements.readings.empty()) return;
+    throw InputError({study.file.string()},
+                     "The study has no reading. " + why_no_reading(measurements));
+}
+
 namespace {
 
 /// Lowest stiffness number [1] at which the rigidity shift was measured (dem::rigidity_factor).
@@ -62,25 +70,16 @@ std::string set_aside(const Measurements& measurements) {
                : "readings were set aside; the reason for the first: " + doubt->what;
 }
 
-/// Reason why a study has no reading, with advice, for messages.
-std::string why_no_reading(const Measurements& measurements) {
-    if (std::string aside = set_aside(measurements); !aside.empty()) return aside;
-    return measurements.excluded.empty() ? "give recordings or readings"
-                                         : "all were left out; the reason for the first: " +
-                                               measurements.excluded.front().reason;
-}
-
 /// Checks that the calibration has readings to fit.
 /// @throws InputError where it has none, with the reason
 void check_fitted(const Study& study, const Measurements& measurements, const Calibration& c) {
     if (c.fitted > 0) {
         return;
     }
-    std::string why = why_no_reading(measurements);
-    if (!c.readings.empty()) {
-        why = "give dry recordings or readings (liquid_content = 0), or set fit_to = \"all\"";
-        if (const std::string aside = set_aside(measurements); !aside.empty()) why += "; " + aside;
-    }
+    demand_readings(study, measurements);
+    std::string why =
+        "give dry recordings or readings (liquid_content = 0), or set fit_to = \"all\"";
+    if (const std::string aside = set_aside(measurements); !aside.empty()) why += "; " + aside;
     throw InputError({study.file.string()},
                      fmt::format("there is no {}reading to fit; {}",
                                  study.model.fit_to == "dry" ? "dry " : "", why));

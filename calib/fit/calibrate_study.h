@@ -66,6 +66,10 @@ Calibration calibrate_study(const ResolvedStudy& study, const Measurements& meas
 void check_range(const std::vector<Reading>& readings, const Study& study,
                  const Fidelity& fidelity);
 
+/// Checks that a study has a reading.
+/// @throws InputError if it has none, with the reason that the steps of its recordings share
+void demand_readings(const Study& study, const Measurements& measurements);
+
 /// Returns the number of readings that a calibration of the study fits. A calibration fits all
 /// readings if fit_to = "all" or if a listed effect needs a joint fit of dry and wet readings
 /// (`needs_joint_fit`). Otherwise a calibration fits the dry readings only.

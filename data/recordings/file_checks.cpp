@@ -218,6 +218,33 @@ void check_times(const std::vector<IntervalSeries>& series, std::vector<FileFind
     findings.push_back(std::move(finding));
 }
 
+/// Finds normal forces or stresses that are negative in every interval with values: recordings of
+/// tension, from which no reading of grains is made.
+void check_compression(const std::vector<IntervalSeries>& series,
+                       std::vector<FileFinding>& findings) {
+    FileFinding finding;
+    std::size_t known = 0;
+    for (const IntervalSeries& each : series) {
+        const std::vector<double>& normal = each.normal();
+        for (std::size_t i = 0; i < normal.size(); ++i) {
+            known += std::isfinite(normal[i]);
+            if (normal[i] < 0) add_line(finding.lines, each.line[i]);
+        }
+    }
+    // Noise about zero is negative in half of the rows; a few positive rows, as before the lid
+    // touches the beads, leave the sign in no doubt.
+    constexpr double most_positive = 0.1;
+    const std::size_t negative = rows_in(finding.lines);
+    if (static_cast<double>(negative) <= (1 - most_positive) * static_cast<double>(known)) return;
+    finding.kind = "no-compression";
+    finding.what =
+        fmt::format("the normal force or stress is negative in {} of {} rows.", negative, known);
+    finding.done =
+        "Compression must be positive, or a study makes no readings of these rows: reverse the "
+        "sign of the column in the file.";
+    findings.push_back(std::move(finding));
+}
+
 void check_repeated(const BlockFile& file, std::vector<FileFinding>& findings) {
     FileFinding finding;
     for (const Block& block : file.blocks) {
@@ -325,6 +352,7 @@ std::vector<FileFinding> check_file(const BlockFile& file,
     }
     check_declared(file, findings);
     check_times(series, findings);
+    check_compression(series, findings);
     check_repeated(file, findings);
     check_tests(file, findings);
     if (tests.size() == 1)

@@ -4,11 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <map>
 #include <optional>
 
+#include "data/recordings/plausibility.h"
 #include "data/recordings/robust.h"
+#include "data/recordings/speed_ramp.h"
+#include "data/recordings/stated_role.h"
+#include "data/recordings/step_series.h"
+#include "data/recordings/time_series.h"
 
 namespace pendular {
 namespace {
@@ -19,8 +24,9 @@ struct Loading {
     /// Whether a normal stress presses the sample, as in a test of grains: the shear stress is
     /// below three times the normal stress.
     bool pressed = false;
-    double normal = 0;            ///< median normal stress or force
-    std::optional<double> angle;  ///< angle by which the lid turned [rad], if known
+    double normal = 0;              ///< median normal stress or force
+    std::optional<double> angle;    ///< angle by which the lid turned [rad], if known
+    std::optional<SpeedRamp> ramp;  ///< speeds between which the lid's speed changed, if it did
 };
 
 double largest_known(const std::vector<double>& values) {
@@ -47,23 +53,52 @@ std::optional<double> angle_turned(const IntervalSeries& series) {
     return angle;
 }
 
-std::vector<Loading> loadings(const BlockFile& file, const std::vector<IntervalSeries>& series) {
+/// Whether the lid turned during an interval; empty if no speed was recorded. Small torques do not
+/// make a rest: at low normal stress, most of the torque may be a drag.
+std::optional<bool> lid_turned(const IntervalSeries& series) {
+    // A thirtieth of the turn up to which an interval counts as one to failure, and 0.15 mm at
+    // 15 mm, less than a bead: chosen.
+    constexpr double least_turn = 0.01;
+    if (!any_known(series.angular_velocity)) return std::nullopt;
+    if (const auto angle = angle_turned(series)) return *angle > least_turn;
+    std::vector<double> speeds;
+    std::ranges::copy_if(series.angular_velocity, std::back_inserter(speeds),
+                         [](double speed) { return std::isfinite(speed); });
+    return turns(mean_of_correlated(speeds));
+}
+
+/// Whether the shear stress of an interval is one of sheared grains, where no speed was recorded.
+bool stress_of_shear(const IntervalSeries& series, double normal) {
+    // Half of the stress ratio of frictionless grains; see `least_stress_ratio`.
+    if (!series.shear_stress.empty() && !series.normal_stress.empty())
+        return largest_known(series.shear()) > least_stress_ratio * std::abs(normal);
+    // Torque and force alone tell no stress ratio: the torque of that ratio on the smallest plates,
+    // of 4 mm radius, on which a uniform stress acts at 2/3 of the radius.
+    constexpr double least_arm = 2.0 / 3 * 4e-3;
+    return largest_known(series.shear()) > least_stress_ratio * least_arm * std::abs(normal);
+}
+
+/// Whether any interval of a file shows that the lid turned. A file in which it never does, such
+/// as one that rounds slow speeds to 0, says nothing by its speeds.
+bool speeds_tell(const std::vector<IntervalSeries>& series) {
+    return std::ranges::any_of(
+        series, [](const IntervalSeries& each) { return lid_turned(each).value_or(false); });
+}
+
+std::vector<Loading> loadings(const std::vector<IntervalSeries>& series) {
     constexpr double most_ratio = 3;
-    std::map<std::string, double> most_shear;  // of any interval of a test
-    for (std::size_t i = 0; i < series.size(); ++i) {
-        double& most = most_shear[file.blocks[i].test];
-        most = std::max(most, largest_known(series[i].shear()));
-    }
+    const bool by_speed = speeds_tell(series);
     std::vector<Loading> result;
-    for (std::size_t i = 0; i < series.size(); ++i) {
-        const IntervalSeries& each = series[i];
+    for (const IntervalSeries& each : series) {
         Loading loading;
-        loading.sheared = largest_known(each.shear()) > 0.05 * most_shear[file.blocks[i].test];
         loading.normal = median_of_known(each.normal());
+        const auto turned = by_speed ? lid_turned(each) : std::nullopt;
+        loading.sheared = turned ? *turned : stress_of_shear(each, loading.normal);
         const bool stresses = !each.shear_stress.empty() && !each.normal_stress.empty();
         loading.pressed = loading.normal > 0 &&
                           (!stresses || largest_known(each.shear()) < most_ratio * loading.normal);
         loading.angle = angle_turned(each);
+        loading.ramp = speed_ramp(each.angular_velocity);
         result.push_back(loading);
     }
     return result;
@@ -102,6 +137,9 @@ IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& 
                              std::size_t i) {
     constexpr double higher = 1.05, long_turn = 1, short_turn = 0.3;
     const Loading& own = loading[i];
+    if (own.ramp)
+        return {"other", fmt::format("the speed of the lid changes {}: no steady shear",
+                                     own.ramp->change())};
     if (!own.pressed) return {"steady", "sheared, but not under a normal stress as grains are"};
     if (own.angle && *own.angle > long_turn)
         return {"steady", fmt::format("the lid turned by {:.2g} rad", *own.angle)};
@@ -133,15 +171,6 @@ IntervalRole role_of_resting(const BlockFile& file, const std::vector<Loading>& 
 
 }  // namespace
 
-std::string stated_role(const Block& block, const FileFormat& format) {
-    for (const auto& [role, intervals] : format.roles)
-        for (const std::string& interval : intervals)
-            if (interval == std::to_string(block.number) || interval == block.name ||
-                interval == block.test)
-                return role;
-    return "";
-}
-
 double median_of_known(const std::vector<double>& values) {
     std::vector<double> known;
     for (const double value : values)
@@ -151,7 +180,7 @@ double median_of_known(const std::vector<double>& values) {
 
 std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<IntervalSeries>& series,
                                    const FileFormat& format) {
-    const std::vector<Loading> loading = loadings(file, series);
+    const std::vector<Loading> loading = loadings(series);
     std::vector<IntervalRole> roles;
     for (std::size_t i = 0; i < series.size(); ++i) {
         if (const std::string stated = stated_role(file.blocks[i], format); !stated.empty())

@@ -23,8 +23,10 @@ struct IntervalRole {
 /// "reloading", "steady" or "other". A role that the user or the file states takes precedence. An
 /// interval without values of shear stress or of normal stress is "other".
 ///
-/// An interval is sheared if its largest shear stress exceeds 5 % of the largest shear stress of
-/// the test. The role of a sheared interval is the first in the list that applies:
+/// An interval is sheared if the lid turns by more than 0.01 rad. If no interval of the file shows
+/// that the lid turns, an interval is sheared if its largest shear stress exceeds 5 % of its own
+/// normal stress. The role of a sheared interval is the first in the list that applies:
+/// - "other", if the speed of the lid changes throughout (`speed_ramp`).
 /// - "steady", if the normal stress is not positive, or if the shear stress reaches three times the
 ///   normal stress.
 /// - "steady", if the lid turns by more than 1 rad.
@@ -42,10 +44,6 @@ struct IntervalRole {
 /// @param format settings of the user, with the roles that the user states
 std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<IntervalSeries>& series,
                                    const FileFormat& format);
-
-/// Returns the role that the user states for an interval by the interval's number, the interval's
-/// name or the name of the interval's test. The text is empty if the user states no role.
-std::string stated_role(const Block& block, const FileFormat& format);
 
 /// Returns the median of the finite values in a column, in the unit of the values; NaN if no value
 /// is finite.

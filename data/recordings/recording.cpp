@@ -8,7 +8,7 @@
 
 #include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
-#include "data/recordings/interval_roles.h"
+#include "data/recordings/stated_role.h"
 
 namespace pendular {
 namespace {

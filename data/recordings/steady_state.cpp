@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "data/recordings/robust.h"
+#include "data/recordings/speed_ramp.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/time_series.h"
 #include "data/recordings/unsteady.h"
@@ -70,16 +73,50 @@ Means means_of(const StepSeries& steady) {
     return means;
 }
 
+/// Why a step gives no reading: in its own words, and as far as other steps share it.
+struct Reason {
+    std::string text;
+    Excluded::Cause cause;
+};
+
 /// Reason why the means of a step make no reading; empty if they make a reading.
-std::string unusable(const Means& means) {
+std::optional<Reason> unusable(const Means& means) {
     if (means.normal_force.value <= 0)
-        return fmt::format(
-            "the mean normal force is {:.3g} N, no compression; compression must be "
-            "positive",
-            means.normal_force.value);
+        return Reason{fmt::format("the mean normal force is {:.3g} N, no compression; compression "
+                                  "must be positive: reverse the sign of the column of the normal "
+                                  "force if compression was recorded as negative",
+                                  means.normal_force.value),
+                      {"the normal force is negative",
+                       "compression must be positive: reverse the sign of the column of the "
+                       "normal force in the recordings"}};
     if (means.torque.value <= 2 * std::sqrt(means.covariance(0, 0)))
-        return "the mean torque is zero within twice its standard error";
-    return "";
+        return Reason{"the mean torque is zero within twice its standard error",
+                      {"the torque is zero within its error",
+                       "check that the torque was recorded, and its unit"}};
+    return std::nullopt;
+}
+
+/// Reason why a lid whose mean speed is not known to differ from zero gives no steady shear.
+Reason no_steady_turn(const StepSeries& series) {
+    // Turns by more than a rotation's tenth, though in both directions.
+    constexpr double back_and_forth = 0.6;
+    double angle = 0;
+    for (std::size_t i = 1; i < series.size(); ++i)
+        angle += std::abs(series.angular_velocity[i]) * (series.time[i] - series.time[i - 1]);
+    const double noise = sample_noise(series.angular_velocity);
+    const double usual = robust_deviation(series.angular_velocity);
+    if (angle > back_and_forth && usual > 3 * noise)
+        return {"the lid turns back and forth: no steady shear",
+                {"the lid turns back and forth", "export steps of constant speed"}};
+    return {"the lid does not turn: rest or consolidation",
+            {"the lid does not turn", "check the column of the angular velocity, and its unit"}};
+}
+
+Reason ramped(const SpeedRamp& ramp) {
+    return {fmt::format("the speed of the lid changes {} within the step, from {:.3g} to {:.3g} "
+                        "rad/s: no steady shear; export steps of constant speed",
+                        ramp.change(), ramp.first, ramp.last),
+            {"the speed of the lid changes", "no steady shear: export steps of constant speed"}};
 }
 
 double mean(const std::vector<double>& values) {
@@ -123,42 +160,58 @@ void reduce_step(const RecordedStep& step, const Setting& setting, std::vector<i
                  Measurements& result) {
     const StepSeries& series = step.series;
     const int number = step.number;
-    const auto exclude = [&](std::size_t end, const std::string& reason,
+    const auto exclude = [&](std::size_t end, const std::string& reason, Excluded::Cause cause,
                              Excluded::Kind kind = Excluded::Kind::rows) {
         result.excluded.push_back({{setting.recording.file, series.line.front(), 0},
                                    series.line[end - 1],
                                    fmt::format("step {}: {}", number, reason),
-                                   kind});
+                                   kind,
+                                   std::move(cause)});
     };
+    const Excluded::Cause short_cause = {
+        "the strain is too small for steady shear",
+        fmt::format("steady shear takes a strain of {:g} (least_strain in [import]): check the "
+                    "unit of the angular velocity, or record longer",
+                    setting.least_strain)};
     constexpr auto no_plateau = Excluded::Kind::step_without_plateau;
     if (series.size() < shortest_step)
         return exclude(series.size(),
-                       fmt::format("has {} rows, {} are needed", series.size(), shortest_step));
-    if (!step.lid_turns)
-        return exclude(series.size(), "the lid does not turn: rest or consolidation");
+                       fmt::format("has {} rows, {} are needed", series.size(), shortest_step),
+                       {fmt::format("less than {} rows were recorded", shortest_step), ""});
+    if (const auto ramp = speed_ramp(series.angular_velocity)) {
+        const Reason reason = ramped(*ramp);
+        return exclude(series.size(), reason.text, reason.cause);
+    }
+    if (!step.lid_turns) {
+        const Reason reason = no_steady_turn(series);
+        return exclude(series.size(), reason.text, reason.cause);
+    }
     if (const double strain = strain_of(series, setting.cell); strain < setting.least_strain)
-        return exclude(series.size(), short_strain("it", strain, series, setting));
+        return exclude(series.size(), short_strain("it", strain, series, setting), short_cause);
     const auto begin = step.steady;
-    if (!begin) return exclude(series.size(), step.why_unsteady, no_plateau);
+    if (!begin)
+        return exclude(series.size(), step.why_unsteady,
+                       {"torque or gap still change at the end", "record longer"}, no_plateau);
     if (series.size() - *begin < shortest_step)
         return exclude(
             series.size(),
             fmt::format("{} rows are steady, {} are needed", series.size() - *begin, shortest_step),
+            {fmt::format("less than {} rows are steady", shortest_step), "record longer"},
             no_plateau);
     const StepSeries level = series.from(*begin);
     const StepSeries steady = level.from(step.beyond_whole_turns);
     if (const double strain = strain_of(steady, setting.cell); strain < setting.least_strain)
         return exclude(series.size(), short_strain("its steady part", strain, steady, setting),
-                       no_plateau);
+                       short_cause, no_plateau);
     Means means = means_of(steady);
     limit_by_resolution(means, steady, setting);
-    if (const std::string reason = unusable(means); !reason.empty())
-        return exclude(series.size(), reason, Excluded::Kind::reading);
+    if (const auto reason = unusable(means))
+        return exclude(series.size(), reason->text, reason->cause, Excluded::Kind::reading);
     if (*begin > 0)
         exclude(*begin,
                 fmt::format("transient of {:.3g} s, until torque and gap are steady",
                             series.time[*begin] - series.time.front()),
-                Excluded::Kind::beside_plateau);
+                {}, Excluded::Kind::beside_plateau);
     if (steady.size() < level.size())
         result.excluded.push_back(
             {{setting.recording.file, level.line.front(), 0},

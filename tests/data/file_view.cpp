@@ -1,6 +1,8 @@
 // What a file of measurements shows by itself: findings, roles of intervals, yield loci.
 #include "data/recordings/file_view.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "data/files/text_file.h"
@@ -108,6 +110,73 @@ TEST(FileViewTest, FindsTheRolesOfAYieldLocusTest) {
     format.roles = {{"steady", {"8"}}};
     EXPECT_THAT(role_names(view_of_file(look_alike("powder_cell.txt"), format)),
                 ElementsAre("failure", "steady", "failure"));
+}
+
+/// Text of a recording at 20 rpm, one interval of 30 rows for each pair of normal force [N] and
+/// torque [mN m].
+std::string recording_at(const std::vector<std::pair<double, double>>& loads,
+                         const std::string& speed = "20") {
+    std::string text = "Interval,Time [s],Torque [mN m],Normal force [N],Gap [mm],Speed [1/min]\n";
+    for (std::size_t i = 0; i < loads.size(); ++i)
+        for (int row = 0; row < 30; ++row)
+            text += fmt::format("{},{},{},{},6.2,{}\n", i + 1, 30 * i + row,
+                                loads[i].second * (1 + 0.01 * (row % 3)), loads[i].first, speed);
+    return text;
+}
+
+TEST(FileViewTest, CallsAnIntervalShearedIfTheLidTurns) {
+    // The first torques are 0.6 and 2 % of the largest: at low normal force, a drag shows there.
+    const TemporaryFolder folder;
+    const auto path =
+        folder.write("t.csv", recording_at({{0.05, 0.2}, {0.2, 0.7}, {2, 7}, {10, 35}}));
+    EXPECT_THAT(role_names(view_of_file(path)),
+                ElementsAre("steady", "steady", "steady", "steady"));
+}
+
+TEST(FileViewTest, CallsAnIntervalWithoutSpeedShearedByItsOwnStressRatio) {
+    // The first stress ratio, 0.4, is that of sheared grains, 0.01 of the second interval is not.
+    const TemporaryFolder folder;
+    std::string text = "Interval,Time [s],Normal stress [Pa],Shear stress [Pa]\n";
+    const std::vector<std::pair<double, double>> loads = {{20, 8}, {3000, 30}, {3000, 1000}};
+    for (std::size_t i = 0; i < loads.size(); ++i)
+        for (int row = 0; row < 30; ++row)
+            text += fmt::format("{},{},{},{}\n", i + 1, row, loads[i].first, loads[i].second);
+    const auto path = folder.write("t.csv", text);
+    EXPECT_THAT(role_names(view_of_file(path)), ElementsAre("steady", "reloading", "steady"));
+}
+
+TEST(FileViewTest, CallsARestARestWhateverTorqueIsLeft) {
+    const TemporaryFolder folder;
+    std::string text = recording_at({{10, 35}, {10, 20}});
+    for (std::size_t at = text.find("\n2,"); at != std::string::npos;
+         at = text.find("\n2,", at + 1)) {
+        const std::size_t end = text.find('\n', at + 1);
+        text.replace(end - 2, 2, "0");
+    }
+    const auto path = folder.write("t.csv", text);
+    EXPECT_THAT(role_names(view_of_file(path)), ElementsAre("steady", "reloading"));
+}
+
+TEST(FileViewTest, SaysThatASpeedChangesWithinAnInterval) {
+    const TemporaryFolder folder;
+    std::string text =
+        "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+    for (int row = 0; row < 200; ++row)
+        text += fmt::format("{},50,5,6.2,{}\n", row, 0.05 + 0.05 * row);
+    const FileView view = view_of_file(folder.write("t.csv", text));
+    ASSERT_THAT(view.roles, SizeIs(1));
+    EXPECT_EQ(view.roles[0].role, "other");
+    EXPECT_THAT(view.roles[0].reason, HasSubstr("changes by a factor of 1"));
+}
+
+TEST(FileViewTest, FindsNormalForcesOfTheWrongSign) {
+    const TemporaryFolder folder;
+    const FileView view = view_of_file(folder.write("t.csv", recording_at({{-5, 20}, {-10, 40}})));
+    ASSERT_THAT(view.findings, SizeIs(1));
+    EXPECT_EQ(view.findings[0].kind, "no-compression");
+    EXPECT_THAT(view.findings[0].what, HasSubstr("negative in 60 of 60 rows"));
+    EXPECT_THAT(view_of_file(folder.write("u.csv", recording_at({{-5, 20}, {10, 40}}))).findings,
+                IsEmpty());
 }
 
 TEST(YieldLocusTest, IsTheLineThroughTheLargestStresses) {

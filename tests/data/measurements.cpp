@@ -6,9 +6,12 @@
 #include <sstream>
 
 #include "data/files/write_tables.h"
+#include "data/recordings/common_reason.h"
 #include "data/recordings/measurements.h"
+#include "data/recordings/speed_ramp.h"
 #include "data/study/study.h"
 #include "tests/support/data_support.h"
+#include "tests/support/ordinary_studies.h"
 
 namespace pendular::data_measurements_test {
 
@@ -267,6 +270,71 @@ TEST_F(ReadMeasurements, NotesAWeightOfTheGrainsThatIsNotSmall) {
     EXPECT_THAT(*note, HasSubstr("'pendular diagnose' tests the effect grain-weight"));
     EXPECT_FALSE(weight_note(study_text));
     EXPECT_FALSE(weight_note(heavy + "[model]\neffects = [\"grain-weight\"]\n"));
+}
+
+/// Measurements of two recordings whose rows are changed.
+Measurements changed(const SpoilFile& change) {
+    return study_of(2, 3, {}, change);
+}
+
+TEST(CommonReason, IsSaidOnceForAllSteps) {
+    const Measurements m = changed([](RowOfStep row, int, int) { row.force = -row.force; });
+    EXPECT_TRUE(m.readings.empty());
+    EXPECT_TRUE(mostly_set_aside(m));
+    EXPECT_THAT(common_reason(m).value_or(""),
+                testing::StartsWith("The normal force is negative in all 6 steps; compression must "
+                                    "be positive: reverse the sign of the column"));
+}
+
+TEST(CommonReason, IsThatOfMostSteps) {
+    const Measurements m = changed([](RowOfStep row, int step, int file) {
+        if (file == 0 || step > 0) row.force = -row.force;
+    });
+    EXPECT_EQ(m.readings.size(), 1u);
+    EXPECT_THAT(common_reason(m).value_or(""), HasSubstr("negative in all 5 steps that gave"));
+}
+
+TEST(CommonReason, IsNotNamedWhereMostReadingsAreKept) {
+    const Measurements m = changed([](RowOfStep row, int step, int file) {
+        if (file == 0 && step > 0) row.force = -row.force;
+    });
+    EXPECT_EQ(m.readings.size(), 4u);
+    EXPECT_FALSE(mostly_set_aside(m));
+    EXPECT_FALSE(common_reason(m));
+}
+
+TEST(SpeedRamp, IsASpeedThatNeverSettles) {
+    std::vector<double> ramp, settled, noisy;
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> normal;
+    for (int row = 0; row < 400; ++row) {
+        ramp.push_back(0.05 * std::pow(200, row / 399.0));
+        settled.push_back(1 - std::exp(-row / 40.0));
+        noisy.push_back(1 + 0.3 * normal(random));
+    }
+    const auto found = speed_ramp(ramp);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->factor(), 200, 10);
+    EXPECT_FALSE(speed_ramp(settled));
+    EXPECT_FALSE(speed_ramp(noisy));
+    EXPECT_FALSE(speed_ramp(std::vector<double>(400, 0)));
+}
+
+TEST(FewBeads, AreNotedOnce) {
+    const auto notes_of = [](const char* diameter) {
+        const TemporaryFolder folder;
+        folder.write("run.csv", csv_of(ordinary_recording("", 1)));
+        folder.write("study.toml", fmt::format("[grains]\ndiameter = \"{}\"\n"
+                                               "density = \"1050 kg/m^3\"\n[cell]\n"
+                                               "inner_radius = \"21 mm\"\n"
+                                               "outer_radius = \"45 mm\"\nbead_mass = \"20 g\"\n"
+                                               "[[recording]]\nfile = \"run.csv\"\n",
+                                               diameter));
+        return read_measurements(read_study(folder.path())).notes;
+    };
+    const auto few = testing::HasSubstr("bead diameters");
+    EXPECT_THAT(notes_of("500 um"), testing::Not(testing::Contains(few)));
+    EXPECT_THAT(notes_of("2 mm"), testing::Contains(few).Times(1));  // 3 beads high
 }
 
 }  // namespace pendular::data_measurements_test
