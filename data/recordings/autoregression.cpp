@@ -1,11 +1,13 @@
 #include "data/recordings/autoregression.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
+#include <utility>
 
 namespace pendular {
 namespace {
@@ -118,6 +120,35 @@ Autoregression best_autoregression(LaggedCovariances& covariance, std::size_t n)
         const double criterion =
             count * std::log(model.innovation) + std::log(count) * model.order();
         if (criterion >= best) continue;
+        best = criterion;
+        chosen = model;
+    }
+    return chosen;
+}
+
+Autoregression burg_autoregression(std::span<const double> samples, std::size_t highest) {
+    const Eigen::Index n = std::ssize(samples);
+    const double count = static_cast<double>(n);
+    Eigen::VectorXd forward = Eigen::Map<const Eigen::VectorXd>(samples.data(), n),
+                    backward = forward;
+    Autoregression model{{}, forward.squaredNorm() / count};
+    Autoregression chosen = model;
+    double best = count * std::log(model.innovation);
+    for (std::size_t order = 1; order <= highest && model.innovation > 0; ++order) {
+        const Eigen::Index left = n - static_cast<Eigen::Index>(order);
+        const Eigen::VectorXd ahead = forward.tail(left), behind = backward.head(left);
+        const double reflection =
+            2 * ahead.dot(behind) / (ahead.squaredNorm() + behind.squaredNorm());
+        std::vector<double> next(order, reflection);
+        for (std::size_t j = 1; j < order; ++j)
+            next[j - 1] =
+                model.coefficients[j - 1] - reflection * model.coefficients[order - 1 - j];
+        model = {std::move(next), model.innovation * (1 - reflection * reflection)};
+        forward = ahead - reflection * behind;
+        backward = behind - reflection * ahead;
+        const double criterion =
+            count * std::log(model.innovation) + std::log(count) * model.order();
+        if (!(criterion < best)) continue;
         best = criterion;
         chosen = model;
     }

@@ -78,4 +78,12 @@ struct Autoregression {
 /// @param covariance lagged covariances of the series with itself
 Autoregression best_autoregression(LaggedCovariances& covariance, std::size_t n);
 
+/// Returns the autoregressive model of a series by Burg's method, whose order, at most `highest`,
+/// the Bayesian information criterion chooses. Unlike `best_autoregression`, it follows steep
+/// spectra, as those behind low-pass filters, since it takes no values beyond the ends of the
+/// series for 0.
+/// @param samples deviations from the mean
+/// Source: Burg (1975), Maximum entropy spectral analysis, thesis, Stanford.
+Autoregression burg_autoregression(std::span<const double> samples, std::size_t highest);
+
 }  // namespace pendular

@@ -35,26 +35,54 @@ bool examined(const RecordedStep& step) {
 struct PooledChange {
     double value = 0, error = 0;  ///< weighted mean with its standard error [1]
     double share = 0;             ///< share of the steps whose change has the sense of the mean [1]
+    double freedom = 0;           ///< degrees of freedom of the error
 };
 
-PooledChange pooled(const std::vector<const StepTrend*>& trends) {
-    double weights = 0, sum = 0;
+/// Variance of the relative change of each step [1]. In strongly correlated noise, a step has few
+/// independent rows and its own estimate is poor: the smallest estimates, whose steps would have
+/// most weight, are too small. Each estimate is therefore averaged with the mean of all steps,
+/// which counts as `common_freedom` degrees of freedom.
+std::vector<double> variances_of(const std::vector<const StepTrend*>& trends) {
+    // Chosen: a step in weakly correlated noise has some hundred of its own, so that it loses
+    // nothing.
+    constexpr double common_freedom = 10;
+    const auto own = [](const StepTrend* trend) {
+        return std::pow(trend->course.change_error / trend->course.mean, 2);
+    };
+    double mean = 0;
+    for (const StepTrend* trend : trends)
+        mean += own(trend) / static_cast<double>(trends.size());
+    std::vector<double> variances;
     for (const StepTrend* trend : trends) {
-        const double weight = std::pow(trend->course.mean / trend->course.change_error, 2);
-        weights += weight;
-        sum += weight * trend->course.change / trend->course.mean;
+        const double freedom = std::max(trend->course.freedom, 0.0);
+        variances.push_back((freedom * own(trend) + common_freedom * mean) /
+                            (freedom + common_freedom));
     }
-    PooledChange result{sum / weights, 0, 0};
+    return variances;
+}
+
+PooledChange pooled(const std::vector<const StepTrend*>& trends) {
+    const std::vector<double> variances = variances_of(trends);
+    std::vector<double> changes;
+    double weights = 0, sum = 0, freedom = 0;
+    for (std::size_t k = 0; k < trends.size(); ++k) {
+        const Course& course = trends[k]->course;
+        changes.push_back(course.change / course.mean);
+        weights += 1 / variances[k];
+        sum += changes[k] / variances[k];
+        freedom += std::max(course.freedom, 0.0);
+    }
+    PooledChange result{.value = sum / weights};
     double squares = 0;
-    for (const StepTrend* trend : trends) {
-        const Course& c = trend->course;
-        const double relative = c.change / c.mean;
-        squares += std::pow((relative - result.value) * c.mean / c.change_error, 2);
-        result.share += relative * result.value > 0;
+    for (std::size_t k = 0; k < trends.size(); ++k) {
+        squares += std::pow(changes[k] - result.value, 2) / variances[k];
+        result.share += changes[k] * result.value > 0;
     }
     const double count = static_cast<double>(trends.size());
     result.share /= count;
     result.error = std::sqrt(std::max(1.0, squares / (count - 1)) / weights);
+    // The errors of the steps are known at least as well as from the scatter of their changes.
+    result.freedom = std::max(count - 1, std::min(freedom, 10.0));
     return result;
 }
 
@@ -147,8 +175,9 @@ std::vector<RecordingFinding> drift_tests(const std::vector<StepTrend>& trends,
             sizes.push_back(std::abs(trend->course.mean));
         test.size = test.relative * median(sizes);
         test.size_error = test.relative_error * median(sizes);
-        const double freedom = std::max(static_cast<double>(chosen.size()) - 1, 10.0);
-        test.p = change.share >= same_sense ? two_sided_p(change.value / change.error, freedom) : 1;
+        test.p = change.share >= same_sense
+                     ? two_sided_p(change.value / change.error, change.freedom)
+                     : 1;
         tests.push_back(std::move(test));
     }
     return tests;

@@ -24,12 +24,14 @@ std::vector<double> rotation_angle(const StepSeries& series);
 /// Fits the periodic parts of a series with one and two periods per turn of the lid by least
 /// squares:
 ///     a + b t + sum_q (c_q cos(q angle) + s_q sin(q angle)),   q = 1, 2,   t: time
-/// The p value compares c and s of each q with the noise at the frequency of the periodic part:
+/// Series and waves are first whitened by an autoregressive model of the noise. The p value
+/// compares c and s of each q with the whitened residuals at K neighbouring frequencies, so that it
+/// holds for every spectrum that is smooth over these frequencies, whatever the model misses:
 ///     p = (1 + F/K)^-K,   F = (c s) C^-1 (c s)'/(2 noise)
-/// C is the covariance matrix of c and s for independent noise of variance 1. The noise is a
-/// spectrum, estimated from the residuals at up to K = 20 neighbouring frequencies. The result is
-/// empty for less than one and a half turns, less than eight values a turn, less than 40 values,
-/// and a series without noise.
+/// C is the covariance matrix of c and s for white noise of variance 1. Of K = 6 and K = 12, the
+/// larger p counts; over few turns, K is at most 0.7 for each period. The result is empty for less
+/// than one and a half turns, less than eight values a turn, less than 40 values, and a series
+/// without noise.
 /// @param angle rotation angle of the lid at each value of the series [rad]
 std::vector<Harmonic> harmonics(std::span<const double> samples, std::span<const double> angle);
 
