@@ -20,21 +20,6 @@ constexpr std::size_t fewest_torques = 5;
 /// Approximate number of rows from which the offset in time of a copy is estimated.
 constexpr std::size_t sampled_rows = 64;
 
-/// Largest difference between two columns, in their unit, if one is a copy of the other, perhaps
-/// rounded: half the resolution of the coarser column; 1 % of the largest value if a column is
-/// constant.
-double copy_tolerance(const std::vector<double>& a, const std::vector<double>& b) {
-    const double step_a = least_step(a), step_b = least_step(b);
-    const auto size = [](double x, double y) { return std::max(std::abs(x), std::abs(y)); };
-    double largest = 0;
-    for (const auto* values : {&a, &b}) {
-        const auto [least, most] = std::ranges::minmax(*values);
-        largest = std::max(largest, size(least, most));
-    }
-    if (step_a == 0 || step_b == 0) return 0.01 * largest;
-    return 0.5 * std::max(step_a, step_b) * (1 + 1e-6) + 1e-9 * largest;
-}
-
 /// Median time between neighbouring rows with different times [s].
 double usual_spacing(const std::vector<double>& time) {
     std::vector<double> spacings;
@@ -85,42 +70,71 @@ KnownRows::Stretch KnownRows::stretch(const Recording& recording, const Step& ro
         return std::vector(all.begin() + static_cast<std::ptrdiff_t>(rows.begin),
                            all.begin() + static_cast<std::ptrdiff_t>(rows.end));
     };
-    return {recording.file,
-            part(recording.line),
-            part(recording.time),
-            part(recording.torque),
-            part(recording.normal_force),
-            part(recording.height),
-            source.liquid_content,
-            source.bead_volume};
+    Stretch result{.file = recording.file,
+                   .line = part(recording.line),
+                   .time = part(recording.time),
+                   .torque = part(recording.torque),
+                   .normal_force = part(recording.normal_force),
+                   .height = part(recording.height),
+                   .liquid_content = source.liquid_content,
+                   .bead_volume = source.bead_volume};
+    const auto range = [](const std::vector<double>& values) {
+        const auto [least, most] = std::ranges::minmax(values);
+        return Stretch::Range{least, most, least_step(values)};
+    };
+    result.of_torque = range(result.torque);
+    result.of_force = range(result.normal_force);
+    result.of_height = range(result.height);
+    result.spacing = usual_spacing(result.time);
+    result.by_torque = ordered(result.torque);
+    for (const std::size_t row : result.by_torque)
+        result.sorted_torque.push_back(result.torque[row]);
+    return result;
+}
+
+double KnownRows::copy_tolerance(const Stretch::Range& a, const Stretch::Range& b) {
+    const double largest =
+        std::max({std::abs(a.least), std::abs(a.most), std::abs(b.least), std::abs(b.most)});
+    if (a.resolution == 0 || b.resolution == 0) return 0.01 * largest;
+    return 0.5 * std::max(a.resolution, b.resolution) * (1 + 1e-6) + 1e-9 * largest;
+}
+
+bool KnownRows::may_repeat(const Stretch& later, const Stretch& earlier) {
+    const auto overlap = [](const Stretch::Range& a, const Stretch::Range& b) {
+        const double tolerance = copy_tolerance(a, b);
+        return a.least <= b.most + tolerance && b.least <= a.most + tolerance;
+    };
+    return overlap(later.of_torque, earlier.of_torque) &&
+           overlap(later.of_force, earlier.of_force) && overlap(later.of_height, earlier.of_height);
 }
 
 std::vector<double> KnownRows::likely_offsets(const Stretch& later, const Stretch& earlier) {
-    const double torque = copy_tolerance(later.torque, earlier.torque),
-                 force = copy_tolerance(later.normal_force, earlier.normal_force),
-                 height = copy_tolerance(later.height, earlier.height);
-    const std::vector<std::size_t> order = ordered(earlier.torque);
+    const double torque = copy_tolerance(later.of_torque, earlier.of_torque),
+                 force = copy_tolerance(later.of_force, earlier.of_force),
+                 height = copy_tolerance(later.of_height, earlier.of_height);
+    const std::vector<double>& torques = earlier.sorted_torque;
     const std::size_t stride = std::max<std::size_t>(1, later.size() / sampled_rows);
     std::vector<double> offsets;
     for (std::size_t i = 0; i < later.size(); i += stride) {
-        const auto torque_of = [&](std::size_t row) { return earlier.torque[row]; };
-        for (auto at = std::ranges::lower_bound(order, later.torque[i] - torque, {}, torque_of);
-             at != order.end() && earlier.torque[*at] <= later.torque[i] + torque; ++at) {
-            if (std::abs(earlier.normal_force[*at] - later.normal_force[i]) <= force &&
-                std::abs(earlier.height[*at] - later.height[i]) <= height)
-                offsets.push_back(later.time[i] - earlier.time[*at]);
+        for (auto at = std::ranges::lower_bound(torques, later.torque[i] - torque);
+             at != torques.end() && *at <= later.torque[i] + torque; ++at) {
+            const std::size_t row =
+                earlier.by_torque[static_cast<std::size_t>(at - torques.begin())];
+            if (std::abs(earlier.normal_force[row] - later.normal_force[i]) <= force &&
+                std::abs(earlier.height[row] - later.height[i]) <= height)
+                offsets.push_back(later.time[i] - earlier.time[row]);
         }
     }
     if (offsets.empty()) return {};
-    return {0, densest(offsets, 0.5 * usual_spacing(earlier.time))};
+    return {0, densest(offsets, 0.5 * earlier.spacing)};
 }
 
 KnownRows::Matches KnownRows::matches_at(const Stretch& later, const Stretch& earlier,
                                          double offset) {
-    const double torque = copy_tolerance(later.torque, earlier.torque),
-                 force = copy_tolerance(later.normal_force, earlier.normal_force),
-                 height = copy_tolerance(later.height, earlier.height),
-                 time = 0.25 * std::min(usual_spacing(later.time), usual_spacing(earlier.time));
+    const double torque = copy_tolerance(later.of_torque, earlier.of_torque),
+                 force = copy_tolerance(later.of_force, earlier.of_force),
+                 height = copy_tolerance(later.of_height, earlier.of_height),
+                 time = 0.25 * std::min(later.spacing, earlier.spacing);
     Matches matches(later.size());
     for (std::size_t i = 0; i < later.size(); ++i) {
         const double wanted = later.time[i] - offset;
@@ -198,8 +212,9 @@ void KnownRows::take_out_copies(Recording& recording, const Source& source, Meas
     std::vector<bool> copied(recording.size(), false);
     for (const Step& rows : stretches_of_time(recording.time)) {
         if (rows.end - rows.begin < shortest_step) continue;
-        const Stretch later = stretch(recording, rows, source);
+        Stretch later = stretch(recording, rows, source);
         for (const Stretch& earlier : known_) {
+            if (!may_repeat(later, earlier)) continue;
             const Matches matches = repeated_rows(later, earlier);
             const std::vector<Step> runs = runs_of(matches, later);
             if (runs.empty()) continue;
@@ -209,7 +224,7 @@ void KnownRows::take_out_copies(Recording& recording, const Source& source, Meas
                           copied.begin() + static_cast<std::ptrdiff_t>(rows.begin + run.end), true);
             break;
         }
-        known_.push_back(later);
+        known_.push_back(std::move(later));
     }
     erase_rows(recording, copied);
 }

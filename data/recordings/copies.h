@@ -26,12 +26,21 @@ class KnownRows {
 
   private:
     /// Rows of a recording between two restarts of its time column, in SI units, with the liquid
-    /// content [1] and the volume of grains [m^3] that study.toml states.
+    /// content [1] and the volume of grains [m^3] that study.toml states. What does not depend on
+    /// the stretch with which it is compared is computed once.
     struct Stretch {
         std::string file;
         std::vector<int> line;
         std::vector<double> time, torque, normal_force, height;
         std::optional<double> liquid_content, bead_volume;
+        /// Range and resolution of one column, in the column's SI unit.
+        struct Range {
+            double least = 0, most = 0, resolution = 0;
+        };
+        Range of_torque = {}, of_force = {}, of_height = {};
+        double spacing = 0;  ///< median time between rows with different times [s]
+        std::vector<std::size_t> by_torque = {};  ///< rows in ascending order of torque
+        std::vector<double> sorted_torque = {};   ///< torques of these rows, for fast searches
 
         std::size_t size() const { return time.size(); }
     };
@@ -39,6 +48,12 @@ class KnownRows {
     /// row of an earlier stretch from which the row was copied; empty if the row is not a copy.
     using Matches = std::vector<std::optional<std::size_t>>;
 
+    /// Largest difference between two columns, in their unit, if one is a copy of the other,
+    /// perhaps rounded: half the resolution of the coarser column; 1 % of the largest value if a
+    /// column is constant.
+    static double copy_tolerance(const Stretch::Range& a, const Stretch::Range& b);
+    /// Whether the ranges of all columns overlap.
+    static bool may_repeat(const Stretch& later, const Stretch& earlier);
     static Stretch stretch(const Recording& recording, const Step& rows, const Source& source);
     static Matches repeated_rows(const Stretch& later, const Stretch& earlier);
     static Matches matches_at(const Stretch& later, const Stretch& earlier, double offset);

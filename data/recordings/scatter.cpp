@@ -29,26 +29,6 @@ double shape(const ReplicatedValue& value, double exponent) {
     return std::sqrt(load_variance(value, exponent) + value.rounding);
 }
 
-/// Subtracts the mean of each condition from the columns, weighted as in least squares.
-Eigen::MatrixXd without_conditions(const std::vector<ReplicatedValue>& values, double exponent,
-                                   Eigen::MatrixXd columns) {
-    std::map<std::size_t, std::vector<Eigen::Index>> members;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        members[values[k].condition].push_back(static_cast<Eigen::Index>(k));
-    }
-    for (const auto& [condition, rows] : members) {
-        Eigen::VectorXd one(static_cast<Eigen::Index>(rows.size()));
-        for (std::size_t k = 0; k < rows.size(); ++k) {
-            one(static_cast<Eigen::Index>(k)) =
-                1 / shape(values[static_cast<std::size_t>(rows[k])], exponent);
-        }
-        one.normalize();
-        const Eigen::MatrixXd part = columns(rows, Eigen::all);
-        columns(rows, Eigen::all) = part - one * (one.transpose() * part);
-    }
-    return columns;
-}
-
 std::vector<std::size_t> distinct(const std::vector<ReplicatedValue>& values,
                                   std::size_t ReplicatedValue::*member) {
     std::vector<std::size_t> all;
@@ -60,47 +40,137 @@ std::vector<std::size_t> distinct(const std::vector<ReplicatedValue>& values,
     return all;
 }
 
+/// Index of the class (condition or file) of each value among the distinct classes.
+std::vector<Eigen::Index> indices(const std::vector<ReplicatedValue>& values,
+                                  const std::vector<std::size_t>& classes,
+                                  std::size_t ReplicatedValue::*member) {
+    std::vector<Eigen::Index> result;
+    for (const ReplicatedValue& value : values)
+        result.push_back(std::ranges::lower_bound(classes, value.*member) - classes.begin());
+    return result;
+}
+
+/// Weighted sums of values over the classes of two factors, such as conditions and files.
+struct TwoWay {
+    std::vector<Eigen::Index> first, second;  ///< class of each value in both factors
+    Eigen::Index firsts = 0, seconds = 0;     ///< numbers of classes
+    Eigen::VectorXd weights;
+
+    Eigen::VectorXd sum_first(const Eigen::VectorXd& x) const { return sum(first, firsts, x); }
+    Eigen::VectorXd sum_second(const Eigen::VectorXd& x) const { return sum(second, seconds, x); }
+    TwoWay swapped() const { return {second, first, seconds, firsts, weights}; }
+
+  private:
+    Eigen::VectorXd sum(const std::vector<Eigen::Index>& classes, Eigen::Index count,
+                        const Eigen::VectorXd& x) const {
+        Eigen::VectorXd sums = Eigen::VectorXd::Zero(count);
+        for (Eigen::Index k = 0; k < x.size(); ++k)
+            sums(classes[static_cast<std::size_t>(k)]) += weights(k) * x(k);
+        return sums;
+    }
+};
+
+/// Sums of the weights of each class of the second factor, by class of the first factor.
+std::vector<std::map<Eigen::Index, double>> shared_weights(const TwoWay& layout) {
+    std::vector<std::map<Eigen::Index, double>> shared(static_cast<std::size_t>(layout.firsts));
+    for (std::size_t k = 0; k < layout.first.size(); ++k)
+        shared[static_cast<std::size_t>(layout.first[k])][layout.second[k]] +=
+            layout.weights(static_cast<Eigen::Index>(k));
+    return shared;
+}
+
+/// Effects of both factors by weighted least squares, z = first + second + error. The effects of
+/// the first factor are eliminated, so that the time is that of solving for as many unknowns as the
+/// second factor has classes.
+struct Effects {
+    Eigen::VectorXd first, second;
+};
+
+Effects fit_effects(const TwoWay& layout, const Eigen::VectorXd& z) {
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(z.size());
+    const Eigen::VectorXd weight_first = layout.sum_first(ones), sum_first = layout.sum_first(z);
+    Eigen::MatrixXd normal = layout.sum_second(ones).asDiagonal();
+    Eigen::VectorXd right = layout.sum_second(z);
+    const auto shared = shared_weights(layout);
+    for (std::size_t i = 0; i < shared.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        for (const auto& [j, weight] : shared[i]) {
+            right(j) -= weight * sum_first(at) / weight_first(at);
+            for (const auto& [k, other] : shared[i])
+                normal(j, k) -= weight * other / weight_first(at);
+        }
+    }
+    Effects effects;
+    effects.second = normal.completeOrthogonalDecomposition().solve(right);  // singular: a constant
+    effects.first = sum_first;
+    for (std::size_t i = 0; i < shared.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        for (const auto& [j, weight] : shared[i])
+            effects.first(at) -= weight * effects.second(j);
+        effects.first(at) /= weight_first(at);
+    }
+    return effects;
+}
+
+/// Sum of the weights of the values, less what the means of the conditions take up.
+double free_weight(const TwoWay& by_condition) {
+    double total = by_condition.weights.sum();
+    for (const auto& files : shared_weights(by_condition)) {
+        double sum = 0, squares = 0;
+        for (const auto& [file, weight] : files) {
+            sum += weight;
+            squares += weight * weight;
+        }
+        total -= squares / sum;
+    }
+    return total;
+}
+
 }  // namespace
 
 ScatterSums analyse_scatter(const std::vector<ReplicatedValue>& values, double exponent,
                             bool tell_files) {
     const auto n = static_cast<Eigen::Index>(values.size());
-    const auto files = distinct(values, &ReplicatedValue::file);
-    const auto f = static_cast<Eigen::Index>(files.size());
-    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, 1 + f);
-    ScatterSums sums;
-    sums.of_file.assign(files.empty() ? 0 : files.back() + 1, 0.0);
+    const auto files = distinct(values, &ReplicatedValue::file),
+               conditions = distinct(values, &ReplicatedValue::condition);
+    TwoWay layout{indices(values, conditions, &ReplicatedValue::condition),
+                  indices(values, files, &ReplicatedValue::file), std::ssize(conditions),
+                  std::ssize(files), Eigen::VectorXd(n)};
+    Eigen::VectorXd z(n);
     double run_variance = 0, step_share = 0;
     for (Eigen::Index k = 0; k < n; ++k) {
         const ReplicatedValue& value = values[static_cast<std::size_t>(k)];
         const double size = shape(value, exponent);
-        columns(k, 0) = value.deviation / size;
-        columns(k, 1 + (std::ranges::lower_bound(files, value.file) - files.begin())) = 1 / size;
+        z(k) = value.deviation;
+        layout.weights(k) = 1 / (size * size);
         run_variance += value.within / (size * size);
         step_share += load_variance(value, exponent) / (size * size);
     }
-    columns = without_conditions(values, exponent, std::move(columns));
-    const auto conditions =
-        static_cast<double>(distinct(values, &ReplicatedValue::condition).size());
-    const Eigen::VectorXd y = columns.col(0);
-    const double all = y.squaredNorm(), freedom = static_cast<double>(n) - conditions;
-    const double between_files = static_cast<double>(f) - 1;
-    sums.left_over = y;
+    const Eigen::VectorXd whitening = layout.weights.cwiseSqrt();
+    const Eigen::VectorXd means =
+        layout.sum_first(z).cwiseQuotient(layout.sum_first(Eigen::VectorXd::Ones(n)));
+    ScatterSums sums;
+    sums.of_file.assign(files.empty() ? 0 : files.back() + 1, 0.0);
+    sums.left_over = whitening.cwiseProduct(z - means(layout.first));
+    const double all = sums.left_over.squaredNorm(),
+                 freedom = static_cast<double>(n - layout.firsts),
+                 between_files = static_cast<double>(layout.seconds) - 1;
     sums.within = all;
     sums.freedom_within = freedom;
     if (tell_files && between_files >= 1 && freedom - between_files >= 1) {
-        const Eigen::MatrixXd design = columns.rightCols(f);
-        const auto decomposed = design.completeOrthogonalDecomposition();
-        const Eigen::VectorXd shifts = decomposed.solve(y);
-        sums.left_over = y - design * shifts;
+        const bool few_files = layout.seconds < layout.firsts;
+        const Effects effects = fit_effects(few_files ? layout : layout.swapped(), z);
+        const auto& [of_condition, of_file] =
+            few_files ? effects : Effects{effects.second, effects.first};
+        sums.left_over =
+            whitening.cwiseProduct(z - of_condition(layout.first) - of_file(layout.second));
         sums.within = sums.left_over.squaredNorm();
         sums.freedom_within = freedom - between_files;
         sums.between = std::max(0.0, all - sums.within);
         sums.freedom_between = between_files;
-        sums.steps = design.squaredNorm();
-        for (Eigen::Index k = 0; k < f; ++k) {
-            sums.of_file[files[static_cast<std::size_t>(k)]] = shifts(k) - shifts.mean();
-        }
+        sums.steps = free_weight(layout);
+        for (std::size_t k = 0; k < files.size(); ++k)
+            sums.of_file[files[k]] = of_file(static_cast<Eigen::Index>(k)) - of_file.mean();
     }
     sums.run_variance = n > 0 ? run_variance / step_share * sums.freedom_within : 0;
     return sums;

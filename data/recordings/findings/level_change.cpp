@@ -38,53 +38,79 @@ std::vector<std::string> files_in_order(const std::vector<Reading>& readings) {
 /// Comparison of the recordings of a study: a linear map that removes from values of readings what
 /// their conditions explain and averages the rest over each recording.
 struct FileComparison {
-    std::vector<std::string> files;  ///< in run order
-    Eigen::MatrixXd membership;      ///< readings x files: 1 where a reading is of a file
-    Eigen::MatrixXd reduce;          ///< files x readings
-    Eigen::MatrixXd centre;          ///< readings x readings, before the averages over files
-    double freedom = 0;              ///< degrees of freedom of the reduced values, for one slope
+    std::vector<std::string> files;     ///< in run order
+    std::vector<Eigen::Index> file_of;  ///< index of the file of each reading
+    /// Readings at one condition, whose mean is removed before the averages over files; or none.
+    std::vector<std::vector<std::size_t>> groups = {};
+    /// Orthonormal basis, over files, of what is removed from the averages over files; or empty.
+    Eigen::MatrixXd basis = {};
+    double freedom = 0;  ///< degrees of freedom of the reduced values, for one slope
 
     Eigen::Index count() const { return static_cast<Eigen::Index>(files.size()); }
     /// 1 for readings of file k and later files, 0 for earlier readings.
     Eigen::VectorXd from(Eigen::Index k) const {
-        return membership.rightCols(count() - k).rowwise().sum();
+        Eigen::VectorXd result(std::ssize(file_of));
+        std::ranges::transform(file_of, result.begin(),
+                               [k](Eigen::Index file) { return file >= k ? 1.0 : 0.0; });
+        return result;
+    }
+    /// Value of each reading's file.
+    Eigen::VectorXd of_files(const Eigen::VectorXd& values) const { return values(file_of); }
+    /// Mean over the readings of each file.
+    Eigen::VectorXd averages(const Eigen::VectorXd& values) const {
+        Eigen::VectorXd sums = Eigen::VectorXd::Zero(count()), counts = sums;
+        for (Eigen::Index k = 0; k < values.size(); ++k) {
+            const Eigen::Index file = file_of[static_cast<std::size_t>(k)];
+            sums(file) += values(k);
+            counts(file) += 1;
+        }
+        return sums.cwiseQuotient(counts);
+    }
+    /// Values of readings without the means of their conditions.
+    Eigen::VectorXd centred(Eigen::VectorXd values) const {
+        for (const auto& group : groups) {
+            const std::vector<Eigen::Index> members(group.begin(), group.end());
+            values(members).array() -= values(members).mean();
+        }
+        return values;
+    }
+    /// Values of files without what conditions explain.
+    Eigen::VectorXd reduced(const Eigen::VectorXd& values) const {
+        Eigen::VectorXd result = averages(centred(values));
+        if (basis.cols() > 0) result -= basis * (basis.transpose() * result);
+        return result;
     }
 };
 
 FileComparison comparison_of(const std::vector<Reading>& readings) {
-    FileComparison result{.files = files_in_order(readings)};
-    const auto n = static_cast<Eigen::Index>(readings.size());
-    result.membership = Eigen::MatrixXd::Zero(n, result.count());
-    for (Eigen::Index r = 0; r < n; ++r) {
-        const std::string& file = readings[static_cast<std::size_t>(r)].origin.file;
-        result.membership(r, std::ranges::find(result.files, file) - result.files.begin()) = 1;
-    }
+    FileComparison result{.files = files_in_order(readings), .file_of = {}};
+    std::map<std::string, Eigen::Index> index;
+    for (Eigen::Index k = 0; k < result.count(); ++k)
+        index[result.files[static_cast<std::size_t>(k)]] = k;
+    for (const Reading& reading : readings)
+        result.file_of.push_back(index.at(reading.origin.file));
     return result;
 }
 
-/// Averages of readings over each file: files x readings.
-Eigen::MatrixXd averages(const Eigen::MatrixXd& membership) {
-    return membership.colwise().sum().cwiseInverse().asDiagonal() * membership.transpose();
-}
-
 /// Number of sets of files that no condition connects.
-std::size_t separate_sets(const std::vector<std::vector<std::size_t>>& groups,
-                          const Eigen::MatrixXd& membership) {
-    std::vector<Eigen::Index> set(static_cast<std::size_t>(membership.cols()));
-    std::iota(set.begin(), set.end(), 0);
-    const auto file_of = [&](std::size_t reading) {
-        Eigen::Index file = 0;
-        membership.row(static_cast<Eigen::Index>(reading)).maxCoeff(&file);
-        return static_cast<std::size_t>(file);
+std::size_t separate_sets(const FileComparison& comparison) {
+    std::vector<std::size_t> root(comparison.files.size());
+    std::iota(root.begin(), root.end(), std::size_t{0});
+    const auto root_of = [&](std::size_t file) {
+        while (root[file] != file)
+            file = root[file] = root[root[file]];
+        return file;
     };
-    for (const auto& group : groups) {
-        for (const std::size_t reading : group) {
-            const Eigen::Index old = set[file_of(reading)], joined = set[file_of(group.front())];
-            std::ranges::replace(set, old, joined);
-        }
-    }
-    std::ranges::sort(set);
-    return static_cast<std::size_t>(std::unique(set.begin(), set.end()) - set.begin());
+    const auto file_of = [&](std::size_t reading) {
+        return static_cast<std::size_t>(comparison.file_of[reading]);
+    };
+    for (const auto& group : comparison.groups)
+        for (const std::size_t reading : group)
+            root[root_of(file_of(reading))] = root_of(file_of(group.front()));
+    std::size_t sets = 0;
+    for (std::size_t file = 0; file < root.size(); ++file)
+        sets += root[file] == file;
+    return sets;
 }
 
 /// Readings at conditions that at least two files share.
@@ -104,17 +130,9 @@ std::vector<Reading> repeated_readings(const std::vector<Reading>& readings) {
 /// Comparison by repeated conditions: the mean of each condition is removed.
 FileComparison by_repetition(const std::vector<Reading>& readings) {
     FileComparison result = comparison_of(readings);
-    const auto n = static_cast<Eigen::Index>(readings.size());
-    result.centre = Eigen::MatrixXd::Identity(n, n);
-    const auto groups = replicate_groups(readings);
-    for (const auto& group : groups)
-        for (const std::size_t a : group)
-            for (const std::size_t b : group)
-                result.centre(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) -=
-                    1.0 / static_cast<double>(group.size());
-    result.reduce = averages(result.membership) * result.centre;
-    result.freedom = static_cast<double>(result.files.size()) -
-                     static_cast<double>(separate_sets(groups, result.membership)) - 1;
+    result.groups = replicate_groups(readings);
+    result.freedom =
+        static_cast<double>(result.files.size()) - static_cast<double>(separate_sets(result)) - 1;
     return result;
 }
 
@@ -140,14 +158,14 @@ FileComparison by_smooth_trend(const std::vector<Reading>& readings) {
         const double rate = std::log(std::max(c.inertial_number, 1e-6) / 1e-2);
         columns.row(r) << 1, stress, stress * stress, rate;
     }
-    const Eigen::MatrixXd average = averages(result.membership);
+    Eigen::MatrixXd of_files(result.count(), columns.cols());
+    for (Eigen::Index c = 0; c < columns.cols(); ++c)
+        of_files.col(c) = result.averages(columns.col(c));
     // Set points scatter by a few thousandths: directions that vary less are no trend.
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> trend(average * columns);
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> trend(of_files);
     trend.setThreshold(0.02);
     const Eigen::Index rank = trend.rank();
-    const Eigen::MatrixXd basis = Eigen::MatrixXd(trend.householderQ()).leftCols(rank);
-    result.centre = Eigen::MatrixXd::Identity(n, n);
-    result.reduce = average - basis * (basis.transpose() * average);
+    result.basis = trend.householderQ() * Eigen::MatrixXd::Identity(result.count(), rank);
     result.freedom = static_cast<double>(result.count() - rank) - 1;
     return result;
 }
@@ -174,7 +192,7 @@ bool has_two_sides(const Eigen::VectorXd& x) {
 bool is_offset(const FileComparison& files, const Eigen::VectorXd& change,
                const Eigen::VectorXd& values, const Eigen::VectorXd& scale) {
     const auto squares = [&](const Eigen::VectorXd& regressor) {
-        return origin_line(files.centre * regressor, files.centre * values, 1).squares;
+        return origin_line(files.centred(regressor), files.centred(values), 1).squares;
     };
     return squares(change.cwiseQuotient(scale)) < clearly_better * squares(change);
 }
@@ -184,17 +202,17 @@ bool is_offset(const FileComparison& files, const Eigen::VectorXd& change,
 /// @param column value of the column at each reading, in its SI unit
 RecordingFinding strongest_step(const FileComparison& files, const Eigen::VectorXd& values,
                                 const Eigen::VectorXd& column) {
-    const Eigen::VectorXd reduced = files.reduce * values;
+    const Eigen::VectorXd reduced = files.reduced(values);
     const Eigen::VectorXd order = Eigen::VectorXd::LinSpaced(files.count(), -1, 1);
     const double steady_trend =
-        origin_line(files.reduce * (files.membership * order), reduced, files.freedom).squares;
+        origin_line(files.reduced(files.of_files(order)), reduced, files.freedom).squares;
     RecordingFinding best{.kind = RecordingFinding::Kind::level_change,
                           .count = files.files.size()};
     OriginLine line;
     Eigen::Index first = 0;
     int tested = 0;
     for (Eigen::Index k = 1; k < files.count(); ++k) {
-        const Eigen::VectorXd x = files.reduce * files.from(k);
+        const Eigen::VectorXd x = files.reduced(files.from(k));
         if (!has_two_sides(x)) continue;
         ++tested;
         const OriginLine each = origin_line(x, reduced, files.freedom);
@@ -211,8 +229,8 @@ RecordingFinding strongest_step(const FileComparison& files, const Eigen::Vector
     best.size = best.relative * usual_value;
     best.size_error = best.relative_error * usual_value;
     if (best.offset) {
-        const OriginLine offset = origin_line(files.centre * change.cwiseQuotient(column),
-                                              files.centre * values, files.freedom);
+        const OriginLine offset = origin_line(files.centred(change.cwiseQuotient(column)),
+                                              files.centred(values), files.freedom);
         best.size = offset.slope;
         best.size_error = offset.error;
     }
