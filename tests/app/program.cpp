@@ -153,7 +153,7 @@ TEST(BadInput, OfWetStudiesIsAnsweredWithTheReason) {
                      "[liquid]\nsurface_tension = \"20.6 mN/m\"\ncontact_angle = \"0 deg\"\n"
                      "[[readings]]\nfile = \"points.csv\"\n");
     const Outcome wet = run_pendular("import " + folder.path().string());
-    EXPECT_EQ(wet.code, 0);  // a warning, with the reason
+    EXPECT_EQ(wet.code, 3);  // more readings are set aside than kept
     EXPECT_THAT(wet.output + wet.errors,
                 HasSubstr("liquid content 0.2 is above the pendular range"));
     EXPECT_THAT(wet.output + wet.errors, HasSubstr("liquid content 0.0005 is below"));
