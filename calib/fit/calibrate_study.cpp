@@ -163,19 +163,6 @@ bool learn_wet(PlannedModel& model, const Calibration& c) {
     return false;
 }
 
-/// Fisher information of direct measurements on the parameters: J' Sigma^-1 J.
-Eigen::MatrixXd information_of(const std::vector<DirectMeasurement>& direct,
-                               const std::vector<Parameter>& parameters) {
-    const auto count = static_cast<Eigen::Index>(parameters.size());
-    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
-    for (const DirectMeasurement& each : direct) {
-        if (const auto place = place_of(each, parameters)) {
-            information(*place, *place) += 1 / (each.standard_error * each.standard_error);
-        }
-    }
-    return information;
-}
-
 /// Note that readings of the cohesion lines were brought to another inertial number; empty if none
 /// was.
 std::optional<std::string> note_on_moved(const ReadingsAtOneRate& at, const Calibration& c) {
@@ -234,47 +221,6 @@ ResolvedStudy fitting_all(const ResolvedStudy& study) {
     Study changed = study;
     changed.model.fit_to = "all";
     return study.changed_to(std::move(changed));
-}
-
-Prediction predict_unseen(const Predictor& model, const Calibration& c,
-                          const std::vector<Condition>& conditions) {
-    const auto seen = part(c.readings, 0, c.fitted);
-    std::vector<Condition> all = conditions_of(seen);
-    all.insert(all.end(), conditions.begin(), conditions.end());
-    const Prediction both = model.predict(c.fit.parameters, all);
-    const auto n = 2 * static_cast<Eigen::Index>(c.fitted);
-    const Eigen::Index rest = both.value.size() - n;
-    const Eigen::MatrixXd measured = stack(seen).covariance;
-    const Eigen::MatrixXd weight = (measured + both.covariance.topLeftCorner(n, n)).inverse();
-    // theta = K (y - f) + ..., so that errors e of the seen readings and d of all predictions make
-    // an error J K (e - d_seen) + d_unseen.
-    const Eigen::MatrixXd slopes = both.jacobian.bottomRows(rest) * c.fit.covariance;
-    const Eigen::MatrixXd through_fit = slopes * both.jacobian.topRows(n).transpose() * weight;
-    // Errors of the direct measurements come through the fit too.
-    const Eigen::MatrixXd direct = information_of(c.direct, model.parameters());
-    Eigen::MatrixXd map(rest, n + rest);
-    map << -through_fit, Eigen::MatrixXd::Identity(rest, rest);
-    return {.value = both.value.tail(rest),
-            .jacobian = both.jacobian.bottomRows(rest),
-            .covariance = map * both.covariance * map.transpose() +
-                          through_fit * measured * through_fit.transpose() +
-                          slopes * direct * slopes.transpose(),
-            .run_noise = both.run_noise.bottomRightCorner(rest, rest)};
-}
-
-Prediction predict_readings(const Predictor& model, const Calibration& c) {
-    Prediction all = model.predict(c.fit.parameters, conditions_of(c.readings));
-    if (c.fitted == c.readings.size()) {
-        return all;
-    }
-    const auto fitted = 2 * static_cast<Eigen::Index>(c.fitted);
-    const Eigen::Index rest = all.value.size() - fitted;
-    all.covariance.topRightCorner(fitted, rest).setZero();
-    all.covariance.bottomLeftCorner(rest, fitted).setZero();
-    all.covariance.bottomRightCorner(rest, rest) =
-        predict_unseen(model, c, conditions_of(part(c.readings, c.fitted, c.readings.size())))
-            .covariance;
-    return all;
 }
 
 void add_cohesion_lines(const Predictor& model, Calibration& c) {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-#include "calib/fit/calibrate_study.h"
+#include "calib/fit/predicted_readings.h"
 #include "calib/fit/wet_groups.h"
 
 namespace pendular {

@@ -174,7 +174,7 @@ double inertial_number_of(const Condition& c) {
     return c.inertial_number;
 }
 
-/// What the rheometer held constant while the normal stress changed: the inertial number, or the
+/// Quantity that the rheometer held constant while the normal stress changed: inertial number, or
 /// speed of the lid.
 struct Held {
     OfCondition of;

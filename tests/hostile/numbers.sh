@@ -21,7 +21,7 @@ E
 attack "numbers: an angular velocity of 1e250 rad/s" 2 "s/dry_1.csv:9" <<'E'
 recordings s; perl -pi -e 's/^(([^,]*,){4})[^,]*/${1}1e250/ if $. == 9' s/dry_1.csv; run import s
 E
-attack "numbers: a normal force of 1e-300 N" 0 "0 readings" <<'E'
+attack "numbers: a normal force of 1e-300 N" 3 "0 readings" <<'E'
 recordings s; perl -pi -e 's/^(([^,]*,){2})[^,]*/${1}1e-300/ if $. > 1' s/dry_1.csv; run import s
 E
 attack "numbers: not a number" 2 "not a finite number" <<'E'
