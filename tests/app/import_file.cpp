@@ -1,4 +1,5 @@
 // What the program says of a single file of measurements, and the study that it begins.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -188,6 +189,45 @@ TEST(ImportFile, ComparesTheHeaderWithTheStudyBesideTheFile) {
         EXPECT_THAT(run.output, HasSubstr("ine 1: the header states Inner radius = 20 mm"));
         EXPECT_THAT(run.output, HasSubstr("study.toml gives 21 mm"));
     }
+}
+
+/// Two steps of 100 rows at 1 rad/s, with the normal force counted as the factor says.
+std::string two_steps(double factor) {
+    std::string text =
+        "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s],"
+        "Interval [1]\n";
+    for (int row = 0; row < 200; ++row) {
+        const double force = row < 100 ? 5 : 10, noise = 0.01 * ((7 * row) % 11 - 5);
+        text += fmt::format("{},{},{},{},1,{}\n", row, 4 * force * (1 + noise),
+                            factor * force * (1 + 0.1 * noise), 6.2 * (1 + 0.01 * noise),
+                            row < 100 ? 1 : 2);
+    }
+    return text;
+}
+
+TEST(Import, SaysTheReasonThatAllStepsShareAndEndsWithThree) {
+    const TemporaryFolder folder;
+    folder.write("study.toml",
+                 "[grains]\ndiameter = \"500 um\"\ndensity = \"2500 kg/m^3\"\n[cell]\n"
+                 "inner_radius = \"21 mm\"\nouter_radius = \"45 mm\"\nbead_mass = \"46 g\"\n"
+                 "[[recording]]\nfile = \"dry.csv\"\n");
+    const auto file = folder.write("dry.csv", two_steps(-1));
+    const auto reason = HasSubstr(
+        "normal force is negative in all 2 steps; compression must be "
+        "positive: reverse the sign");
+    const std::string study = folder.path().string();
+    const Outcome import = run_pendular("import " + study);
+    EXPECT_EQ(import.code, 3);
+    EXPECT_THAT(import.output, reason);
+    for (const char* const command : {"calibrate", "compare", "diagnose"}) {
+        const Outcome run = run_pendular(fmt::format("{} {}", command, study));
+        EXPECT_EQ(run.code, 2) << command;
+        EXPECT_THAT(run.errors, reason) << command;
+    }
+    EXPECT_THAT(run_pendular("import " + file.string()).output,
+                HasSubstr("negative in 200 of 200 rows"));
+    folder.write("dry.csv", two_steps(1));
+    EXPECT_EQ(run_pendular("import " + study).code, 0);
 }
 
 }  // namespace app_import_file_test
