@@ -30,8 +30,7 @@ double shared_inertial_number(const std::vector<Reading>& readings) {
 std::vector<std::size_t> readings_to_move(const std::vector<Reading>& readings, double common) {
     std::vector<std::size_t> result;
     for (std::size_t k = 0; k < readings.size(); ++k) {
-        if (is_steady(readings[k]) &&
-            !agree(readings[k].condition.inertial_number, common, inertial_number_tolerance)) {
+        if (!agree(readings[k].condition.inertial_number, common, inertial_number_tolerance)) {
             result.push_back(k);
         }
     }

@@ -19,7 +19,7 @@ namespace pendular {
 /// the fitted parameters, which all readings share.
 struct ReadingsAtOneRate {
     double inertial_number = 0;  ///< the common inertial number [1]; 0: quasi-static limit
-    /// Readings in the order of `Calibration::readings`. Points of failure are left as they are.
+    /// Readings in the order of `Calibration::readings`.
     std::vector<Reading> readings;
     /// Whether a reading had another inertial number before, for each reading.
     std::vector<bool> moved;
@@ -30,7 +30,7 @@ struct ReadingsAtOneRate {
     Prediction predicted;
 };
 
-/// Brings all readings of steady shear to the inertial number `Calibration::cohesion` states. If it
+/// Brings all readings to the inertial number `Calibration::cohesion` states. If it
 /// states none, the common inertial number is that of the wet readings if they agree within 20 %,
 /// and 0 otherwise. Readings that agree with it within 20 % are not changed.
 /// @param model model of the calibration

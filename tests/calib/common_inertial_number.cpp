@@ -131,7 +131,6 @@ TEST(CommonInertialNumber, LeavesReadingsAtOneInertialNumberAsTheyAre) {
     readings[1].condition.inertial_number = 0.0115;
     readings.push_back(readings[0]);
     readings.back().condition.at_failure = true;
-    readings.back().condition.inertial_number = 0;
     const Calibration c = calibration(readings);
     const ReadingsAtOneRate at = at_one_inertial_number(RateLaw(), c);
     EXPECT_NEAR(at.inertial_number, 0.0101875, 1e-12);
