@@ -54,22 +54,15 @@ class ShapeSearch {
         std::vector<Proposal> found = fitted(scored_.unlike(scored_.singles(), most_singles));
         if (std::ranges::none_of(found, &Proposal::fits)) {
             auto pairs = fitted(scored_.unlike(scored_.pairs(most_firsts), most_pairs));
-            auto halves = fitted(sufficient_halves(pairs, found));
             std::erase_if(pairs, [](const Proposal& pair) {
                 return std::ranges::any_of(pair.shapes, needless);
             });
             std::ranges::move(pairs, std::back_inserter(found));
-            std::ranges::move(halves, std::back_inserter(found));
         }
         return best_of(std::move(found));
     }
 
   private:
-    /// Scores of the single shapes whose partners in these pairs turned out to be needless, without
-    /// the shapes of `known`. The linear estimate, by which the shapes were chosen, is far off
-    /// where a change is large.
-    std::vector<Score> sufficient_halves(const std::vector<Proposal>& pairs,
-                                         const std::vector<Proposal>& known) const;
     /// Refits the model with the shapes of each score, and tests the best results among the known
     /// effects and the other shapes.
     std::vector<Proposal> fitted(const std::vector<Score>& scores);
@@ -97,26 +90,6 @@ std::string ShapeSearch::free_name(const std::string& name) {
         free = fmt::format("{}-{}", name, number);
     }
     return free;
-}
-
-std::vector<Score> ShapeSearch::sufficient_halves(const std::vector<Proposal>& pairs,
-                                                  const std::vector<Proposal>& known) const {
-    std::set<std::size_t> tried;
-    for (const Proposal& each : known) {
-        tried.insert(each.shapes.front().index);
-    }
-    std::vector<Score> halves;
-    for (const Proposal& pair : pairs) {
-        for (std::size_t k = 0; k < pair.shapes.size(); ++k) {
-            const FittedShape& partner = pair.shapes[pair.shapes.size() - 1 - k];
-            const std::size_t index = pair.shapes[k].index;
-            if (needless(partner) && tried.insert(index).second) {
-                halves.push_back(scored_.single(index));
-                halves.back().changes = {pair.shapes[k].change};  // nearer than the linear estimate
-            }
-        }
-    }
-    return halves;
 }
 
 Proposal ShapeSearch::proposal_for(const Score& score) {
