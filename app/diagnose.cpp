@@ -39,7 +39,6 @@
 #include "workflow/json_parts.h"
 #include "workflow/order_of_contents.h"
 #include "workflow/proposed_effects.h"
-#include "workflow/recording_evidence.h"
 #include "workflow/rival_effects.h"
 #include "workflow/rivals.h"
 
@@ -318,9 +317,8 @@ int diagnose(const std::vector<std::string>& arguments) {
     const Checks checks = checks_of(d, session->options().seed);
     auto json = to_json(diagnosis, models, d.evidence, checks);
     json["line"] = verdict_line(diagnosis, models, checks);
-    const std::vector<RecordingEvidence> recordings = recording_evidence(d, measurements.findings);
     json["readings"] = {{"measured", d.measured}, {"tested", d.readings.size()}};
-    json["recordings"] = to_json(recordings);
+    json["recordings"] = recordings_json(d.recordings);
     json["model_effects"] = names_of(session->study().model.effects);
     json["rivals"] = to_json(d.rivals);
     json["proposed"] = proposals_json(d);
@@ -336,11 +334,10 @@ int diagnose(const std::vector<std::string>& arguments) {
     add_belief(json, belief);
     write_proposed(common->out_folder() / "proposed.toml", proposed_of(d));
     write_json(common->out_folder() / "diagnosis.json", json);
-    const std::string shown = recordings_line(recordings);
-    const bool shown_first = !recordings.empty() && recordings.front().explains_most();
-    if (shown_first) console.line(shown);
+    const std::string shown = recordings_line(d.recordings);
+    if (diagnosis.recordings_first) console.line(shown);
     console.answer(verdict_line(diagnosis, models, checks) + caution(d, measurements));
-    if (!shown_first && !shown.empty()) console.line(shown);
+    if (!diagnosis.recordings_first && !shown.empty()) console.line(shown);
     if (d.repeated) console.line(repeated_line(*d.repeated));
     if (d.confirmed) console.line(confirmation_line(*d.confirmed));
     for (std::size_t k = 0; k < belief.reasons.size(); ++k) {

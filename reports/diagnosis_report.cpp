@@ -260,7 +260,7 @@ std::string with_effects(const Explanation& explanation, const ModelSpace& space
 std::string friction_line(const StudyDiagnosis& study) {
     const Diagnosis& d = study.diagnosis;
     const StudyModels& space = *study.models;
-    if (study.mistake || study.overruled) return "";
+    if (study.mistake || study.diagnosis.overruled) return "";
     const auto text = [](const Fit& fit, const std::string& of) {
         return fmt::format("{} {}", estimate_text(fit, 0, "1"), of);
     };

@@ -80,7 +80,7 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
                             seen ? remaining_chi2_text(d, finding, space) : "-",
                             fmt::format("{:.0f} %", 100 * finding.test.share_imitated),
                             seen ? power_text(finding) : "-", seen ? p_text(finding.p, "") : "-",
-                            finding.decision));
+                            to_string(d.decision_on(finding))));
     }
     lines.push_back(fmt::format(
         "  (value in the model: the effect's parameter, fitted together with the model's "

@@ -101,4 +101,23 @@ std::vector<std::string> failure_table(const WhereItFails& where) {
     return lines;
 }
 
+std::string recordings_line(const std::vector<RecordingEvidence>& evidence) {
+    constexpr std::size_t most_sentences = 2;
+    if (evidence.empty()) return "";
+    std::vector<RecordingFinding> findings;
+    for (const RecordingEvidence& each : evidence)
+        findings.push_back(each.finding);
+    const std::vector<std::string> all = sentences(findings);
+    std::string line = "The recordings themselves show:";
+    for (std::size_t k = 0; k < std::min(all.size(), most_sentences); ++k)
+        line += " " + all[k];
+    if (all.size() > most_sentences)
+        line += fmt::format(" {} more; 'pendular import' lists them.", all.size() - most_sentences);
+    if (evidence.front().explains_most())
+        line += fmt::format(
+            " This explains {:.0f} % of the misfit: correct it before you add an effect.",
+            100 * evidence.front().explains);
+    return line;
+}
+
 }  // namespace pendular

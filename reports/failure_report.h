@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/diagnosis/where_it_fails.h"
+#include "analysis/misfit/recording_evidence.h"
 
 namespace pendular {
 
@@ -34,5 +35,11 @@ std::string deviating_line(std::vector<std::pair<std::string, double>> measureme
 /// of the residuals. The last line names the conditions and files whose readings deviate most from
 /// the model, if there are any.
 std::vector<std::string> failure_table(const WhereItFails& where);
+
+/// Returns a text for the user, "The recordings themselves show: ...", with up to two sentences on
+/// faults of the recordings and the number of sentences left out. If the first fault explains most
+/// of the misfit, the text states the share of the misfit that this fault explains. Empty if
+/// `evidence` is empty.
+std::string recordings_line(const std::vector<RecordingEvidence>& evidence);
 
 }  // namespace pendular

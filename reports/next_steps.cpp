@@ -380,7 +380,7 @@ std::string Steps::repetition_of(const SuspectError& error) const {
 }
 
 void Steps::suspect() {
-    if (d_.overruled) {
+    if (diagnosis_.overruled) {
         say(fmt::format("Check {}, and correct it in the recordings or in study.toml.",
                         joined(diagnosis_.suspects, "or")));
         return;

@@ -58,7 +58,7 @@ std::vector<SuspectError> suspect_errors(const StudyDiagnosis& study) {
     constexpr double largest_share = 0.99;  // of a measured value that may be error
     const Diagnosis& d = study.diagnosis;
     std::vector<SuspectError> errors;
-    if (d.verdict != Verdict::suspect_measurement || study.overruled) return errors;
+    if (d.verdict != Verdict::suspect_measurement || d.overruled) return errors;
     for (const Explanation& each : d.confidence_set) {
         if (!each.suspect) continue;
         SuspectError error{.suspect = study.evidence.suspects[*each.suspect], .explanation = each};

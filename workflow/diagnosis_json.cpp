@@ -10,7 +10,7 @@
 namespace pendular {
 namespace {
 
-nlohmann::ordered_json to_json(const Finding& finding, const ModelSpace& space) {
+nlohmann::ordered_json to_json(const Finding& finding, Decision decision, const ModelSpace& space) {
     const Candidate& candidate = space.candidates()[finding.candidate];
     const EffectParameter& p = candidate.parameters.front();
     nlohmann::ordered_json json = {
@@ -22,7 +22,7 @@ nlohmann::ordered_json to_json(const Finding& finding, const ModelSpace& space) 
         {"absorbed", finding.test.share_imitated},
         {"power", finding.power},
         {"p", finding.p},
-        {"decision", finding.decision},
+        {"decision", to_string(decision)},
         {"refit_drop", nullptr},
         {"identifiable", finding.identifiable},
         {"detectable", nullptr},
@@ -110,7 +110,7 @@ nlohmann::ordered_json to_json(const Diagnosis& d, const ModelSpace& space,
         if (!each.suspect) sets.push_back(names_of(each, space));
     }
     for (const Finding& finding : d.scan) {
-        scan.push_back(to_json(finding, space));
+        scan.push_back(to_json(finding, d.decision_on(finding), space));
     }
     for (const Explanation& each : d.tried) {
         tried.push_back(to_json(each, space, evidence));

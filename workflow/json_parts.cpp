@@ -95,4 +95,15 @@ void add_belief(nlohmann::ordered_json& json, const Belief& belief) {
     json["reasons"] = belief.reasons;
 }
 
+nlohmann::ordered_json recordings_json(const std::vector<RecordingEvidence>& evidence) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const RecordingEvidence& each : evidence) {
+        nlohmann::ordered_json one = findings_json({each.finding}).front();
+        one["explains"] =
+            each.explains < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(each.explains);
+        json.push_back(std::move(one));
+    }
+    return json;
+}
+
 }  // namespace pendular

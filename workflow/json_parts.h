@@ -6,6 +6,7 @@
 
 #include "analysis/misfit/believable.h"
 #include "analysis/misfit/compare.h"
+#include "analysis/misfit/recording_evidence.h"
 #include "calib/fit/cohesion_lines.h"
 #include "data/recordings/findings/file_finding.h"
 #include "data/recordings/findings/finding.h"
@@ -49,5 +50,9 @@ nlohmann::ordered_json findings_json(const std::vector<RecordingFinding>& findin
 /// Mohr-Coulomb line fitted to the measured or the predicted stress ratios of wet readings of one
 /// liquid content and one inertial number.
 nlohmann::ordered_json cohesion_lines_json(const std::vector<CohesionLine>& lines);
+
+/// Returns a JSON array of faults found inside recordings. `explains`: share of the misfit that the
+/// fault explains [1], or null if it was not computed.
+nlohmann::ordered_json recordings_json(const std::vector<RecordingEvidence>& evidence);
 
 }  // namespace pendular

@@ -30,57 +30,30 @@ std::string cause_of(const std::string& quantity) {
     return "the " + std::string(pendular::quantity(quantity).meaning);
 }
 
-/// Changes the verdict to `suspect_measurement` where a column may be in a wrong unit, or where
-/// implausible readings were kept: a wrong measurement takes precedence over any effect.
-void suspect_measurement(StudyDiagnosis& result, const Study& study,
-                         const Measurements& measurements) {
-    std::set<std::string> suspects;
-    if (result.mistake) {
-        suspects.insert(
-            fmt::format("the unit of the {} {}", result.mistake->column, result.mistake->files));
+/// Parts of the measurement that are doubtful in themselves: a column that may be in a wrong unit,
+/// and implausible readings that were kept.
+std::vector<std::string> doubtful_parts(const std::optional<UnitMistake>& mistake,
+                                        const Study& study, const Measurements& measurements) {
+    std::set<std::string> parts;
+    if (mistake) {
+        parts.insert(fmt::format("the unit of the {} {}", mistake->column, mistake->files));
     }
     for (const Doubt& doubt : measurements.doubts) {
         if (!doubt.set_aside && study.import.keep_implausible) {
-            suspects.insert(cause_of(doubt.quantity));
+            parts.insert(cause_of(doubt.quantity));
         }
     }
-    if (suspects.empty()) return;
-    result.overruled = true;
-    result.diagnosis.verdict = Verdict::suspect_measurement;
-    result.diagnosis.effects.clear();
-    result.diagnosis.leaders.reset();
-    result.diagnosis.complete = true;
-    result.diagnosis.cosines.resize(0, 0);
-    result.diagnosis.suspects.assign(suspects.begin(), suspects.end());
+    return {parts.begin(), parts.end()};
 }
 
-/// Amount by which the penalised chi2 of a proposal must be lower than chi2 of the model with the
-/// leading effects for these effects to be given up [1].
-constexpr double clearly_lower = 10;
-
-/// Decides between leading effects, which leave a misfit, and proposals. Proposals that explain the
-/// readings with as few changes make the verdict `unknown`; else the leading effects come first,
-/// and the next diagnosis, with them in the model, proposes what remains.
-void weigh_proposals(StudyDiagnosis& result) {
-    Diagnosis& diagnosis = result.diagnosis;
-    if (!diagnosis.leaders) return;
-    const Explanation& model = diagnosis.leaders->model;
-    const bool better = std::ranges::any_of(result.proposals, [&](const Proposal& each) {
-        return each.fits() && each.shapes.size() <= model.chosen.size() &&
-               each.penalised_chi2() + clearly_lower < model.chi2;
-    });
-    if (!better) {
-        result.proposals.clear();
-        return;
-    }
-    for (Finding& finding : diagnosis.scan) {
-        if (std::ranges::find(model.chosen, finding.candidate) != model.chosen.end()) {
-            finding.decision = "does not explain it";
-        }
-    }
-    diagnosis.verdict = Verdict::unknown;
-    diagnosis.effects.clear();
-    diagnosis.leaders.reset();
+std::vector<RecordingEvidence> recordings_beside(const StudyDiagnosis& d, bool misfit,
+                                                 const std::vector<RecordingFinding>& findings) {
+    double by_effects = 0;
+    for (const Finding& effect : d.diagnosis.scan)
+        by_effects = std::max(by_effects, effect.test.predicted_reduction);
+    const double excess = misfit ? std::max(0.0, d.diagnosis.chi2 - d.diagnosis.dof) : 0;
+    return recording_evidence(findings, d.readings, d.diagnosis.residuals(d.evidence), excess,
+                              by_effects);
 }
 
 /// Callback that reports the progress of work to the listener of a session, and ends the work where
@@ -143,12 +116,20 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     const std::shared_ptr<const Predictor> model = result.models->predictor({});
     const Fit& fit = result.diagnosis.fit;
     result.mistake = find_unit_mistake(*model, result.readings, study, fit.parameters);
-    suspect_measurement(result, study, measurements);
-    if (!result.diagnosis.complete) {
+    Circumstances beside{.doubtful = doubtful_parts(result.mistake, study, measurements)};
+    if (beside.doubtful.empty() && !result.diagnosis.complete) {
         result.proposals = propose(study, *result.models, result.evidence, result.readings,
                                    result.diagnosis, options);
-        weigh_proposals(result);
+        for (const Proposal& each : result.proposals) {
+            beside.proposals.push_back({each.fits(), each.shapes.size(), each.penalised_chi2()});
+        }
     }
+    const bool misfit_to_explain = !result.diagnosis.base_fits || !beside.doubtful.empty();
+    result.recordings = recordings_beside(result, misfit_to_explain, measurements.findings);
+    beside.recordings_explain_most =
+        !result.recordings.empty() && result.recordings.front().explains_most();
+    conclude_anew(result.diagnosis, *result.models, options, beside);
+    if (!result.diagnosis.proposals_stand) result.proposals.clear();
     const Misfit misfit{result.diagnosis.chi2, result.diagnosis.dof,
                         freedom_behind(result.readings)};
     result.belief = belief_in(fit, model->parameters(), misfit, measurements, result.mistake);
@@ -187,7 +168,7 @@ std::optional<ImpactTable> impacts_of(const StudyDiagnosis& d, std::size_t threa
 
 std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& d, const SessionOptions& session,
                                          std::size_t count) {
-    if (d.overruled) return {};
+    if (d.diagnosis.overruled) return {};
     return repeat(*d.models, d.evidence, d.diagnosis,
                   {.count = count,
                    .seed = session.seed,

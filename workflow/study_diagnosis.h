@@ -13,6 +13,7 @@
 #include "analysis/diagnosis/repeated.h"
 #include "analysis/misfit/believable.h"
 #include "analysis/misfit/checks.h"
+#include "analysis/misfit/recording_evidence.h"
 #include "analysis/misfit/unit_mistakes.h"
 #include "analysis/proposals/propose.h"
 #include "calib/model/study_models.h"
@@ -66,23 +67,21 @@ struct StudyDiagnosis {
     /// Column of the recordings that was probably read in a wrong unit. The wrong unit would
     /// explain the misfit. Empty if no such column was found.
     std::optional<UnitMistake> mistake = {};
-    /// Whether the verdict is `suspect_measurement` regardless of the statistical tests. The reason
-    /// is a column that may be in a wrong unit, or implausible readings that the import kept at the
-    /// user's request.
-    bool overruled = false;
     /// Rival models that the readings do not rule out: the study's model with other effects in
     /// place of one effect that the study lists.
     std::vector<RivalModel> rivals = {};
     /// Proposed changes of quantities, such as the torque, by an unknown cause. Each proposal is
     /// defined by formulas and would explain at least half of the misfit. Empty if a model with
-    /// known effects fits, if `overruled` is true, or if no proposal is clearly better than the
-    /// leading effects (known effects that explain most of the misfit).
+    /// known effects fits, if the verdict is overruled, or if no proposal is clearly better than
+    /// the leading effects (known effects that explain most of the misfit).
     std::vector<Proposal> proposals = {};
+    /// Faults inside the recordings that may explain the misfit, the largest share first.
+    std::vector<RecordingEvidence> recordings = {};
     /// Result of the simulations that tested the verdict. Empty if no simulations were requested.
     std::optional<Confirmation> confirmed = {};
     /// Number of simulated repetitions of the experiment (readings with new random errors), and
     /// number of repetitions with the same verdict as the readings. Empty if no repetitions were
-    /// simulated, if no model fits the readings, or if `overruled` is true.
+    /// simulated, if no model fits the readings, or if the verdict is overruled.
     std::optional<Repeated> repeated = {};
     /// Judgement whether the fit of the study's model, without further effects, can be believed.
     Belief belief = {};
@@ -134,7 +133,7 @@ std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size
 /// Simulates `count` repetitions of the experiment (readings with new random errors), diagnoses
 /// each repetition, and counts the repetitions with the same verdict as the readings. Empty if
 /// `count` is 0, if no model fits the readings, or if the verdict is a suspect measurement
-/// regardless of the tests (`StudyDiagnosis::overruled`).
+/// regardless of the tests (`Conclusion::overruled`).
 /// @throws dem::Interrupted if the user requests a stop
 std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& diagnosis,
                                          const SessionOptions& session, std::size_t count);

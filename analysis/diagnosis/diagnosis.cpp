@@ -5,7 +5,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "analysis/diagnosis/explanation_search.h"
@@ -42,14 +41,11 @@ class Diagnostician {
     Diagnosis run() {
         fit_base();
         scan();
-        if (base_stands()) {
-            settle_for_base();
-        } else {
-            search();
-            conclude();
-        }
-        decide();
+        result_.base_fits =
+            std::min(base_.lack_of_fit_p, base_.further_p) >= explanations_.half_significance();
+        if (!result_.base_fits) search();
         order_scan();
+        conclude_anew(result_, space_, options_, {});
         result_.change_errors = std::move(explanations_.errors);
         return std::move(result_);
     }
@@ -68,16 +64,7 @@ class Diagnostician {
     void sharpen(const Addition& addition, Signature& signature, ScoreTest& test) const;
     Finding finding_of(std::size_t k, const ScoreTest& test) const;
     void judge_power(const FamilyOfTests& family);
-    bool base_stands() const;
-    void settle_for_base();
     void search();
-    /// Whether the model with the candidates `larger` has all that the model with `smaller` has,
-    /// and more: both are on the same ladder, the former on a higher level.
-    bool contains(const EffectSet& larger, const EffectSet& smaller) const;
-    void conclude();
-    void conclude_in_part();
-    void compare_signatures();
-    void decide();
     void order_scan();
 
     const ModelSpace& space_;
@@ -215,23 +202,6 @@ void Diagnostician::judge_power(const FamilyOfTests& family) {
     }
 }
 
-bool Diagnostician::base_stands() const {
-    return std::min(base_.lack_of_fit_p, base_.further_p) >= explanations_.half_significance();
-}
-
-void Diagnostician::settle_for_base() {
-    base_.accepted = true;
-    result_.confidence_set = {base_};
-    for (const Finding& finding : result_.scan) {
-        if (finding.identifiable && finding.power < options_.wanted_power) {
-            result_.effects.push_back(name(finding.candidate));
-        }
-    }
-    const bool any_seen = std::ranges::any_of(result_.scan, &Finding::identifiable);
-    const bool all_seen = any_seen && result_.effects.empty() && !evidence_.errors_assumed;
-    result_.verdict = all_seen ? Verdict::nothing_missing : Verdict::inconclusive;
-}
-
 void Diagnostician::search() {
     Found found = search_explanations(
         space_, evidence_, options_, explanations_,
@@ -241,129 +211,19 @@ void Diagnostician::search() {
             result_.scan[each.chosen.front()].refitted_reduction = base_.chi2 - each.chi2;
         }
     }
-    // Beside effects that fit, a suspect measurement is a rival only if it explains the readings at
-    // least as well as the best of them.
-    double best_effect = INFINITY;
-    if (!found.fitting_suspects.empty()) {
-        for (const Explanation& each : found.fitting) {
-            best_effect = std::min(best_effect, explanations_.akaike(each));
+    for (auto* fitting : {&found.fitting, &found.fitting_suspects}) {
+        for (Explanation& each : *fitting) {
+            each.criterion = explanations_.akaike(each);
         }
     }
     for (const Explanation& each : found.fitting_suspects) {
-        if (explanations_.akaike(each) <= best_effect)
-            result_.suspects.push_back(evidence_.suspects[*each.suspect].name);
+        result_.suspect_names.push_back(evidence_.suspects[*each.suspect].name);
     }
     result_.tried = std::move(found.tried);
-    result_.confidence_set =
-        std::move(found.fitting.empty() ? found.fitting_suspects : found.fitting);
-    std::erase_if(
-        result_.confidence_set, [&, all = result_.confidence_set](const Explanation& each) {
-            return std::ranges::any_of(
-                all, [&](const Explanation& other) { return contains(each.chosen, other.chosen); });
-        });
-}
-
-bool Diagnostician::contains(const EffectSet& larger, const EffectSet& smaller) const {
-    const auto split = [&](const EffectSet& chosen) {
-        std::pair<int, std::set<std::size_t>> parts{0, {}};  // highest level, and the others
-        for (const std::size_t k : chosen) {
-            const int level = space_.candidates()[k].level;
-            parts.first = std::max(parts.first, level);
-            if (level == 0) parts.second.insert(k);
-        }
-        return parts;
-    };
-    const auto [high, others] = split(larger);
-    const auto [low, same] = split(smaller);
-    return low > 0 && low < high && others == same;
-}
-
-void Diagnostician::conclude() {
-    const auto& set = result_.confidence_set;
-    if (set.empty()) {
-        conclude_in_part();
-        return;
-    }
-    if (set.front().suspect) {
-        result_.verdict = Verdict::suspect_measurement;
-        return;
-    }
-    // Effects that all fitting models share are missing. Models that share none are
-    // indistinguishable.
-    std::set<std::size_t> shared(set.front().chosen.begin(), set.front().chosen.end());
-    std::set<std::size_t> any;
-    for (const Explanation& each : set) {
-        std::erase_if(shared, [&](std::size_t k) {
-            return std::ranges::find(each.chosen, k) == each.chosen.end();
-        });
-        any.insert(each.chosen.begin(), each.chosen.end());
-    }
-    result_.verdict = shared.empty() ? Verdict::indistinguishable : Verdict::missing;
-    for (const std::size_t k : shared.empty() ? any : shared) {
-        result_.effects.push_back(name(k));
-    }
-    if (shared.empty()) compare_signatures();
-}
-
-void Diagnostician::conclude_in_part() {
-    result_.complete = false;
-    result_.leaders = find_leaders(result_.chi2, result_.dof, result_.tried, explanations_);
-    result_.verdict = result_.leaders ? Verdict::missing : Verdict::unknown;
-    if (!result_.leaders) return;
-    for (const std::size_t k : result_.leaders->model.chosen) {
-        result_.effects.push_back(name(k));
-    }
-}
-
-void Diagnostician::compare_signatures() {
-    const auto count = static_cast<Eigen::Index>(result_.effects.size());
-    Eigen::MatrixXd directions(residuals_->size(), count);
-    Eigen::Index column = 0;
-    for (const std::string& effect : result_.effects) {
-        const auto found = std::ranges::find(space_.candidates(), effect, &Candidate::name);
-        const auto k = static_cast<std::size_t>(found - space_.candidates().begin());
-        directions.col(column++) = result_.scan[k].test.basis.col(0);
-    }
-    result_.cosines = (directions.transpose() * directions).cwiseAbs();
-}
-
-void Diagnostician::decide() {
-    const bool base = base_.accepted;
-    for (Finding& finding : result_.scan) {
-        const bool pointed_at =
-            std::ranges::find(result_.effects, name(finding.candidate)) != result_.effects.end();
-        const auto in_set = [&](const Explanation& each) {
-            return std::ranges::find(each.chosen, finding.candidate) != each.chosen.end();
-        };
-        const auto accepted = [&](const Explanation& each) {
-            return each.accepted && each.chosen == EffectSet{finding.candidate};
-        };
-        const auto unsettled = [&](const Explanation& each) {
-            return each.chosen == EffectSet{finding.candidate} && !each.fit.converged;
-        };
-        if (!base && pointed_at) {
-            finding.decision = !result_.complete                     ? "missing, with others"
-                               : result_.verdict == Verdict::missing ? "missing"
-                                                                     : "may be missing";
-        } else if (!base && std::ranges::any_of(result_.confidence_set, in_set)) {
-            finding.decision = "may be missing too";
-        } else if (!base && std::ranges::any_of(result_.tried, accepted)) {
-            finding.decision = "contains what is missing";
-        } else if (std::ranges::any_of(result_.tried, unsettled)) {
-            finding.decision = "refit not converged";
-        } else if (!finding.identifiable && !looks_missing(finding)) {
-            finding.decision = "cannot be seen";
-        } else if (base) {
-            finding.decision =
-                finding.power < options_.wanted_power ? "cannot be excluded" : "absent";
-        } else {
-            const bool most =
-                finding.refitted_reduction &&
-                *finding.refitted_reduction >= most_of_misfit * (result_.chi2 - result_.dof);
-            finding.decision = !looks_missing(finding) ? "no sign of it"
-                               : most                  ? "explains most, not all"
-                                                       : "does not explain it";
-        }
+    result_.fitting = std::move(found.fitting);
+    result_.fitting_suspects = std::move(found.fitting_suspects);
+    if (result_.fitting.empty() && result_.fitting_suspects.empty()) {
+        result_.leading = find_leaders(result_.chi2, result_.dof, result_.tried, explanations_);
     }
 }
 
@@ -373,22 +233,27 @@ void Diagnostician::order_scan() {
     });
 }
 
+/// Cosines between the signatures of the effects that a diagnosis names.
+Eigen::MatrixXd cosines_between(const Diagnosis& d, const std::vector<Candidate>& candidates) {
+    const auto count = static_cast<Eigen::Index>(d.effects.size());
+    Eigen::MatrixXd directions(d.fit.prediction.value.size(), count);
+    for (const Finding& finding : d.scan) {
+        const auto named = std::ranges::find(d.effects, candidates[finding.candidate].name);
+        if (named != d.effects.end())
+            directions.col(named - d.effects.begin()) = finding.test.basis.col(0);
+    }
+    return (directions.transpose() * directions).cwiseAbs();
+}
+
 }  // namespace
 
-std::string_view to_string(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::nothing_missing:
-            return "nothing-missing";
-        case Verdict::inconclusive:
-            return "inconclusive";
-        case Verdict::missing:
-            return "missing";
-        case Verdict::indistinguishable:
-            return "indistinguishable";
-        case Verdict::unknown:
-            return "unknown";
-        default:
-            return "suspect-measurement";
+void conclude_anew(Diagnosis& diagnosis, const ModelSpace& space, const DiagnosisOptions& options,
+                   const Circumstances& circumstances) {
+    static_cast<Conclusion&>(diagnosis) =
+        conclude(space.candidates(), diagnosis, options.wanted_power, circumstances);
+    diagnosis.cosines.resize(0, 0);
+    if (diagnosis.verdict == Verdict::indistinguishable) {
+        diagnosis.cosines = cosines_between(diagnosis, space.candidates());
     }
 }
 

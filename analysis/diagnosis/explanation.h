@@ -68,6 +68,8 @@ struct Explanation {
     Fit fit;
     /// chi2 [1] of all measured values in the fit of the refitted model.
     double chi2 = 0;
+    /// Akaike's criterion [1] (Explanations::akaike), set for models that fit.
+    double criterion = 0;
     /// p value [1] of the test whether the refitted model misses the mean of the readings at a
     /// condition (lack of fit).
     double lack_of_fit_p = 0;
@@ -114,7 +116,6 @@ struct Finding {
     /// Reduction of chi2 [1] by a refit of the study's model to which the candidate effect alone is
     /// added. Empty if the model was not refitted with the effect.
     std::optional<double> refitted_reduction;
-    std::string decision;  ///< conclusion about the candidate effect, such as "missing"
     /// Whether the readings can reveal the effect. For an effect with a parameter, the score test
     /// must find the effect with the probability DiagnosisOptions::wanted_power at some value
     /// within the bounds of the parameter. For a switch (effect that is on or off), `power` must

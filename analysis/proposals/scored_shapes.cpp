@@ -194,14 +194,6 @@ std::vector<ScoredShapes::Score> ScoredShapes::singles() const {
     return scores;
 }
 
-ScoredShapes::Score ScoredShapes::single(std::size_t index) const {
-    std::vector<Score> scores = singles();
-    const auto at = std::ranges::find(scores, std::vector{index}, &Score::shapes);
-    std::rotate(scores.begin(), at, at + 1);
-    const std::vector<Score> first = unlike(scores, 1);
-    return first.empty() ? scores.front() : first.front();
-}
-
 std::vector<ScoredShapes::Score> ScoredShapes::pairs(std::size_t most) const {
     const std::vector<Score> firsts = unlike(singles(), most);
     std::vector<Score> scores;

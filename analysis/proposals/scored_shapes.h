@@ -49,10 +49,6 @@ class ScoredShapes {
     /// Returns the scores of all single shapes (changes of unknown cause), in decreasing order of
     /// `reduction` minus `penalty`.
     std::vector<Score> singles() const;
-    /// Returns the score of one shape (change of unknown cause). Its `alike` names the shapes of
-    /// other quantities that change the readings in nearly the same way, if their scores are
-    /// similar.
-    Score single(std::size_t index) const;
     /// Returns the scores of pairs of shapes (changes of unknown cause), in decreasing order of
     /// `reduction` minus `penalty`. Each pair contains one of the up to `most` best shapes, which
     /// `unlike` selects, and any other shape.

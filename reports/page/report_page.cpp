@@ -127,10 +127,10 @@ PageTable scan_table(const PageContent& content) {
     const Diagnosis& diagnosis = content.diagnosis.diagnosis;
     for (const Finding& finding : diagnosis.scan) {
         const Candidate& candidate = models.candidates()[finding.candidate];
-        table.rows.push_back({candidate.name, candidate.group,
-                              estimate_of(diagnosis, finding, models),
-                              remaining_chi2_text(diagnosis, finding, models),
-                              p_text(finding.p, ""), power_text(finding), finding.decision});
+        table.rows.push_back(
+            {candidate.name, candidate.group, estimate_of(diagnosis, finding, models),
+             remaining_chi2_text(diagnosis, finding, models), p_text(finding.p, ""),
+             power_text(finding), std::string(to_string(diagnosis.decision_on(finding)))});
     }
     return table;
 }

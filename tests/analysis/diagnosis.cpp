@@ -259,7 +259,7 @@ TEST(Diagnosis, IsInconclusiveOfWhatCouldHide) {
     // A size of 1 matters to all of these; the wave is seen from a few tenths on.
     for (const Finding& finding : d.scan) {
         const bool seen = finding.power >= 0.8;
-        EXPECT_EQ(finding.decision, seen ? "absent" : "cannot be excluded");
+        EXPECT_EQ(d.decision_on(finding), seen ? Decision::absent : Decision::not_excluded);
     }
 }
 
@@ -312,11 +312,9 @@ TEST(Diagnosis, NamesTheLowestLevelOfALadderThatExplains) {
     EXPECT_EQ(d.verdict, Verdict::missing);
     EXPECT_THAT(d.effects, ElementsAre("second"));
     EXPECT_EQ(d.confidence_set.size(), 1u);
-    const auto decision = [&](std::size_t candidate) {
-        return std::ranges::find(d.scan, candidate, &Finding::candidate)->decision;
-    };
-    EXPECT_EQ(decision(3), "contains what is missing");
-    EXPECT_EQ(decision(1), "does not explain it");
+    const auto decision = [&](std::size_t candidate) { return d.decisions[candidate]; };
+    EXPECT_EQ(decision(3), Decision::contains_missing);
+    EXPECT_EQ(decision(1), Decision::does_not_explain);
 }
 
 TEST(Diagnosis, DoesNotLookForWhatIsAbsorbed) {
@@ -327,7 +325,7 @@ TEST(Diagnosis, DoesNotLookForWhatIsAbsorbed) {
     const auto slope = std::ranges::find_if(
         d.scan, [&](const Finding& f) { return space.candidates()[f.candidate].name == "slope"; });
     EXPECT_FALSE(slope->identifiable);
-    EXPECT_EQ(slope->decision, "cannot be seen");
+    EXPECT_EQ(d.decision_on(*slope), Decision::not_identifiable);
     EXPECT_THAT(d.effects, testing::Not(testing::Contains("slope")));
 }
 

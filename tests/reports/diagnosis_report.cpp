@@ -91,6 +91,7 @@ TEST(DiagnosisTable, SaysWhatEachEffectLeaves) {
     Diagnosis diagnosis;
     diagnosis.chi2 = 500, diagnosis.dof = 11;
     diagnosis.scan.resize(2);
+    diagnosis.decisions.resize(2);
     diagnosis.scan[0].refitted_reduction = 480;
     diagnosis.scan[1].candidate = 1;
     diagnosis.scan[1].test.predicted_reduction = 100;

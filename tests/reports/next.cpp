@@ -391,9 +391,9 @@ TEST(Rig, IsReadWithItsUnits) {
                   .cost,
               3);
 
-    const auto refusal = [&](const std::string& rig) {
+    const auto refusal = [&](const std::string& rig_table) {
         try {
-            study(rig);
+            study(rig_table);
         } catch (const InputError& error) {
             return std::string(error.what());
         }

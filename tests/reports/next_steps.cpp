@@ -107,7 +107,7 @@ TEST_F(NextSteps, CheckTheSensorAndRepeatSuspectReadings) {
     EXPECT_THAT(suspect_lines(d_),
                 testing::ElementsAre(AllOf(HasSubstr("shear stress 9.9 +- 1.2 % too high"),
                                            Not(HasSubstr("Only these readings")))));
-    d_.overruled = true;  // a wrong unit
+    d_.diagnosis.overruled = true;  // a wrong unit
     EXPECT_THAT(texts().front(), HasSubstr("correct it"));
     EXPECT_TRUE(suspect_lines(d_).empty());
 }

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <string>
 #include <vector>
 
+#include "analysis/misfit/weighted_residuals.h"
+#include "data/reading.h"
 #include "data/recordings/findings/finding.h"
-#include "workflow/study_diagnosis.h"
 
 namespace pendular {
 
@@ -35,18 +34,12 @@ struct RecordingEvidence {
 /// one recording to the next are always included. Any other fault is included if one fitted factor
 /// on the affected readings would reduce chi2 significantly (p < 0.01).
 /// @param findings all faults that the import found in the recordings
-std::vector<RecordingEvidence> recording_evidence(const StudyDiagnosis& diagnosis,
-                                                  const std::vector<RecordingFinding>& findings);
-
-/// Returns a text for the user, "The recordings themselves show: ...", with up to two sentences on
-/// faults of the recordings and the number of sentences left out. If the first fault explains most
-/// of the misfit, the text states the share of the misfit that this fault explains. Empty if
-/// `evidence` is empty.
-std::string recordings_line(const std::vector<RecordingEvidence>& evidence);
-
-/// Returns a JSON array of faults found inside recordings, with one object for each fault. Each
-/// object contains the share of the misfit that the fault explains [1], or null if the share was
-/// not computed.
-nlohmann::ordered_json to_json(const std::vector<RecordingEvidence>& evidence);
+/// @param residuals residuals of `readings` from the study's model
+/// @param excess chi2 - dof of the study's model [1]; 0 if there is no misfit to explain
+/// @param by_effects largest reduction of chi2 [1] that a score test predicts for an effect
+std::vector<RecordingEvidence> recording_evidence(const std::vector<RecordingFinding>& findings,
+                                                  const std::vector<Reading>& readings,
+                                                  const WeightedResiduals& residuals, double excess,
+                                                  double by_effects);
 
 }  // namespace pendular

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/diagnosis/explanation.h"
+#include "analysis/diagnosis/explanation_search.h"
+#include "analysis/diagnosis/leaders.h"
+
+// How a diagnosis decides. Tests, refits, proposals and doubts about the measurement come in; the
+// verdict, a decision on each effect, and what is said first go out. `conclude` is a pure function:
+// whoever asks why a verdict was given finds every reason in verdict.cpp.
+//
+// In order of precedence:
+//   1. A measurement that is doubtful in itself (a wrong unit) overrules all tests.
+//   2. The study's model fits: `nothing_missing`, or `inconclusive` if effects of interest could
+//      have gone undetected.
+//   3. Models with further effects fit: `missing` names what they share; `indistinguishable` if
+//      they share nothing; `suspect_measurement` if only an error of measurement fits.
+//   4. No model fits: `missing` with the leading effects (`complete` is false), unless proposals of
+//      unknown cause describe the readings clearly better; otherwise `unknown`.
+namespace pendular {
+
+enum class Verdict {
+    nothing_missing,
+    inconclusive,
+    missing,
+    indistinguishable,
+    unknown,
+    suspect_measurement
+};
+/// Returns the name of a verdict for output, such as "nothing-missing".
+std::string_view to_string(Verdict verdict);
+
+/// Decision on one candidate effect.
+enum class Decision {
+    missing,
+    missing_with_others,    ///< a leading effect: explains most of the misfit, not all
+    may_be_missing,         ///< named by an `indistinguishable` verdict
+    may_be_missing_too,     ///< in a model that fits, but not named by the verdict
+    contains_missing,       ///< fits, but so does a lower level of the same ladder
+    not_converged,          ///< the fit with the effect did not converge
+    not_identifiable,       ///< the readings cannot reveal the effect at any size
+    not_excluded,           ///< the readings might not reveal the effect at its size of interest
+    absent,                 ///< the readings would have revealed the effect
+    no_sign,                ///< the model does not fit, and the effect is not significant
+    explains_most_not_all,  ///< removes most of the misfit; a model with it does not fit
+    does_not_explain        ///< significant, but a model with it does not fit
+};
+/// Returns the words for a decision in tables and JSON, such as "cannot be excluded".
+std::string_view to_string(Decision decision);
+
+/// Tests of a study's model and of models with further effects: what the readings say.
+struct TestResults {
+    Fit fit;          ///< fit of the study's model, without further effects, to the readings
+    double chi2 = 0;  ///< chi2 [1] of all measured values in `fit`
+    /// Degrees of freedom of `chi2`: number of measured values minus number of fitted parameters
+    /// and fitted constant cohesions.
+    int dof = 0;
+    /// p value [1] of the test whether the study's model misses the mean of the readings at a
+    /// condition.
+    double lack_of_fit_p = 0;
+    /// p value [1] of the most significant candidate effect or suspect measurement, corrected for
+    /// the number of tests.
+    double further_p = 0;
+    bool base_fits = false;  ///< whether the study's model passes both tests
+    /// Score test of each candidate effect, sorted by the reduction of chi2, the largest first: the
+    /// reduction in a refit with the effect alone or, without one, the predicted reduction.
+    std::vector<Finding> scan;
+    /// p value [1] of the score test of each suspect measurement, corrected for the number of
+    /// tests, in the order of `Evidence::suspects`.
+    std::vector<double> suspect_p;
+    /// All models that were refitted, whether they fit the readings or not.
+    std::vector<Explanation> tried;
+    std::vector<Explanation> fitting;  ///< models among `tried` with further effects that fit
+    /// Models among `tried` that fit with an error of a suspect measurement; `suspect_names` has
+    /// its name, in the same order.
+    std::vector<Explanation> fitting_suspects;
+    std::vector<std::string> suspect_names;
+    /// Effects that lead if no model fits.
+    std::optional<Leaders> leading;
+    bool errors_assumed = false;  ///< whether the errors of some readings are assumed, not measured
+};
+
+/// Further evidence that has a say in a verdict beside the tests.
+struct Circumstances {
+    /// Parts of the measurement that are doubtful in themselves, such as "the unit of the torque".
+    std::vector<std::string> doubtful = {};
+    /// Proposal of a change of unknown cause.
+    struct Proposed {
+        bool fits;              ///< whether the model with the changes fits
+        std::size_t changes;    ///< number of changes
+        double penalised_chi2;  ///< `Proposal::penalised_chi2` [1]
+    };
+    std::vector<Proposed> proposals = {};
+    /// Whether a fault inside the recordings explains most of the misfit
+    /// (`RecordingEvidence::explains_most`).
+    bool recordings_explain_most = false;
+};
+
+/// Answer of a diagnosis, as it follows from the tests.
+struct Conclusion {
+    Verdict verdict = Verdict::inconclusive;
+    /// Names of the effects that are missing or may be missing. If the verdict is `inconclusive`,
+    /// names of the effects that the readings cannot exclude at their smallest sizes of interest.
+    std::vector<std::string> effects;
+    /// Whether a model fits the readings: the study's model, or one with further effects or with an
+    /// error of measurement.
+    bool complete = true;
+    /// Leading effects. Empty unless the verdict is `missing` and `complete` is false.
+    std::optional<Leaders> leaders;
+    /// Names of the suspect measurements whose error alone would explain the misfit, such as "the
+    /// readings of dry_1.csv". Beside effects that fit, only those that explain the readings at
+    /// least as well (Explanation::criterion).
+    std::vector<std::string> suspects;
+    /// Models that fit and between which the readings cannot decide: the study's model alone if it
+    /// fits; otherwise models with further effects, or else with an error of measurement.
+    std::vector<Explanation> confidence_set;
+    std::vector<Decision> decisions;  ///< decision on each candidate, in their order
+    /// Whether a doubtful measurement decides the verdict, regardless of the tests.
+    bool overruled = false;
+    bool proposals_stand = false;   ///< whether the proposals are part of the answer
+    bool recordings_first = false;  ///< whether the fault of the recordings is said first
+
+    Decision decision_on(const Finding& finding) const { return decisions[finding.candidate]; }
+};
+
+/// Returns what follows from the tests of a study's model.
+/// @param candidates effects that were tested; Finding::candidate is an index into them
+/// @param wanted_power smallest power [1] at which an effect that was not found counts as excluded
+Conclusion conclude(const std::vector<Candidate>& candidates, const TestResults& tests,
+                    double wanted_power, const Circumstances& circumstances = {});
+
+}  // namespace pendular
