@@ -116,15 +116,6 @@ std::string confirmation_line(const Confirmation& confirmed) {
                      done, confirmed.open);
 }
 
-/// Sentence on how often repeated experiments would give the same verdict.
-std::string repeated_line(const Repeated& repeated) {
-    return fmt::format(
-        "If the experiment were repeated, the diagnosis would give the same verdict in about "
-        "{:.0f} of 100 cases ({} of {} simulated repetitions).",
-        100 * static_cast<double>(repeated.same) / static_cast<double>(repeated.of), repeated.same,
-        repeated.of);
-}
-
 /// Prints the evidence for the verdict and the advice that follows from it.
 void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& checks,
                     const std::optional<ImpactTable>& impacts, const Session& session) {
@@ -296,11 +287,6 @@ int diagnose(const std::vector<std::string>& arguments) {
     std::optional<double> confirming;
     options.add_time("confirm", &confirming, usual_minutes,
                      "check the verdict by new simulations, for at most MINUTES (default: 5)");
-    std::size_t repetitions = 0;
-    options.add(
-        "repetitions", &repetitions,
-        "number of simulated repetitions of the whole experiment, such as 100, which show how "
-        "often the verdict would be the same (default 0: none)");
     options.offer_runs_of();
     const auto common = options.parse(arguments);
     if (!common) {
@@ -310,7 +296,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     const OpenSession session(console, *common, {"diagnosis.json", "proposed.toml", "figures"},
                               seed);
     const Measurements& measurements = session->measurements();
-    const StudyDiagnosis d = session->diagnose(confirming, repetitions);
+    const StudyDiagnosis d = session->diagnose(confirming);
     const Belief& belief = d.belief;
     const Diagnosis& diagnosis = d.diagnosis;
     const StudyModels& models = *d.models;
@@ -324,7 +310,6 @@ int diagnose(const std::vector<std::string>& arguments) {
     json["proposed"] = proposals_json(d);
     json["runs"] = runs_json(d.models->simulation().emulator().runs());
     json["confirmed"] = to_json(d.confirmed);
-    json["repeated"] = to_json(d.repeated);
     const std::optional<ImpactTable> impacts =
         impacts_of(d, static_cast<std::size_t>(session->options().threads));
     const std::vector<NextStep> steps =
@@ -338,7 +323,6 @@ int diagnose(const std::vector<std::string>& arguments) {
     if (diagnosis.recordings_first) console.line(shown);
     console.answer(verdict_line(diagnosis, models, checks) + caution(d, measurements));
     if (!diagnosis.recordings_first && !shown.empty()) console.line(shown);
-    if (d.repeated) console.line(repeated_line(*d.repeated));
     if (d.confirmed) console.line(confirmation_line(*d.confirmed));
     for (std::size_t k = 0; k < belief.reasons.size(); ++k) {
         if (k != belief.misfit_reason) console.line("Warning: " + belief.reasons[k]);

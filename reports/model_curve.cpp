@@ -145,15 +145,11 @@ std::vector<CurveGroup> divided(const CurveGroup& series, Apart apart, const Cal
     return parts;
 }
 
-bool passes(const CurveGroup& series, const Predictor& model, const Calibration& c,
-            const Coordinate& along) {
-    const ConditionPath path = series.path(c.readings, along);
-    std::vector<Condition> conditions;
-    for (const std::size_t k : series.members) {
-        conditions.push_back(path.at(along.of(c.readings[k].condition)));
-    }
-    const Eigen::VectorXd drawn =
-        model.predict(c.fit.parameters, conditions, PredictionPart::values).value;
+/// Largest difference of the stress ratio and the solid fraction of each member from those of
+/// `drawn` at `conditions`, in standard errors of the reading.
+double largest_difference(const CurveGroup& series, const Eigen::VectorXd& drawn,
+                          const std::vector<Condition>& conditions, const Calibration& c) {
+    double largest = 0;
     for (std::size_t m = 0; m < series.members.size(); ++m) {
         const std::size_t k = series.members[m];
         const Reading& reading = c.readings[k];
@@ -163,9 +159,52 @@ bool passes(const CurveGroup& series, const Predictor& model, const Calibration&
         off(0) *= unit(0) / conditions[m].normal_stress;
         off -= c.prediction.value.segment<2>(2 * static_cast<Eigen::Index>(k));
         const Eigen::Array2d error = reading.covariance.diagonal().array().sqrt();
-        if ((off.array().abs() > same_point * error).any()) return false;
+        largest = std::max(largest, (off.array().abs() / error).maxCoeff());
     }
-    return true;
+    return largest;
+}
+
+/// Whether a curve through the readings would show bends that only come from the order of the
+/// readings: along it, the normal stress goes up and down, as where readings at two speeds are
+/// mixed, and the model depends on it.
+bool bends(const CurveGroup& series, const Predictor& model, const Calibration& c,
+           const Coordinate& along) {
+    std::vector<Condition> conditions;
+    for (const std::size_t k : series.members) {
+        conditions.push_back(c.readings[k].condition);
+    }
+    std::vector<Condition> in_order = conditions;
+    std::ranges::sort(in_order, {}, along.of);
+    bool rises = false, falls = false;
+    for (std::size_t k = 1; k < in_order.size(); ++k) {
+        const double before = in_order[k - 1].normal_stress, here = in_order[k].normal_stress;
+        if (agree(before, here, same_place)) continue;
+        (here > before ? rises : falls) = true;
+    }
+    if (!rises || !falls) return false;
+    double mean = 0;
+    for (const Condition& each : conditions) {
+        mean += each.normal_stress / static_cast<double>(conditions.size());
+    }
+    for (Condition& each : conditions) {
+        each.normal_stress = mean;
+    }
+    const Eigen::VectorXd at_mean =
+        model.predict(c.fit.parameters, conditions, PredictionPart::values).value;
+    return largest_difference(series, at_mean, conditions, c) > same_point;
+}
+
+bool passes(const CurveGroup& series, const Predictor& model, const Calibration& c,
+            const Coordinate& along) {
+    const ConditionPath path = series.path(c.readings, along);
+    std::vector<Condition> conditions;
+    for (const std::size_t k : series.members) {
+        conditions.push_back(path.at(along.of(c.readings[k].condition)));
+    }
+    const Eigen::VectorXd drawn =
+        model.predict(c.fit.parameters, conditions, PredictionPart::values).value;
+    return largest_difference(series, drawn, conditions, c) <= same_point &&
+           !bends(series, model, c, along);
 }
 
 }  // namespace

@@ -59,7 +59,8 @@ struct CurveGroup {
     /// only group of all readings.
     std::string name = {};
     /// Whether one model curve represents the group. If true, the curve differs from the prediction
-    /// of each reading by at most a quarter of the standard error of the reading.
+    /// of each reading by at most a quarter of the standard error of the reading, and has no bends
+    /// that come from a normal stress that goes up and down along it.
     bool curve = false;
 
     /// Returns the path through the conditions of the group's readings, along which a model curve

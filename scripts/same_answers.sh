@@ -85,6 +85,7 @@ keep() {
     study_answers wet wall-friction
     study_answers hidden-effect wall-friction
     study_answers rumpf-to-full capillary-shear-stress
+    study_answers water-glass torque-offset
     study_answers polystyrene contact-angle
     fresh_runs
 }

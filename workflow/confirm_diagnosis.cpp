@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
+#include "analysis/diagnosis/ranking.h"
 #include "calib/fit/stopping_rule.h"
 #include "calib/model/fresh_runs.h"
 #include "calib/model/run_budget.h"
@@ -24,58 +26,39 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Model in the running for the explanation of the readings, with its fit.
-struct Contender {
-    EffectSet effects;  ///< effects added to the study's model
-    Fit fit;
-    double chi2 = 0;
-};
-
 /// Largest number of models for which runs are made at a time, besides a simpler one.
-constexpr std::size_t most_contenders = 3;
-/// Difference of Akaike's criterion to the best model up to which a model is in the running [1].
-constexpr double near_enough = 6;
+constexpr std::size_t most_models = 3;
 /// Smallest share of the excess chi2 of the study's model that a simpler model than the best one
 /// must explain to stay in the running, however much worse it fits [1].
 constexpr double nearly_all = 0.9;
 
 /// Models in the running, the best first: refitted models, or the study's model, whose criterion
-///     chi2/s^2 + 2 (number of effects),  s^2 = chi2/dof of the best model, at least 1,
-/// is near that of the best. The best model with fewer effects stays in the running if it explains
-/// nearly all of the misfit: its remaining misfit may be an error of the emulator. Only runs for
-/// this model can correct such an error.
-/// Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002),
-/// sections 2.5, 2.6.
-std::vector<Contender> contenders(const Diagnosis& diagnosis) {
-    std::vector<Contender> all = {{{}, diagnosis.fit, diagnosis.chi2}};
-    for (const Explanation& each : diagnosis.tried) {
-        if (!each.suspect) all.push_back({each.chosen, each.fit, each.chi2});
-    }
-    const auto closest = std::ranges::min_element(all, {}, &Contender::chi2);
-    const double variance = std::max(1.0, closest->chi2 / std::max(1, closest->fit.dof));
-    const auto criterion = [&](const Contender& each) {
-        return each.chi2 / variance + 2 * static_cast<double>(each.effects.size());
+/// (ranking.h) is near that of the best. The best model with fewer effects stays in the running if
+/// it explains nearly all of the misfit: its remaining misfit may be an error of the emulator. Only
+/// runs for this model can correct such an error.
+std::vector<Explanation> models_in_the_running(const Diagnosis& diagnosis) {
+    std::vector<Explanation> all = {{.fit = diagnosis.fit, .chi2 = diagnosis.chi2}};
+    std::ranges::copy_if(diagnosis.tried, std::back_inserter(all),
+                         [](const Explanation& each) { return !each.suspect; });
+    const double variance = factor_on_variance(all);
+    const auto criterion = [&](const Explanation& each) {
+        return akaike(each.chi2, each.fit.parameters.size(), variance);
     };
     std::ranges::stable_sort(all, {}, criterion);
-    std::vector<Contender> running;
-    for (const Contender& each : all) {
-        const bool close = criterion(each) <= criterion(all.front()) + near_enough;
-        if (close && running.size() < most_contenders) running.push_back(each);
+    std::vector<Explanation> running;
+    for (const Explanation& each : all) {
+        const bool close = criterion(each) <= criterion(all.front()) + worth_simulating;
+        if (close && running.size() < most_models) running.push_back(each);
     }
     const auto simplest =
-        std::ranges::min(running, {}, [](const Contender& each) { return each.effects.size(); });
-    const auto simpler = std::ranges::find_if(all, [&](const Contender& each) {
+        std::ranges::min(running, {}, [](const Explanation& each) { return each.chosen.size(); });
+    const auto simpler = std::ranges::find_if(all, [&](const Explanation& each) {
         const double excess = diagnosis.chi2 - diagnosis.dof;
-        return each.effects.size() < simplest.effects.size() && excess > 0 &&
+        return each.chosen.size() < simplest.chosen.size() && excess > 0 &&
                diagnosis.chi2 - each.chi2 >= nearly_all * excess;
     });
     if (simpler != all.end()) running.push_back(*simpler);
     return running;
-}
-
-/// Whether two diagnoses give the same answer.
-bool same_verdict(const Diagnosis& a, const Diagnosis& b) {
-    return a.verdict == b.verdict && a.effects == b.effects && a.complete == b.complete;
 }
 
 /// Work of confirming one diagnosis, with what it has learned so far.
@@ -98,7 +81,7 @@ class Confirming {
             if (round == 1) announce(runs);
             learn(diagnosis, runs, round);
             StudyDiagnosis again = diagnosed();
-            same_ = same_verdict(diagnosis.diagnosis, again.diagnosis);
+            same_ = same_answer(diagnosis.diagnosis, again.diagnosis);
             diagnosis = std::move(again);
             report(diagnosis.diagnosis, round);
         }
@@ -133,8 +116,8 @@ class Confirming {
     /// Whether the verdict is firm; if not, sets `open_` to the reason.
     bool firm(const StudyDiagnosis& diagnosis) {
         Enlargement largest;
-        for (const Contender& each : contenders(diagnosis.diagnosis)) {
-            const auto model = diagnosis.models->with(each.effects);
+        for (const Explanation& each : models_in_the_running(diagnosis.diagnosis)) {
+            const auto model = diagnosis.models->with(each.chosen);
             const Enlargement own =
                 enlargement_by_runs(each.fit, diagnosis.evidence.measured, model->parameters());
             if (own.size > largest.size) largest = own;
@@ -153,8 +136,8 @@ class Confirming {
     /// Runs of the next round; none where the time is over.
     std::vector<dem::RunParameters> next_runs(const StudyDiagnosis& diagnosis) {
         std::vector<FittedModel> fitted;
-        for (const Contender& each : contenders(diagnosis.diagnosis)) {
-            fitted.push_back({diagnosis.models->predictor(each.effects), each.fit.parameters,
+        for (const Explanation& each : models_in_the_running(diagnosis.diagnosis)) {
+            fitted.push_back({diagnosis.models->predictor(each.chosen), each.fit.parameters,
                               each.fit.covariance});
         }
         RunChoice choice =

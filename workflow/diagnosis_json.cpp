@@ -143,9 +143,4 @@ nlohmann::ordered_json to_json(const Diagnosis& d, const ModelSpace& space,
             {"suspect_tests", suspects}};
 }
 
-nlohmann::ordered_json to_json(const std::optional<Repeated>& repeated) {
-    if (!repeated) return nullptr;
-    return {{"same", repeated->same}, {"of", repeated->of}};
-}
-
 }  // namespace pendular

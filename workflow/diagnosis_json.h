@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "analysis/diagnosis/diagnosis.h"
-#include "analysis/diagnosis/repeated.h"
 #include "analysis/misfit/checks.h"
 
 namespace pendular {
@@ -26,10 +25,5 @@ std::vector<std::string> names_of(const Explanation& explanation, const ModelSpa
 /// @param checks tests of the residuals of the study's model without further effects
 nlohmann::ordered_json to_json(const Diagnosis& diagnosis, const ModelSpace& space,
                                const Evidence& evidence, const Checks& checks);
-
-/// Returns the JSON with the number of simulated repetitions of the experiment (`of`) and the
-/// number of repetitions that give the same verdict as the readings (`same`). Null if no
-/// repetitions were simulated.
-nlohmann::ordered_json to_json(const std::optional<Repeated>& repeated);
 
 }  // namespace pendular

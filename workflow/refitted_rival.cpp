@@ -8,14 +8,14 @@
 
 namespace pendular {
 
-RefittedRival refit_rival(const StudyDiagnosis& d, std::string name,
-                          std::shared_ptr<const Predictor> predictor,
-                          const std::optional<Eigen::VectorXd>& start) {
+Rival refit_rival(const StudyDiagnosis& d, std::string name,
+                  std::shared_ptr<const Predictor> predictor,
+                  const std::optional<Eigen::VectorXd>& start) {
     constexpr FitEffort quick{
         .most_steps = 50, .tolerance = 1e-8, .settled = 1e-4, .elsewhere = false};
     const ModelOfReadings model(predictor, conditions_of(d.readings), d.models->direct());
     const Fit fitted = fit(model, d.evidence.measured, start ? *start : start_of(model), quick);
-    return {{std::move(name), std::move(predictor), fitted.parameters, fitted.covariance},
+    return {std::move(name), std::move(predictor), fitted.parameters, fitted.covariance,
             WeightedResiduals(d.evidence.measured, fitted.prediction).chi2()};
 }
 

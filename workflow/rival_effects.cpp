@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/diagnosis/ranking.h"
 #include "data/files/text_file.h"
 #include "workflow/refitted_rival.h"
 
@@ -33,11 +34,9 @@ std::vector<Effects> rivals_in_text(const std::string& text, const Effects& list
 
 RivalModel fitted_rival(const StudyDiagnosis& d, const std::string& removed, const Effects& added) {
     const std::string name = fmt::format("{} in place of {}", fmt::join(added, " + "), removed);
-    RefittedRival rival = refit_rival(d, name, d.models->exchanged(removed, added));
     return {.in_place_of = removed,
             .effects = added,
-            .fitted = std::move(rival.model),
-            .chi2 = rival.chi2};
+            .fitted = refit_rival(d, name, d.models->exchanged(removed, added))};
 }
 
 }  // namespace
@@ -64,9 +63,7 @@ std::vector<Effects> rivals_in(const std::filesystem::path& file, const Study& s
 std::vector<RivalModel> rivals_not_ruled_out(const StudyDiagnosis& d, const ResolvedStudy& study,
                                              const Ladder& ladder) {
     const Effects listed = names_of(study.study().model.effects);
-    const double limit =
-        RefittedRival::akaike_of(d.diagnosis.chi2, d.diagnosis.fit.parameters.size()) +
-        akaike_limit;
+    const double limit = akaike(d.diagnosis.chi2, d.diagnosis.fit.parameters.size()) + ruled_out;
     std::vector<RivalModel> alive;
     std::set<std::pair<std::string, Effects>> seen;
     for (const LadderStep& step : ladder) {
@@ -78,7 +75,7 @@ std::vector<RivalModel> rivals_not_ruled_out(const StudyDiagnosis& d, const Reso
             if (!in_model || rival.empty() || !seen.emplace(step.effect, rival).second) continue;
             try {
                 RivalModel model = fitted_rival(d, step.effect, rival);
-                if (RefittedRival::akaike_of(model.chi2, model.fitted.parameters.size()) < limit) {
+                if (akaike(model.fitted.chi2, model.fitted.parameters.size()) < limit) {
                     alive.push_back(std::move(model));
                 }
             } catch (const std::invalid_argument&) {
@@ -96,7 +93,7 @@ std::string rivals_line(const std::vector<RivalModel>& rivals, double chi2,
     std::vector<std::string> models;
     std::set<std::string> effects;
     for (const RivalModel& rival : rivals) {
-        models.push_back(fmt::format("{} (chi2 {:.2f})", rival.fitted.name, rival.chi2));
+        models.push_back(fmt::format("{} (chi2 {:.2f})", rival.fitted.name, rival.fitted.chi2));
         effects.insert(rival.in_place_of);
         effects.insert(rival.effects.begin(), rival.effects.end());
     }
@@ -122,8 +119,9 @@ std::string direct_methods(const std::vector<std::string>& effects,
 nlohmann::ordered_json to_json(const std::vector<RivalModel>& rivals) {
     auto json = nlohmann::ordered_json::array();
     for (const RivalModel& rival : rivals) {
-        json.push_back(
-            {{"in_place_of", rival.in_place_of}, {"effects", rival.effects}, {"chi2", rival.chi2}});
+        json.push_back({{"in_place_of", rival.in_place_of},
+                        {"effects", rival.effects},
+                        {"chi2", rival.fitted.chi2}});
     }
     return json;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "analysis/diagnosis/ranking.h"
 #include "sim/catalogue/written_effect.h"
 #include "workflow/refitted_rival.h"
 
@@ -44,7 +45,7 @@ std::shared_ptr<const Predictor> predictor_with(const StudyModels& models,
     return {owner, owner->predictor.get()};
 }
 
-RefittedRival model_with(const StudyDiagnosis& d, const Proposal& proposal, std::size_t number) {
+Rival model_with(const StudyDiagnosis& d, const Proposal& proposal, std::size_t number) {
     std::vector<Effect> effects;
     std::string name;
     for (const FittedShape& each : proposal.shapes) {
@@ -52,13 +53,13 @@ RefittedRival model_with(const StudyDiagnosis& d, const Proposal& proposal, std:
         name += (name.empty() ? "" : " + ") + each.effect.name;
     }
     const Fit& fit = proposal.explanation.fit;
-    return {{fmt::format("proposal {}: {}", number, name),
-             predictor_with(*d.models, std::move(effects)), fit.parameters, fit.covariance},
+    return {fmt::format("proposal {}: {}", number, name),
+            predictor_with(*d.models, std::move(effects)), fit.parameters, fit.covariance,
             proposal.explanation.chi2};
 }
 
 /// Refitted model with a change that looks like the first proposal.
-RefittedRival model_with(const StudyDiagnosis& d, const FittedShape& fitted) {
+Rival model_with(const StudyDiagnosis& d, const FittedShape& fitted) {
     const std::string name = fitted.shape.name();
     const Eigen::VectorXd& known = d.diagnosis.fit.parameters;
     Eigen::VectorXd start(known.size() + 1);
@@ -72,7 +73,7 @@ RefittedRival model_with(const StudyDiagnosis& d, const FittedShape& fitted) {
 std::vector<Rival> proposal_rivals(const StudyDiagnosis& d) {
     std::vector<Rival> rivals;
     if (d.proposals.empty()) return rivals;
-    std::vector<RefittedRival> models;
+    std::vector<Rival> models;
     const auto of_sensor = [](const FittedShape& each) { return each.shape.quantity.of_sensor(); };
     for (std::size_t k = 0; k < d.proposals.size(); ++k) {
         if (std::ranges::any_of(d.proposals[k].shapes, of_sensor)) continue;
@@ -87,9 +88,12 @@ std::vector<Rival> proposal_rivals(const StudyDiagnosis& d) {
         }
     }
     if (models.empty()) return rivals;
-    const double least = std::ranges::min(models, {}, &RefittedRival::akaike).akaike();
-    for (RefittedRival& each : models) {
-        if (each.akaike() < least + akaike_limit) rivals.push_back(std::move(each.model));
+    const auto criterion = [](const Rival& each) {
+        return akaike(each.chi2, each.parameters.size());
+    };
+    const double least = criterion(*std::ranges::min_element(models, {}, criterion));
+    for (Rival& each : models) {
+        if (criterion(each) < least + ruled_out) rivals.push_back(std::move(each));
     }
     return rivals;
 }
@@ -101,18 +105,18 @@ std::vector<Rival> rivals_of(const StudyDiagnosis& study_diagnosis) {
     for (const Explanation& each : diagnosis.confidence_set) {
         if (!each.suspect) {
             rivals.push_back({name_of(each, models), models.predictor(each.chosen),
-                              each.fit.parameters, each.fit.covariance});
+                              each.fit.parameters, each.fit.covariance, each.chi2});
         }
     }
     if (diagnosis.leaders) {
         const Explanation& model = diagnosis.leaders->model;
         rivals.push_back({name_of(model, models), models.predictor(model.chosen),
-                          model.fit.parameters, model.fit.covariance});
+                          model.fit.parameters, model.fit.covariance, model.chi2});
     }
     if (rivals.empty()) rivals = proposal_rivals(study_diagnosis);
     if (rivals.empty()) {
         rivals.push_back({present_model, models.predictor({}), diagnosis.fit.parameters,
-                          diagnosis.fit.covariance});
+                          diagnosis.fit.covariance, diagnosis.chi2});
     }
     if (rivals.size() == 1) {
         for (const RivalModel& rival : study_diagnosis.rivals) {

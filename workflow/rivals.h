@@ -14,7 +14,7 @@ namespace pendular {
 ///
 /// The list leaves out models with a change of a quantity that a sensor shows, since a check of the
 /// sensor settles such a change. A model is also left out if its Akaike criterion exceeds the
-/// smallest Akaike criterion in the list by `akaike_limit` or more. Empty if no model is left.
+/// smallest Akaike criterion in the list by `ruled_out` or more. Empty if no model is left.
 std::vector<Rival> proposal_rivals(const StudyDiagnosis& diagnosis);
 
 /// Returns the rival models, which the next measurement should tell apart: the models that fit the

@@ -73,15 +73,13 @@ Prediction Session::predict(const std::vector<Condition>& conditions) const {
     return predict_unseen(model.model(), c, conditions);
 }
 
-StudyDiagnosis Session::diagnose(std::optional<double> confirming_seconds,
-                                 std::size_t repetitions) const {
+StudyDiagnosis Session::diagnose(std::optional<double> confirming_seconds) const {
     const Ladder ladder = read_ladder(folder_ / "ladder.json");  // throws before any work
     StudyDiagnosis diagnosis =
         confirming_seconds
             ? confirm_diagnosis(input_.study, measurements(), options_, *confirming_seconds)
             : diagnose_study(input_.study, measurements(), options_);
     diagnosis.rivals = rivals_not_ruled_out(diagnosis, input_.study, ladder);
-    diagnosis.repeated = repeat_diagnosis(diagnosis, options_, repetitions);
     return diagnosis;
 }
 

@@ -85,14 +85,10 @@ class Session {
     /// the models with other effects that the readings do not rule out.
     /// @param confirming_seconds maximum time [s] for new simulations that test the verdict and for
     ///        repeated diagnoses; empty: nothing is simulated
-    /// @param repetitions number of simulated repetitions of the experiment (readings with new
-    ///        random errors); `StudyDiagnosis::repeated` counts the repetitions with the same
-    ///        verdict; 0: no repetitions
     /// @throws InputError if the study cannot be diagnosed (see `diagnose_study`), or if
     ///         ladder.json cannot be read
     /// @throws dem::Interrupted if the user requests a stop
-    StudyDiagnosis diagnose(std::optional<double> confirming_seconds = {},
-                            std::size_t repetitions = 0) const;
+    StudyDiagnosis diagnose(std::optional<double> confirming_seconds = {}) const;
     /// Plans the next measurement of the study from its diagnosis. The measurement tells apart the
     /// models that fit or, if only one model fits, determines its parameters most precisely. The
     /// session and the diagnosis must outlive the result.

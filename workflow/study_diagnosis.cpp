@@ -166,16 +166,6 @@ std::optional<ImpactTable> impacts_of(const StudyDiagnosis& d, std::size_t threa
     return impacts(*d.models, d.evidence, d.diagnosis, refitted, threads);
 }
 
-std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& d, const SessionOptions& session,
-                                         std::size_t count) {
-    if (d.diagnosis.overruled) return {};
-    return repeat(*d.models, d.evidence, d.diagnosis,
-                  {.count = count,
-                   .seed = session.seed,
-                   .threads = static_cast<std::size_t>(session.threads),
-                   .progress = progress_of(session)});
-}
-
 /// Smallest ratio of a likely discrepancy to the RMS misfit at which the misfit varies more quickly
 /// with the conditions than a discrepancy does [1]: only an excessive discrepancy could then
 /// describe the misfit.

@@ -10,7 +10,6 @@
 #include "analysis/design/next_measurement.h"
 #include "analysis/diagnosis/diagnosis.h"
 #include "analysis/diagnosis/impact.h"
-#include "analysis/diagnosis/repeated.h"
 #include "analysis/misfit/believable.h"
 #include "analysis/misfit/checks.h"
 #include "analysis/misfit/recording_evidence.h"
@@ -28,11 +27,7 @@ struct RivalModel {
     std::string in_place_of;
     /// Names of the effects that the rival model has in place of the effect `in_place_of`.
     std::vector<std::string> effects;
-    /// Rival model as a predictor of readings, with its fitted parameters and their covariance.
     Rival fitted;
-    /// chi2 [1] of the rival model, for all readings and all direct measurements of effects'
-    /// parameters.
-    double chi2 = 0;
 };
 
 /// Result of the simulations that tested the verdict of a diagnosis (which physical effect a
@@ -79,10 +74,6 @@ struct StudyDiagnosis {
     std::vector<RecordingEvidence> recordings = {};
     /// Result of the simulations that tested the verdict. Empty if no simulations were requested.
     std::optional<Confirmation> confirmed = {};
-    /// Number of simulated repetitions of the experiment (readings with new random errors), and
-    /// number of repetitions with the same verdict as the readings. Empty if no repetitions were
-    /// simulated, if no model fits the readings, or if the verdict is overruled.
-    std::optional<Repeated> repeated = {};
     /// Judgement whether the fit of the study's model, without further effects, can be believed.
     Belief belief = {};
 };
@@ -129,14 +120,6 @@ std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uin
 /// unit (`StudyDiagnosis::mistake`), since the fitted parameters are then meaningless.
 /// @param threads largest number of threads
 std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size_t threads);
-
-/// Simulates `count` repetitions of the experiment (readings with new random errors), diagnoses
-/// each repetition, and counts the repetitions with the same verdict as the readings. Empty if
-/// `count` is 0, if no model fits the readings, or if the verdict is a suspect measurement
-/// regardless of the tests (`Conclusion::overruled`).
-/// @throws dem::Interrupted if the user requests a stop
-std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& diagnosis,
-                                         const SessionOptions& session, std::size_t count);
 
 /// Returns the size of the discrepancy that study.toml would have to state so that no misfit
 /// remains: the standard deviation [1] of an error of the predicted shear stress, relative to the

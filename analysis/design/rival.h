@@ -29,6 +29,7 @@ struct Rival {
     /// Covariance matrix of the errors of the fitted `parameters`, in products of the units of the
     /// parameters: a row and a column for each parameter.
     Eigen::MatrixXd covariance;
+    double chi2 = 0;  ///< chi2 [1] for all readings and all direct measurements
 };
 
 /// Possible next measurement with its cost. A point is either a reading of steady shear at one

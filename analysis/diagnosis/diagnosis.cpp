@@ -213,7 +213,7 @@ void Diagnostician::search() {
     }
     for (auto* fitting : {&found.fitting, &found.fitting_suspects}) {
         for (Explanation& each : *fitting) {
-            each.criterion = explanations_.akaike(each);
+            each.criterion = explanations_.criterion(each);
         }
     }
     for (const Explanation& each : found.fitting_suspects) {

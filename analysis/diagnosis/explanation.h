@@ -68,7 +68,7 @@ struct Explanation {
     Fit fit;
     /// chi2 [1] of all measured values in the fit of the refitted model.
     double chi2 = 0;
-    /// Akaike's criterion [1] (Explanations::akaike), set for models that fit.
+    /// Akaike's criterion [1] (ranking.h), set for models that fit.
     double criterion = 0;
     /// p value [1] of the test whether the refitted model misses the mean of the readings at a
     /// condition (lack of fit).

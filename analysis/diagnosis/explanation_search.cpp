@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/diagnosis/ranking.h"
 #include "analysis/diagnosis/side_by_side.h"
 
 namespace pendular {
@@ -23,9 +24,6 @@ constexpr double worth_a_pair = 1;
 constexpr double all_the_same = 10;
 /// Largest relative excess of a refit's reduction of chi2 over the linear estimate [1].
 constexpr double foretelling_error = 0.2;
-/// Difference of Akaike's criterion from which on a pair of effects counts as better than one
-/// effect (Burnham and Anderson, 2002, p. 70: models beyond it have essentially no support).
-constexpr double clearly_better = 10;
 /// Number of candidates that are refitted at a time.
 constexpr std::size_t best_singles = 6;
 
@@ -77,7 +75,7 @@ class Search {
     void take(Explanation explanation);
     /// Akaike's criterion of the model, for errors as large as the best refitted model needs.
     double criterion(const Explanation& model) const {
-        return explanations_.akaike(model, factor_on_variance(found_.tried));
+        return explanations_.criterion(model, factor_on_variance(found_.tried));
     }
     /// Criterion of the best of the models; infinite if there is none.
     double best_of(const std::vector<Explanation>& models) const;

@@ -7,6 +7,8 @@
 #include <memory>
 #include <utility>
 
+#include "analysis/diagnosis/ranking.h"
+
 namespace pendular {
 namespace {
 
@@ -113,9 +115,9 @@ WeightedResiduals Explanations::residuals_of(const Explanation& explanation) con
                                   explanation.fit);
 }
 
-double Explanations::akaike(const Explanation& explanation, double variance_factor) const {
-    return explanation.chi2 / variance_factor + residuals_of(explanation).log_determinant() +
-           2.0 * static_cast<double>(explanation.fit.parameters.size());
+double Explanations::criterion(const Explanation& explanation, double variance_factor) const {
+    return akaike(explanation.chi2, explanation.fit.parameters.size(), variance_factor,
+                  residuals_of(explanation).log_determinant());
 }
 
 double Explanations::lack_of_fit_p(const WeightedResiduals& residuals, bool roughly) const {
@@ -166,14 +168,6 @@ std::vector<ScoreTest> Explanations::further_tests(const WeightedResiduals& resi
         }
     }
     return tests;
-}
-
-double factor_on_variance(const std::vector<Explanation>& tried) {
-    double least = INFINITY;
-    for (const Explanation& each : tried) {
-        least = std::min(least, each.chi2 / std::max(1, each.fit.dof));
-    }
-    return std::isfinite(least) ? std::max(1.0, least) : 1;
 }
 
 void Explanations::judge(Explanation& explanation) const {

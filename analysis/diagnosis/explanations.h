@@ -20,12 +20,6 @@ inline constexpr FitEffort refit_effort{
 ///        parameters
 WeightedResiduals residuals_of(const Model& model, const Measured& measured, const Fit& fit);
 
-/// Returns the factor [1] by which the variances of all errors are probably larger than stated: the
-/// smallest chi2/dof of the refitted models `tried`, at least 1. A misfit that even the best model
-/// leaves is taken as a sign of larger errors, so that differences of chi2 between models are not
-/// overrated.
-double factor_on_variance(const std::vector<Explanation>& tried);
-
 /// Refits a study's model with further effects to readings, and tests whether the refitted models
 /// fit. All tests use one set of random draws of errors. Several threads may call the constant
 /// member functions at once.
@@ -62,14 +56,8 @@ class Explanations {
     /// model. Derivatives with respect to parameters at a bound of their range are set to zero,
     /// since these parameters cannot change to imitate an effect.
     WeightedResiduals residuals_of(const Explanation& explanation) const;
-    /// Returns Akaike's criterion [1] of a refitted model, up to a constant that is equal for all
-    /// models of the readings:
-    ///     chi2/variance_factor + ln det Sigma + 2 (number of parameters),
-    /// with the covariance Sigma of the errors of measurement and prediction, in products of the
-    /// units of the readings. The model with the smallest criterion explains the readings best.
-    /// @param variance_factor factor by which all variances of errors are larger than stated
-    ///        (`factor_on_variance`)
-    double akaike(const Explanation& explanation, double variance_factor = 1) const;
+    /// Returns Akaike's criterion [1] of a refitted model (ranking.h), with ln det Sigma.
+    double criterion(const Explanation& explanation, double variance_factor = 1) const;
     /// Returns the p value [1] of the test for lack of fit: probability that errors of readings and
     /// predictions alone make the mean residuals of the conditions at least as large as observed.
     /// @param roughly whether to use only the first 600 random draws of errors if the mean

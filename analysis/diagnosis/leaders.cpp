@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "analysis/diagnosis/ranking.h"
+
 namespace pendular {
 namespace {
 
@@ -18,8 +20,8 @@ Eigen::MatrixXd criteria(const std::vector<Explanation>& tried, const Explanatio
     for (std::size_t m = 0; m < tried.size(); ++m) {
         const WeightedResiduals residuals = explanations.residuals_of(tried[m]);
         const Eigen::MatrixXd along = draws.along(residuals, residuals.residuals());
-        const double level = tried[m].chi2 / factor + residuals.log_determinant() +
-                             2.0 * static_cast<double>(tried[m].fit.parameters.size());
+        const double level = akaike(tried[m].chi2, tried[m].fit.parameters.size(), factor,
+                                    residuals.log_determinant());
         result.col(static_cast<Eigen::Index>(m)) =
             along.row(0).transpose().array() * (2 / std::sqrt(factor)) + level;
     }

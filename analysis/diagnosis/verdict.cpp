@@ -5,14 +5,10 @@
 #include <set>
 #include <utility>
 
+#include "analysis/diagnosis/ranking.h"
+
 namespace pendular {
 namespace {
-
-/// Amount by which the penalised chi2 of a proposal must be lower than chi2 of the model with the
-/// leading effects for these effects to be given up [1]: a likelihood ratio of exp(5), strong
-/// evidence on the scale of Kass and Raftery (J. Am. Stat. Assoc. 90, 773, 1995). Known effects
-/// have the benefit of the doubt.
-constexpr double clearly_lower = 10;
 
 bool includes(const EffectSet& effects, std::size_t candidate) {
     return std::ranges::find(effects, candidate) != effects.end();
@@ -213,15 +209,16 @@ void Rules::measurement_is_doubtful() {
     result_.suspects = circumstances_.doubtful;
 }
 
-/// Decides between leading effects, which leave a misfit, and proposals. Proposals that explain the
-/// readings with as few changes make the verdict `unknown`; else the leading effects come first,
-/// and the next diagnosis, with them in the model, proposes what remains.
+/// Known effects have the benefit of the doubt: decides between leading effects, which leave a
+/// misfit, and proposals. Proposals that explain the readings with as few changes make the verdict
+/// `unknown`; else the leading effects come first, and the next diagnosis, with them in the model,
+/// proposes what remains.
 void Rules::weigh_proposals() {
     if (!result_.leaders) return;
     const EffectSet leading = result_.leaders->model.chosen;
     const bool better = std::ranges::any_of(circumstances_.proposals, [&](const auto& each) {
         return each.fits && each.changes <= leading.size() &&
-               each.penalised_chi2 + clearly_lower < result_.leaders->model.chi2;
+               each.penalised_chi2 + clearly_better < result_.leaders->model.chi2;
     });
     if (!better) {
         result_.proposals_stand = false;
@@ -281,6 +278,11 @@ std::string_view to_string(Decision decision) {
         default:
             return "does not explain it";
     }
+}
+
+bool same_answer(const Conclusion& one, const Conclusion& other) {
+    return one.verdict == other.verdict && one.complete == other.complete &&
+           one.effects == other.effects && one.suspects == other.suspects;
 }
 
 Conclusion conclude(const std::vector<Candidate>& candidates, const TestResults& tests,

@@ -127,6 +127,10 @@ struct Conclusion {
     Decision decision_on(const Finding& finding) const { return decisions[finding.candidate]; }
 };
 
+/// Whether two diagnoses give the same answer: one verdict on the same effects and suspect
+/// measurements, with or without a model that fits.
+bool same_answer(const Conclusion& one, const Conclusion& other);
+
 /// Returns what follows from the tests of a study's model.
 /// @param candidates effects that were tested; Finding::candidate is an index into them
 /// @param wanted_power smallest power [1] at which an effect that was not found counts as excluded

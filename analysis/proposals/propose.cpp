@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/diagnosis/ranking.h"
 #include "analysis/diagnosis/side_by_side.h"
 #include "analysis/proposals/scored_shapes.h"
 #include "sim/catalogue/written_effect.h"
@@ -21,8 +22,6 @@ constexpr std::size_t most_singles = 8, most_pairs = 6;
 /// Number of shapes with each of which all others are tried as a pair.
 constexpr std::size_t most_firsts = 40;
 constexpr std::size_t most_proposals = 3;
-/// Largest difference between the penalised chi2 of a proposal and the lowest one [1].
-constexpr double largest_penalised_difference = 10;
 /// Smallest share of the excess chi2 that a shape must remove to be proposed although a misfit
 /// remains [1].
 constexpr double most_of_it = 0.5;
@@ -177,7 +176,7 @@ void ShapeSearch::judge(std::vector<Proposal>& proposals, const Explanations& ex
         if (standing == most_proposals || each.penalised_chi2() > limit) return;
         explanations.judge(each.explanation);
         if (!each.fits()) continue;
-        if (standing++ == 0) limit = each.penalised_chi2() + largest_penalised_difference;
+        if (standing++ == 0) limit = each.penalised_chi2() + clearly_better;
     }
 }
 

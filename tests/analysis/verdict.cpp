@@ -252,6 +252,14 @@ TEST(Verdict, IsOverruledByADoubtfulMeasurement) {
     }
 }
 
+TEST(Verdict, IsTheSameAnswerOnlyAboutTheSameEffects) {
+    TestResults one = misfit(), other = misfit();
+    fits_with(one, {1}), fits_with(other, {2});
+    EXPECT_TRUE(same_answer(concluded(one), concluded(one)));
+    EXPECT_FALSE(same_answer(concluded(one), concluded(other)));
+    EXPECT_FALSE(same_answer(concluded(one), concluded(one, {.doubtful = {"the torque"}})));
+}
+
 TEST(Verdict, ComesAfterRecordingsThatExplainMost) {
     EXPECT_FALSE(concluded(misfit()).recordings_first);
     EXPECT_TRUE(concluded(misfit(), {.recordings_explain_most = true}).recordings_first);

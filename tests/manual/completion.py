@@ -17,7 +17,7 @@ START = {
 # What is typed before the tab, and the line that stands there after it.
 CASES = [
     ("pendular dia", "pendular diagnose"),
-    ("pendular diagnose --repe", "pendular diagnose --repetitions"),
+    ("pendular diagnose --runs", "pendular diagnose --runs-of"),
     ("pendular add beads torque-o", "pendular add beads torque-offset"),
     ("pendular simulate --torque-o", None),  # an effect of the instrument, which a run cannot have
     ("pendular simulate --rolling-resistance.co", "pendular simulate --rolling-resistance.coefficient"),

@@ -16,7 +16,7 @@ for page in pendular $(sed 's/^/pendular-/' <<<"$commands"); do
 done
 # The text is that of the help.
 shown=$(MANWIDTH=100 groff -man -Tascii -P-cbou "$pages/pendular-diagnose.1")
-for word in "^NAME" "^EXAMPLES" "suspect-measurement" "pendular diagnose my-study --confirm 5" "--repetitions X"; do
+for word in "^NAME" "^EXAMPLES" "suspect-measurement" "pendular diagnose my-study --confirm 5" "--runs-of FILE"; do
   grep -q -e "$word" <<<"$shown" || { echo "'$word' is not in the manual page of diagnose"; wrong=1; }
 done
 exit $wrong

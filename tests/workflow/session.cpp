@@ -148,13 +148,8 @@ TEST_F(Sessions, ConfirmNothingWithoutTime) {
     EXPECT_EQ(confirmed.diagnosis.chi2, plain.diagnosis.chi2);
 }
 
-TEST_F(Sessions, RepeatTheExperimentOnRequestOnly) {
-    const Session opened = session();
-    EXPECT_FALSE(opened.diagnose().repeated);
-    const StudyDiagnosis diagnosis = opened.diagnose({}, 6);
-    ASSERT_TRUE(diagnosis.repeated);
-    EXPECT_EQ(diagnosis.repeated->of, 6u);
-    EXPECT_GE(diagnosis.repeated->same, 2u);  // 5 expected
+TEST_F(Sessions, TellTheImpactOfWhatMayBeMissing) {
+    const StudyDiagnosis diagnosis = session().diagnose();
     const auto impacts = impacts_of(diagnosis, 1);
     ASSERT_TRUE(impacts);
     EXPECT_EQ(impacts->impacts.front().name, "wall-friction");
@@ -214,7 +209,7 @@ TEST_F(Sessions, KeepTheRivalOfAnAddedEffect) {
     ASSERT_EQ(diagnosis.rivals.size(), 1u);
     EXPECT_EQ(diagnosis.rivals[0].in_place_of, "gain-a");
     EXPECT_THAT(diagnosis.rivals[0].effects, testing::ElementsAre("gain-b"));
-    EXPECT_NEAR(diagnosis.rivals[0].chi2, diagnosis.diagnosis.chi2,
+    EXPECT_NEAR(diagnosis.rivals[0].fitted.chi2, diagnosis.diagnosis.chi2,
                 0.01 * diagnosis.diagnosis.chi2);
     diagnosis.diagnosis.confidence_set.clear();
     diagnosis.diagnosis.leaders.reset();

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/diagnosis/explanation.h"
+
+// Ranking of models that were fitted to the same readings, by Akaike's criterion,
+//     chi2/s^2 + ln det Sigma + 2 k,
+// with k parameters, the covariance Sigma of the errors of measurement and prediction, and the
+// factor s^2 by which all variances are larger than stated. The determinant counts where Sigma
+// differs between models: a model would otherwise win because its own errors are large. The
+// smallest criterion is best; constants that all models share are left out.
+//
+// Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002), sections 2.5 and
+// 2.6: models within 2 of the best have substantial support, at 4 to 7 considerably less, beyond 10
+// essentially none.
+namespace pendular {
+
+/// Difference of the criterion from which a model is clearly better than another: essentially no
+/// support is left for the other.
+inline constexpr double clearly_better = 10;
+/// Difference of the criterion to the best model from which the readings rule a model out: the end
+/// of the range of considerably less support. A rival that is ruled out is not measured for, which
+/// costs more than one that is kept, so that the limit is above 2.
+inline constexpr double ruled_out = 7;
+/// Difference of the criterion to the best model up to which simulations are spent on a model.
+/// Below `ruled_out`, since a round of simulations serves three models at most.
+inline constexpr double worth_simulating = 6;
+
+/// Returns Akaike's criterion [1].
+/// @param parameters number of parameters k
+inline double akaike(double chi2, Eigen::Index parameters, double variance_factor = 1,
+                     double log_determinant = 0) {
+    return chi2 / variance_factor + log_determinant + 2.0 * static_cast<double>(parameters);
+}
+
+/// Returns the factor s^2 [1] by which all variances of errors are larger than stated: chi2/dof of
+/// the model that fits best, at least 1. 1 for an empty list.
+double factor_on_variance(const std::vector<Explanation>& tried);
+
+}  // namespace pendular
