@@ -78,7 +78,23 @@ Condition ConditionPath::at(double coordinate) const {
     return result;
 }
 
+bool ConditionPath::turns(double (*quantity)(const Condition&)) const {
+    bool rises = false, falls = false;
+    double before = quantity(nodes_.front());  // the last value that differs
+    for (const Condition& node : nodes_) {
+        const double here = quantity(node);
+        if (agree(before, here, same_place)) continue;
+        (here > before ? rises : falls) = true;
+        before = here;
+    }
+    return rises && falls;
+}
+
 namespace {
+
+double stress_of(const Condition& c) {
+    return c.normal_stress;
+}
 
 /// Number by which readings are divided: normal stress [Pa], bead volume [m^3], or index of the
 /// file from 1.
@@ -164,34 +180,24 @@ double largest_difference(const CurveGroup& series, const Eigen::VectorXd& drawn
     return largest;
 }
 
-/// Whether a curve through the readings would show bends that only come from the order of the
-/// readings: along it, the normal stress goes up and down, as where readings at two speeds are
+/// Whether a curve along the path of the readings would show bends that only come from the order of
+/// the readings: the normal stress goes up and down along it, as where readings at two speeds are
 /// mixed, and the model depends on it.
 bool bends(const CurveGroup& series, const Predictor& model, const Calibration& c,
            const Coordinate& along) {
-    std::vector<Condition> conditions;
-    for (const std::size_t k : series.members) {
-        conditions.push_back(c.readings[k].condition);
-    }
-    std::vector<Condition> in_order = conditions;
-    std::ranges::sort(in_order, {}, along.of);
-    bool rises = false, falls = false;
-    for (std::size_t k = 1; k < in_order.size(); ++k) {
-        const double before = in_order[k - 1].normal_stress, here = in_order[k].normal_stress;
-        if (agree(before, here, same_place)) continue;
-        (here > before ? rises : falls) = true;
-    }
-    if (!rises || !falls) return false;
+    if (!series.path(c.readings, along).turns(stress_of)) return false;
+    std::vector<Condition> at_mean;
     double mean = 0;
-    for (const Condition& each : conditions) {
-        mean += each.normal_stress / static_cast<double>(conditions.size());
+    for (const std::size_t k : series.members) {
+        at_mean.push_back(c.readings[k].condition);
+        mean += at_mean.back().normal_stress / static_cast<double>(series.members.size());
     }
-    for (Condition& each : conditions) {
+    for (Condition& each : at_mean) {
         each.normal_stress = mean;
     }
-    const Eigen::VectorXd at_mean =
-        model.predict(c.fit.parameters, conditions, PredictionPart::values).value;
-    return largest_difference(series, at_mean, conditions, c) > same_point;
+    const Eigen::VectorXd predicted =
+        model.predict(c.fit.parameters, at_mean, PredictionPart::values).value;
+    return largest_difference(series, predicted, at_mean, c) > same_point;
 }
 
 bool passes(const CurveGroup& series, const Predictor& model, const Calibration& c,
@@ -203,8 +209,7 @@ bool passes(const CurveGroup& series, const Predictor& model, const Calibration&
     }
     const Eigen::VectorXd drawn =
         model.predict(c.fit.parameters, conditions, PredictionPart::values).value;
-    return largest_difference(series, drawn, conditions, c) <= same_point &&
-           !bends(series, model, c, along);
+    return largest_difference(series, drawn, conditions, c) <= same_point;
 }
 
 }  // namespace
@@ -225,10 +230,12 @@ std::vector<CurveGroup> groups_of_state(const std::vector<std::size_t>& members,
                                         const Predictor& model, const Calibration& c,
                                         const Coordinate& along, const std::vector<Apart>& apart) {
     const auto judge = [&](std::vector<CurveGroup>& all) {
+        bool straight = true;
         for (CurveGroup& series : all) {
             series.curve = passes(series, model, c, along);
+            straight = straight && series.curve && !bends(series, model, c, along);
         }
-        return std::ranges::all_of(all, &CurveGroup::curve);
+        return straight;
     };
     std::vector<CurveGroup> best = {{.members = members}};
     bool told = judge(best);

@@ -39,6 +39,8 @@ class ConditionPath {
     /// Returns the condition of the path at a value of the coordinate, in the unit of the
     /// coordinate.
     Condition at(double coordinate) const;
+    /// Whether a quantity both rises and falls along the path, by more than 5 %.
+    bool turns(double (*quantity)(const Condition&)) const;
 
   private:
     Coordinate along_;
@@ -59,8 +61,7 @@ struct CurveGroup {
     /// only group of all readings.
     std::string name = {};
     /// Whether one model curve represents the group. If true, the curve differs from the prediction
-    /// of each reading by at most a quarter of the standard error of the reading, and has no bends
-    /// that come from a normal stress that goes up and down along it.
+    /// of each reading by at most a quarter of the standard error of the reading.
     bool curve = false;
 
     /// Returns the path through the conditions of the group's readings, along which a model curve
@@ -71,9 +72,10 @@ struct CurveGroup {
 
 /// Divides readings into groups such that one model curve represents each group, if possible. The
 /// function tries one group, then division by one quantity of `apart`, then division by several
-/// quantities in the order of `apart`. `CurveGroup::curve` states whether a curve represents the
-/// group. No group has both readings of steady shear and points of failure. There are at most 8
-/// groups of either state.
+/// quantities in the order of `apart`. A curve represents a group better if the normal stress does
+/// not go up and down along it, where the model depends on the normal stress. `CurveGroup::curve`
+/// states whether a curve represents the group. No group has both readings of steady shear and
+/// points of failure. There are at most 8 groups of either state.
 /// @param members indices in the calibration of the readings to divide
 /// @param along quantity along the x axis of the figure
 std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,

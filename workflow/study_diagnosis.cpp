@@ -46,8 +46,10 @@ std::vector<std::string> doubtful_parts(const std::optional<UnitMistake>& mistak
     return {parts.begin(), parts.end()};
 }
 
+/// Faults inside the recordings, and how much of the misfit they may explain.
 std::vector<RecordingEvidence> recordings_beside(const StudyDiagnosis& d, bool misfit,
                                                  const std::vector<RecordingFinding>& findings) {
+    if (findings.empty()) return {};
     double by_effects = 0;
     for (const Finding& effect : d.diagnosis.scan)
         by_effects = std::max(by_effects, effect.test.predicted_reduction);

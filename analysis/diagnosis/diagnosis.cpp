@@ -90,7 +90,7 @@ void Diagnostician::fit_base() {
                         entries, fitted));
     }
     say("fit", 0, 1);
-    base_ = explanations_.refit({}, {}, options_.start.value_or(start_of(*model)));
+    base_ = explanations_.refit({}, {}, start_of(*model));
     residuals_ = explanations_.residuals_of(base_);
     result_.fit = base_.fit;
     result_.chi2 = base_.chi2;
@@ -211,9 +211,11 @@ void Diagnostician::search() {
             result_.scan[each.chosen.front()].refitted_reduction = base_.chi2 - each.chi2;
         }
     }
-    for (auto* fitting : {&found.fitting, &found.fitting_suspects}) {
-        for (Explanation& each : *fitting) {
-            each.criterion = explanations_.criterion(each);
+    if (!found.fitting_suspects.empty()) {
+        for (auto* fitting : {&found.fitting, &found.fitting_suspects}) {
+            for (Explanation& each : *fitting) {
+                each.criterion = explanations_.criterion(each);
+            }
         }
     }
     for (const Explanation& each : found.fitting_suspects) {

@@ -68,7 +68,8 @@ struct Explanation {
     Fit fit;
     /// chi2 [1] of all measured values in the fit of the refitted model.
     double chi2 = 0;
-    /// Akaike's criterion [1] (ranking.h), set for models that fit.
+    /// Akaike's criterion [1] (ranking.h), set in TestResults::fitting and ::fitting_suspects if
+    /// there are any of the latter.
     double criterion = 0;
     /// p value [1] of the test whether the refitted model misses the mean of the readings at a
     /// condition (lack of fit).
@@ -147,9 +148,6 @@ struct DiagnosisOptions {
     /// Largest number of suspect measurements (parts of the measurement that may be wrong) for
     /// which the model is refitted.
     std::size_t most_suspects = 12;
-    /// Starting values for the fit of the model without further effects, in the order of the
-    /// model's parameters. Empty: the fit starts from Parameter::start.
-    std::optional<Eigen::VectorXd> start = {};
     /// Function that is called with the progress of the diagnosis: `done` of `of` pieces of the
     /// work `what`, such as "refits", are finished. May be empty.
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};

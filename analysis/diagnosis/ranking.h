@@ -9,7 +9,10 @@
 // with k parameters, the covariance Sigma of the errors of measurement and prediction, and the
 // factor s^2 by which all variances are larger than stated. The determinant counts where Sigma
 // differs between models: a model would otherwise win because its own errors are large. The
-// smallest criterion is best; constants that all models share are left out.
+// smallest criterion is best; constants that all models share are left out. The diagnosis counts
+// all terms; where rivals of one effect are kept or models are chosen for simulations, the
+// determinant is left out, since these only spend a measurement or a run, and the former also leave
+// out s^2, since the study's model fits there.
 //
 // Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002), sections 2.5 and
 // 2.6: models within 2 of the best have substantial support, at 4 to 7 considerably less, beyond 10
@@ -34,8 +37,10 @@ inline double akaike(double chi2, Eigen::Index parameters, double variance_facto
     return chi2 / variance_factor + log_determinant + 2.0 * static_cast<double>(parameters);
 }
 
-/// Returns the factor s^2 [1] by which all variances of errors are larger than stated: chi2/dof of
-/// the model that fits best, at least 1. 1 for an empty list.
+/// Returns the factor s^2 [1] by which the variances of all errors are probably larger than stated:
+/// the smallest chi2/dof of the refitted models, at least 1. A misfit that even the best model
+/// leaves is taken as a sign of larger errors, so that differences of chi2 are not overrated. 1 for
+/// an empty list.
 double factor_on_variance(const std::vector<Explanation>& tried);
 
 }  // namespace pendular

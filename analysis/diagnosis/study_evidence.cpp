@@ -85,10 +85,10 @@ double predicted_height(const Reading& reading, double predicted_fraction) {
 }
 
 /// Inertial number [1] of a reading at the predicted height; the shear rate is proportional to
-/// 1/height. Tables without a height state the number itself.
+/// 1/height. A table that states the number has no error of the height in it.
 double predicted_inertial_number(const Reading& reading, double predicted_fraction) {
     const double number = reading.condition.inertial_number;
-    return reading.condition.height ? number * predicted_fraction / reading.value(1) : number;
+    return reading.condition.height && reading.shear_rate > 0 ? number * predicted_fraction / reading.value(1) : number;
 }
 
 /// Quantity along which residuals are checked. The checks use ranks. If the error of a reading

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "analysis/diagnosis/explanation_search.h"
 #include "analysis/diagnosis/ranking.h"
 
 namespace pendular {
@@ -282,7 +283,8 @@ std::string_view to_string(Decision decision) {
 
 bool same_answer(const Conclusion& one, const Conclusion& other) {
     return one.verdict == other.verdict && one.complete == other.complete &&
-           one.effects == other.effects && one.suspects == other.suspects;
+           one.effects == other.effects &&
+           (one.verdict != Verdict::suspect_measurement || one.suspects == other.suspects);
 }
 
 Conclusion conclude(const std::vector<Candidate>& candidates, const TestResults& tests,

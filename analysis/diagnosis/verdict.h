@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "analysis/diagnosis/explanation.h"
-#include "analysis/diagnosis/explanation_search.h"
 #include "analysis/diagnosis/leaders.h"
 
 // How a diagnosis decides. Tests, refits, proposals and doubts about the measurement come in; the
@@ -16,7 +15,7 @@
 // In order of precedence:
 //   1. A measurement that is doubtful in itself (a wrong unit) overrules all tests.
 //   2. The study's model fits: `nothing_missing`, or `inconclusive` if effects of interest could
-//      have gone undetected.
+//      have gone undetected, if no effect could have been seen, or if errors are assumed.
 //   3. Models with further effects fit: `missing` names what they share; `indistinguishable` if
 //      they share nothing; `suspect_measurement` if only an error of measurement fits.
 //   4. No model fits: `missing` with the leading effects (`complete` is false), unless proposals of
@@ -124,11 +123,11 @@ struct Conclusion {
     bool proposals_stand = false;   ///< whether the proposals are part of the answer
     bool recordings_first = false;  ///< whether the fault of the recordings is said first
 
-    Decision decision_on(const Finding& finding) const { return decisions[finding.candidate]; }
+    Decision decision_on(const Finding& finding) const { return decisions.at(finding.candidate); }
 };
 
-/// Whether two diagnoses give the same answer: one verdict on the same effects and suspect
-/// measurements, with or without a model that fits.
+/// Whether two diagnoses give the same answer: one verdict on the same effects or, if a measurement
+/// is suspect, on the same measurements, with or without a model that fits.
 bool same_answer(const Conclusion& one, const Conclusion& other);
 
 /// Returns what follows from the tests of a study's model.

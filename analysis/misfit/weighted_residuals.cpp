@@ -48,10 +48,6 @@ Eigen::MatrixXd WeightedResiduals::whiten(const Eigen::MatrixXd& columns) const 
     return lower_.triangularView<Eigen::Lower>().solve(columns);
 }
 
-Eigen::MatrixXd WeightedResiduals::unwhiten(const Eigen::MatrixXd& columns) const {
-    return lower_.triangularView<Eigen::Lower>() * columns;
-}
-
 Eigen::MatrixXd WeightedResiduals::whiten_basis(const Eigen::MatrixXd& columns) const {
     return lower_.transpose().triangularView<Eigen::Upper>().solve(columns);
 }

@@ -48,10 +48,6 @@ class WeightedResiduals {
     /// @param columns changes in the units of the readings: a row for each measured value, a column
     ///        for each change
     Eigen::MatrixXd whiten(const Eigen::MatrixXd& columns) const;
-    /// Converts whitened changes (in units of the readings' errors) back to the units of the
-    /// readings: returns L `columns`. L is the Cholesky factor of the covariance of measurement and
-    /// simulation.
-    Eigen::MatrixXd unwhiten(const Eigen::MatrixXd& columns) const;
     /// Returns L^-T `columns`, with the Cholesky factor L of the covariance of measurement and
     /// simulation. The scalar product of a returned column with a change in the units of the
     /// readings equals the scalar product of the column of `columns` with the whitened change.

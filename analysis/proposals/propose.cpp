@@ -96,11 +96,11 @@ Proposal ShapeSearch::proposal_for(const Score& score) {
     for (const std::size_t k : score.shapes) {
         const ShapeOfChange& shape = scored_.shape(k);
         proposal.shapes.push_back(
-            {.shape = shape, .effect = shape.written(free_name(shape.name())), .index = k});
+            {.shape = shape, .effect = shape.written(free_name(shape.name()))});
     }
     for (const std::size_t k : score.alike) {
         const auto [change, error] = scored_.estimate(k);
-        proposal.alike.push_back({scored_.shape(k), {}, change, error, k});
+        proposal.alike.push_back({scored_.shape(k), {}, change, error});
     }
     return proposal;
 }

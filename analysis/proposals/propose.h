@@ -19,9 +19,6 @@ struct FittedShape {
     /// change at a reading where the profile of the shape equals 1.
     double change = 0;
     double standard_error = 0;  ///< standard error of `change` [unit of `change`]
-    /// Index of the shape in the list of all shapes that the search tried. The index has no meaning
-    /// outside of `propose`.
-    std::size_t index = 0;
 };
 
 /// Proposal for a misfit that no known effect explains: one or two changes of unknown cause which,

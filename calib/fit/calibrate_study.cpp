@@ -170,7 +170,7 @@ std::optional<std::string> note_on_moved(const ReadingsAtOneRate& at, const Cali
     int count = 0;
     for (std::size_t k = 0; k < at.readings.size(); ++k) {
         const Condition& recorded = c.readings[k].condition;
-        if (!at.moved[k] || recorded.dry()) continue;
+        if (!at.moved[k] || recorded.dry() || recorded.at_failure) continue;
         least = std::min(least, recorded.inertial_number);
         greatest = std::max(greatest, recorded.inertial_number);
         ++count;

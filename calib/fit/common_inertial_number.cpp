@@ -1,9 +1,13 @@
 #include "calib/fit/common_inertial_number.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "calib/fit/predicted_readings.h"
 #include "calib/fit/wet_groups.h"
+#include "data/input_error.h"
 
 namespace pendular {
 namespace {
@@ -26,13 +30,33 @@ double shared_inertial_number(const std::vector<Reading>& readings) {
     return count > 0 ? sum / count : 0;
 }
 
-/// Indices of the readings that are to be moved to the inertial number `common`.
+/// Lowest inertial number of the wet readings [1].
+double lowest_inertial_number(const std::vector<Reading>& readings) {
+    double lowest = INFINITY;
+    for (const Reading& reading : readings) {
+        if (is_steady(reading) && !reading.condition.dry())
+            lowest = std::min(lowest, reading.condition.inertial_number);
+    }
+    return lowest;
+}
+
+/// Whether the steady wet readings have the inertial number `common`, within the tolerance of a set
+/// point.
+bool wet_readings_have(const std::vector<Reading>& readings, double common) {
+    return std::ranges::all_of(readings, [common](const Reading& reading) {
+        return !is_steady(reading) || reading.condition.dry() ||
+               agree(reading.condition.inertial_number, common, inertial_number_tolerance);
+    });
+}
+
+/// Indices of the readings that are to be moved to the inertial number `common`. If all steady wet
+/// readings have it as their set point, readings that scatter about it stay where they are.
+/// Otherwise all are moved: a reading 20 % off would bias the line through readings that were.
 std::vector<std::size_t> readings_to_move(const std::vector<Reading>& readings, double common) {
+    const double tolerance = wet_readings_have(readings, common) ? inertial_number_tolerance : 0;
     std::vector<std::size_t> result;
     for (std::size_t k = 0; k < readings.size(); ++k) {
-        if (!agree(readings[k].condition.inertial_number, common, inertial_number_tolerance)) {
-            result.push_back(k);
-        }
+        if (!agree(readings[k].condition.inertial_number, common, tolerance)) result.push_back(k);
     }
     return result;
 }
@@ -49,13 +73,14 @@ std::vector<Eigen::Index> rows_of(const std::vector<std::size_t>& which, Eigen::
 
 }  // namespace
 
-ReadingsAtOneRate at_one_inertial_number(const Predictor& model, const Calibration& c) {
-    ReadingsAtOneRate result{
-        .inertial_number = c.cohesion.inertial_number.value_or(shared_inertial_number(c.readings)),
-        .readings = c.readings,
-        .moved = std::vector<bool>(c.readings.size(), false),
-        .measured = stack(c.readings),
-        .predicted = c.prediction};
+namespace {
+
+ReadingsAtOneRate moved_to(double inertial_number, const Predictor& model, const Calibration& c) {
+    ReadingsAtOneRate result{.inertial_number = inertial_number,
+                             .readings = c.readings,
+                             .moved = std::vector<bool>(c.readings.size(), false),
+                             .measured = stack(c.readings),
+                             .predicted = c.prediction};
     const auto moved = readings_to_move(c.readings, result.inertial_number);
     if (moved.empty()) return result;
 
@@ -89,6 +114,29 @@ ReadingsAtOneRate at_one_inertial_number(const Predictor& model, const Calibrati
         reading.covariance += error.block<2, 2>(row, row);
     }
     return result;
+}
+
+}  // namespace
+
+ReadingsAtOneRate at_one_inertial_number(const Predictor& model, const Calibration& c) {
+    if (c.cohesion.inertial_number) return moved_to(*c.cohesion.inertial_number, model, c);
+    const double shared = shared_inertial_number(c.readings);
+    if (shared > 0) return moved_to(shared, model, c);
+    try {
+        return moved_to(0, model, c);
+    } catch (const InputError&) {
+        // A formula of the study has no limit, such as the logarithm of the inertial number.
+    } catch (const std::domain_error&) {
+        // An effect of the instrument has no limit.
+    }
+    const double lowest = lowest_inertial_number(c.readings);
+    return std::isfinite(lowest)
+               ? moved_to(lowest, model, c)
+               : ReadingsAtOneRate{.inertial_number = 0,
+                                   .readings = c.readings,
+                                   .moved = std::vector<bool>(c.readings.size(), false),
+                                   .measured = stack(c.readings),
+                                   .predicted = c.prediction};
 }
 
 }  // namespace pendular

@@ -356,6 +356,9 @@ constexpr int most_reweightings = 12;
 /// matter: two orders below the digits that are printed, so that fits from different starts print
 /// the same.
 constexpr double same_optimum = 1e-3;
+/// Length of the last step [1], in standard errors, from which a fit counts as not converged: a
+/// tenth of a standard error is the last digit that is printed.
+constexpr double unsettled = 0.1;
 
 /// Least chi2 with constant weights.
 Fit fit_with(const Whitening& whitening, const Model& model, const Measured& measured,
@@ -409,6 +412,13 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
          ++turn) {
         result = fit_with(whitening, model, measured, range, result.parameters, effort);
         whitening = weights_of(result.prediction);
+    }
+    if (effort.most_steps > 0 &&
+        distance_to_optimum(result, measured, whitening, range) > unsettled) {
+        result.converged = false;
+        result.message =
+            "the weights of the readings do not settle, since the error of the simulations depends "
+            "strongly on the parameters";
     }
     result.chi2 = whitening.apply(measured.value - result.prediction.value).squaredNorm();
     result.covariance = parameter_covariance(whitening.apply(result.prediction.jacobian));

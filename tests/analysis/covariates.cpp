@@ -79,7 +79,8 @@ struct CleanStudy {
     std::vector<Reading> readings;
     Prediction prediction;
 
-    explicit CleanStudy(std::uint64_t seed, double offset = 0) {
+    /// @param stated whether the table of readings states the inertial numbers, 0.01 and 0.02
+    explicit CleanStudy(std::uint64_t seed, double offset = 0, bool stated = false) {
         std::mt19937_64 random(seed);
         std::normal_distribution<double> normal;
         constexpr double area = 0.01;
@@ -100,6 +101,11 @@ struct CleanStudy {
                                        .liquid_content = content,
                                        .height = shown,
                                        .bead_volume = volume};
+                        r.shear_rate = 1;  // from speed and height
+                        if (stated) {
+                            r.shear_rate = 0;
+                            r.condition.inertial_number = readings.size() % 2 == 0 ? 0.01 : 0.02;
+                        }
                         r.covariance << std::pow(0.004 * stress, 2), 0, 0,
                             std::pow(0.002 * fraction, 2);
                         r.replicates = 3;
@@ -147,6 +153,19 @@ TEST(Covariates, CarryNoErrorOfTheReading) {
     EXPECT_LE(together, most);
     EXPECT_LE(by_height, most);
     EXPECT_LE(by_speed, most);
+}
+
+TEST(Covariates, TakeStatedInertialNumbersAsTheyAre) {
+    const CleanStudy study(1, 0, true);
+    for (const Covariate& each : covariates_of(study.readings, study.prediction.value)) {
+        if (each.name != "inertial number") continue;
+        for (std::size_t k = 0; k < study.readings.size(); ++k) {
+            const double value = each.values(2 * static_cast<Eigen::Index>(k));
+            EXPECT_EQ(value, study.readings[k].condition.inertial_number);
+        }
+        return;
+    }
+    FAIL() << "no covariate";
 }
 
 TEST(Covariates, ShowAnOffsetOfTheHeightByTwoFillings) {

@@ -250,6 +250,12 @@ TEST(Verdict, IsOverruledByADoubtfulMeasurement) {
         EXPECT_THAT(c.effects, IsEmpty());
         EXPECT_THAT(c.suspects, ElementsAre("the unit of the torque"));
     }
+    const Conclusion c = concluded(leads, {.doubtful = {"the unit of the torque"},
+                                           .proposals = {{true, 1, 10}},
+                                           .recordings_explain_most = true});
+    EXPECT_EQ(c.verdict, Verdict::suspect_measurement);
+    EXPECT_FALSE(c.proposals_stand);
+    EXPECT_TRUE(c.recordings_first);
 }
 
 TEST(Verdict, IsTheSameAnswerOnlyAboutTheSameEffects) {
@@ -258,6 +264,11 @@ TEST(Verdict, IsTheSameAnswerOnlyAboutTheSameEffects) {
     EXPECT_TRUE(same_answer(concluded(one), concluded(one)));
     EXPECT_FALSE(same_answer(concluded(one), concluded(other)));
     EXPECT_FALSE(same_answer(concluded(one), concluded(one, {.doubtful = {"the torque"}})));
+    TestResults beside = one, suspect = misfit(), suspects = misfit();
+    fits_with_error_of(beside, "dry_1.csv");
+    EXPECT_TRUE(same_answer(concluded(one), concluded(beside))) << "the effect is the same";
+    fits_with_error_of(suspect, "dry_1.csv"), fits_with_error_of(suspects, "dry_2.csv");
+    EXPECT_FALSE(same_answer(concluded(suspect), concluded(suspects)));
 }
 
 TEST(Verdict, ComesAfterRecordingsThatExplainMost) {

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/common_inertial_number.h"
@@ -148,6 +149,33 @@ TEST(CommonInertialNumber, IsTheStatedOne) {
     ASSERT_EQ(c.cohesion_lines.size(), 2u);
     EXPECT_EQ(c.cohesion_lines[0].inertial_number, 0.04);
     EXPECT_NEAR(c.cohesion_lines[0].stress_ratio_intercept.value, friction + by_rate * 0.2, 1e-9);
+}
+
+TEST(CommonInertialNumber, MovesEveryReadingWhereNotAllHaveIt) {
+    Calibration c = calibration(at_constant_speed());
+    c.cohesion.inertial_number = 1.15 * c.readings[0].condition.inertial_number;
+    add_cohesion_lines(RateLaw(), c);
+    ASSERT_EQ(c.cohesion_lines.size(), 2u);
+    EXPECT_NEAR(c.cohesion_lines[0].reduced_cohesion.value, cohesion, 1e-9);
+}
+
+/// The law without a value in the quasi-static limit.
+class NoLimit : public RateLaw {
+  public:
+    Prediction predict(const Eigen::VectorXd& p, const std::vector<Condition>& conditions,
+                       PredictionPart what) const override {
+        for (const Condition& c : conditions)
+            if (c.inertial_number == 0) throw std::domain_error("the logarithm of 0");
+        return RateLaw::predict(p, conditions, what);
+    }
+};
+
+TEST(CommonInertialNumber, IsTheLowestWhereThereIsNoQuasiStaticLimit) {
+    Calibration c = calibration(at_constant_speed());
+    add_cohesion_lines(NoLimit(), c);
+    ASSERT_EQ(c.cohesion_lines.size(), 2u);
+    EXPECT_DOUBLE_EQ(c.cohesion_lines[0].inertial_number, 0.003 / std::sqrt(16.0));
+    EXPECT_NEAR(c.cohesion_lines[0].reduced_cohesion.value, cohesion, 1e-9);
 }
 
 // 400 studies: the mean error is 0 within 3.9/sqrt(400) of the stated error (one chance in 10,000),

@@ -66,6 +66,33 @@ TEST(FitWeights, AreThoseOfTheResultWhateverTheStart) {
     }
 }
 
+/// f = (theta, theta), whose simulation errors move the weight to the value 0 as theta rises,
+/// so strongly that the fits with the weights of the result before alternate between 0.02 and 0.98.
+class Alternating : public Model {
+  public:
+    const std::vector<Parameter>& parameters() const override { return parameters_; }
+    Prediction predict(const Eigen::VectorXd& p, PredictionPart /*what*/) const override {
+        const double steep = 4 * (p(0) - 0.5);
+        const Eigen::MatrixXd covariance =
+            Eigen::Vector2d(std::exp(steep), std::exp(-steep)).asDiagonal();
+        return {Eigen::Vector2d::Constant(p(0)), Eigen::Vector2d::Ones(), covariance, covariance};
+    }
+    ParameterBounds bounds() const override {
+        return {Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1)};
+    }
+
+  private:
+    std::vector<Parameter> parameters_ = {
+        {.name = "friction", .lower = 0, .upper = 1, .start = 0.1}};
+};
+
+TEST(FitWeights, AreNotCalledConvergedWhereTheyDoNotSettle) {
+    const Measured measured{Eigen::Vector2d(1, 0), 1e-9 * Eigen::Matrix2d::Identity()};
+    const Fit result = fit_from(Alternating(), measured, 0.1);
+    EXPECT_FALSE(result.converged);
+    EXPECT_NE(result.message.find("do not settle"), std::string::npos) << result.message;
+}
+
 // The mean error of 400 fits is 0 within 3.9 of its standard errors (one chance in 10,000), and the
 // scatter is the stated error within 4 times 1/sqrt(2 * 400) = 14 %. Minimising chi2 with
 // Sigma(theta) instead would be drawn to the edge: its chi2 falls where Sigma grows.

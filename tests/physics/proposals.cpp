@@ -64,7 +64,7 @@ TEST(Proposals, NameADragThatGrowsWithSpeed) {
     const auto proposals = proposals_for(seal_drag(drag), 11);
     ASSERT_FALSE(proposals.empty());
     ASSERT_EQ(proposals[0].shapes.size(), 1u);
-    const auto& [shape, effect, change, error, index] = proposals[0].shapes[0];
+    const auto& [shape, effect, change, error] = proposals[0].shapes[0];
     EXPECT_TRUE(proposals[0].fits());
     EXPECT_LT(proposals[0].p, 0.001);
     EXPECT_EQ(shape.name(), "torque-with-angular-velocity");
@@ -148,7 +148,7 @@ TEST(Proposals, NameAStepInTime) {
                                          12);
     ASSERT_FALSE(proposals.empty());
     ASSERT_EQ(proposals[0].shapes.size(), 1u);
-    const auto& [shape, effect, change, error, index] = proposals[0].shapes[0];
+    const auto& [shape, effect, change, error] = proposals[0].shapes[0];
     EXPECT_TRUE(proposals[0].fits());
     EXPECT_EQ(shape.profile.dependence, Dependence::above);
     EXPECT_EQ(shape.profile.variable, "time");
@@ -258,7 +258,7 @@ TEST(Proposals, NameAnOscillation) {
         14);
     ASSERT_FALSE(proposals.empty());
     EXPECT_TRUE(proposals[0].fits());
-    const auto& [shape, effect, change, error, index] = proposals[0].shapes[0];
+    const auto& [shape, effect, change, error] = proposals[0].shapes[0];
     EXPECT_EQ(shape.profile.dependence, Dependence::oscillation);
     EXPECT_NEAR(shape.profile.constant, period, 5);
     EXPECT_NEAR(std::abs(change), 0.08, 4 * error);
