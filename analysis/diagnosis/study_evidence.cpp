@@ -88,7 +88,9 @@ double predicted_height(const Reading& reading, double predicted_fraction) {
 /// 1/height. A table that states the number has no error of the height in it.
 double predicted_inertial_number(const Reading& reading, double predicted_fraction) {
     const double number = reading.condition.inertial_number;
-    return reading.condition.height && reading.shear_rate > 0 ? number * predicted_fraction / reading.value(1) : number;
+    return reading.condition.height && reading.shear_rate > 0
+               ? number * predicted_fraction / reading.value(1)
+               : number;
 }
 
 /// Quantity along which residuals are checked. The checks use ranks. If the error of a reading

@@ -413,8 +413,8 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
         result = fit_with(whitening, model, measured, range, result.parameters, effort);
         whitening = weights_of(result.prediction);
     }
-    // Quick refits of models that describe the readings badly often do not settle; their chi2
-    // decides nothing that a tenth of an error could change.
+    // Not for quick refits: those of models that describe the readings badly may not settle, and
+    // would drop out of the comparison of models.
     if (effort.elsewhere && effort.most_steps > 0 &&
         distance_to_optimum(result, measured, whitening, range) > unsettled) {
         result.converged = false;
