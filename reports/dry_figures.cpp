@@ -259,7 +259,7 @@ InertialFigure inertial_figure_of(const DryStudy& study) {
 void draw_limit(Panel& panel, const std::vector<std::size_t>& quasi_static, const Calibration& c,
                 std::size_t o) {
     if (quasi_static.empty()) return;
-    const auto [measured, model] = means_of(quasi_static, c);
+    const auto [measured, model] = means_of(quasi_static, c, stack(c.readings).covariance);
     panel.references.push_back(
         {"measured, quasi-static", measured.value[o], measured.error[o], false, measured_colour});
     panel.references.push_back(

@@ -54,28 +54,32 @@ Shown mean_of(const std::vector<Shown>& all) {
     return mean;
 }
 
-MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibration& c) {
+MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibration& c,
+                          const Eigen::MatrixXd& covariance) {
     std::vector<Shown> measured;
     for (const std::size_t k : places) {
         measured.push_back(shown(c.readings[k]));
     }
-    MeasuredAndModel means{mean_of(measured), {}};
+    MeasuredAndModel means{};
     for (std::size_t o = 0; o < 2; ++o) {
         const Eigen::VectorXd weights = weights_of(measured, o);
-        Eigen::VectorXd by_predicted = Eigen::VectorXd::Zero(c.prediction.value.size());
+        Eigen::VectorXd share = Eigen::VectorXd::Zero(c.prediction.value.size());
         for (std::size_t m = 0; m < places.size(); ++m) {
             const double unit = o == 0 ? c.readings[places[m]].condition.normal_stress : 1;
-            by_predicted(static_cast<Eigen::Index>(2 * places[m] + o)) =
+            share(static_cast<Eigen::Index>(2 * places[m] + o)) =
                 weights(static_cast<Eigen::Index>(m)) / unit;
         }
-        means.model.value[o] = by_predicted.dot(c.prediction.value);
-        means.model.error[o] = std::sqrt(by_predicted.dot(c.prediction.covariance * by_predicted));
+        for (std::size_t m = 0; m < places.size(); ++m)
+            means.measured.value[o] += weights(static_cast<Eigen::Index>(m)) * measured[m].value[o];
+        means.measured.error[o] = std::sqrt(share.dot(covariance * share));
+        means.model.value[o] = share.dot(c.prediction.value);
+        means.model.error[o] = std::sqrt(share.dot(c.prediction.covariance * share));
     }
     return means;
 }
 
 bool mean_suffices(const std::vector<std::size_t>& places, const Calibration& c) {
-    const Shown mean = means_of(places, c).model;
+    const Shown mean = means_of(places, c, stack(c.readings).covariance).model;
     return std::ranges::all_of(places, [&](std::size_t k) {
         const Shown reading = shown(c.readings[k]),
                     model = shown(c.prediction, static_cast<Eigen::Index>(k),

@@ -46,9 +46,11 @@ struct MeasuredAndModel {
 };
 /// Returns the means of the measured and of the predicted stress ratio [1] and solid fraction [1]
 /// over some readings of a calibration. The weight of a reading in all means is 1/(standard error
-/// of the measured value)^2.
+/// of the measured value)^2. The standard errors contain what readings share.
 /// @param places indices of these readings in `calibration.readings`
-MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibration& calibration);
+/// @param covariance covariance of the measured values of all readings
+MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibration& calibration,
+                          const Eigen::MatrixXd& covariance);
 
 /// Whether a figure may draw one point, the mean prediction, in place of the predictions of several
 /// readings. True if the predicted stress ratio and solid fraction of each reading differ from the

@@ -26,6 +26,7 @@ struct WetStudy {
     const Calibration& fitted;     ///< calibration with the readings as they were measured
     double inertial_number;        ///< of the steady readings [1]
     bool moved;                    ///< whether readings were measured at other inertial numbers
+    LineValues measured;           ///< values of the readings at `inertial_number`
     Calibration calibration;       ///< with readings and predictions at `inertial_number`
     std::vector<WetGroup> groups;  ///< wet readings by content
     const std::vector<CohesionLine>& lines;
@@ -76,6 +77,7 @@ WetStudy wet_study(const StudyModel& model, const Calibration& c, const Cohesion
     ReadingsAtOneRate at = at_one_inertial_number(model.model(), c);
     const double inertial_number = at.inertial_number;
     const bool moved = std::ranges::find(at.moved, true) != at.moved.end();
+    LineValues measured = at.measured;
     Calibration drawn = with_readings(c, std::move(at));
     std::vector<WetGroup> groups = wet_groups(drawn.readings);
     return {.study_model = model,
@@ -83,6 +85,7 @@ WetStudy wet_study(const StudyModel& model, const Calibration& c, const Cohesion
             .fitted = c,
             .inertial_number = inertial_number,
             .moved = moved,
+            .measured = std::move(measured),
             .calibration = std::move(drawn),
             .groups = std::move(groups),
             .lines = c.cohesion_lines,
@@ -198,7 +201,7 @@ void draw_dry(Panel& panel, const WetStudy& study, std::size_t o) {
     measured.label = "measured, dry";
     measured.symbol = measured_symbol;
     const auto add = [&](const std::vector<std::size_t>& places) {
-        const MeasuredAndModel means = means_of(places, c);
+        const MeasuredAndModel means = means_of(places, c, study.measured.covariance);
         add_point(simulated, 0, means.model, o);
         add_point(measured, 0, means.measured, o);
     };
@@ -329,9 +332,9 @@ std::map<double, double> cohesions_by_instrument(const WetStudy& study) {
     if (std::ranges::none_of(study.study_model.effects(), &Effect::of_instrument)) return added;
     const Prediction truth = study.study_model.flow().predict(
         study.study_model.flow_parameters(c.fit.parameters), conditions_of(c.readings));
-    std::vector<std::string> same_notes;
+    const LineValues ideal{"simulated", truth.value, truth.covariance, study.measured.weighting};
     for (const CohesionLine& line :
-         cohesion_lines(c.readings, truth, c.grains, *c.liquid, c.cohesion, same_notes)) {
+         cohesion_lines(c.readings, ideal, c.grains, *c.liquid, c.cohesion)) {
         added[line.liquid_content] = -line.reduced_cohesion.value;
     }
     for (const CohesionLine& line : study.lines) {

@@ -244,7 +244,7 @@ def study_toml(rig, liquid, contents):
     text = (f'[grains]\ndiameter = "{rig.beads.diameter * 1e3:g} mm"\n'
             f'density = "{rig.beads.density * 1e-3:g} g/cm^3"\n\n')
     if liquid:
-        text += f'[liquid]\nsurface_tension = "{rig.surface_tension * 1e3:g} mN/m"\n\n'
+        text += f'[liquid]\nsurface_tension = "{rig.surface_tension * 1e3:g} mN/m"\ncontact_angle = "0 deg"\n\n'
     text += (f'[cell]\ninner_radius = "{rig.cell.inner * 100:g} cm"\n'
              f'outer_radius = "{rig.cell.outer * 100:g} cm"\nbead_mass = "{rig.bead_mass * 1e3:.6g} g"\n')
     for content in contents:

@@ -3,8 +3,8 @@
 
     nice python3 matrix.py path/to/pendular SCRATCH [--first N] [--last N] [--makers python,program]
 
-Half of the laboratories are made by `pendular virtual-lab`, half by instrument.py, which shares no code
-with the program. Half of each have one fault of the instrument. Every laboratory adds one row to
+Of eight laboratories, one is made by `pendular virtual-lab` and seven by instrument.py, which shares no
+code with the program. Half of each have one fault of the instrument. Every laboratory adds one row to
 results.csv; those that have a row are left out, so that the matrix resumes where it was stopped.
 summary.py makes the table by cell, beads, protocol and so on.
 """
@@ -65,12 +65,13 @@ def two_digits(value):
 def plan(index):
     """Laboratory number `index`: factors that repeat with different periods, shuffled once."""
     random_ = random.Random(20240 + index)
-    # Makers alternate; of each maker's laboratories every second one has a fault.
+    # Every eighth is made by the program, whose laboratories simulate states of their own for minutes;
+    # of each maker's laboratories every second one has a fault.
     kinds = [k for k in FAULTS if k != "none"]
-    maker = ["python", "program"][index % 2]
+    maker = "program" if index % 8 == 1 else "python"
     if maker == "program":
         kinds = [k for k in kinds if k not in ("torque-drift", "wobble")]
-    place = index // 2
+    place = index // 8 if maker == "program" else index - (index + 6) // 8
     fault = kinds[place // 2 % len(kinds)] if place % 2 else "none"
     liquids = ["none", "oil", "none", "water"] if maker == "python" else ["none"]
     return {"lab": index, "maker": maker, "fault": fault, "cell": random_.choice(list(CELLS)),
@@ -130,7 +131,7 @@ def make_python(spec, folder):
     rig = Rig(CELLS[spec["cell"]], beads, states, bead_mass(CELLS[spec["cell"]], beads), LIQUIDS[spec["liquid"]], faults_of(spec))
     contents = [0.0] + ([CONTENT] if spec["liquid"] != "none" else [])
     noise = Noise(memory=0.8 if spec["noise"] == "correlated" else 0.0)
-    layout = ["decimal-comma", "tabs", "other-order"][spec["lab"] // 2 % 3]
+    layout = ["decimal-comma", "tabs", "other-order"][spec["lab"] % 3]
     steps = {c: set_points(spec, c > 0) for c in contents}
     write_lab(folder, rig, spec["liquid"] != "none", contents, steps, spec["replicates"],
               spec["rows"], noise, layout, spec["lab"])

@@ -176,12 +176,20 @@ std::optional<std::string> note_on_moved(const ReadingsAtOneRate& at, const Cali
         ++count;
     }
     if (count == 0) return {};
+    double fastest = 0;
+    for (const dem::RunResult& run : c.runs)
+        fastest = std::max(fastest, run.parameters.inertial_number);
     return fmt::format(
         "For the cohesion, {} wet readings at inertial numbers from {:.2g} to {:.2g} are brought "
-        "to {} by the difference of the model's predictions, whose error is included",
+        "to {} by the difference of the model's predictions, whose error is included{}",
         count, least, greatest,
         at.inertial_number == 0 ? "the quasi-static limit"
-                                : fmt::format("the inertial number {:.3g}", at.inertial_number));
+                                : fmt::format("the inertial number {:.3g}", at.inertial_number),
+        fastest > 0 && at.inertial_number > fastest
+            ? fmt::format(", but not that of extrapolating: {:.2g} is the highest inertial number "
+                          "that was simulated",
+                          fastest)
+            : "");
 }
 
 }  // namespace
@@ -230,12 +238,11 @@ void add_cohesion_lines(const Predictor& model, Calibration& c) {
         return;
     }
     const ReadingsAtOneRate at = at_one_inertial_number(model, c);
-    c.cohesion_lines =
-        cohesion_lines(at.readings, at.measured, c.grains, *c.liquid, c.cohesion, c.cohesion_notes);
-    std::vector<std::string> same_notes;
-    std::ranges::copy(
-        cohesion_lines(at.readings, at.predicted, c.grains, *c.liquid, c.cohesion, same_notes),
-        std::back_inserter(c.cohesion_lines));
+    c.cohesion_lines = cohesion_lines(at.readings, at.measured, c.grains, *c.liquid, c.cohesion,
+                                      &c.cohesion_notes);
+    if (c.cohesion_lines.empty()) return;
+    std::ranges::copy(cohesion_lines(at.readings, at.simulated(), c.grains, *c.liquid, c.cohesion),
+                      std::back_inserter(c.cohesion_lines));
     if (auto note = note_on_moved(at, c)) c.cohesion_notes.push_back(*note);
 }
 

@@ -45,16 +45,9 @@ std::string name_of(const WetGroup& group) {
                              group.inertial_number);
 }
 
-/// Values to which lines of one kind, measured or simulated, are fitted.
-struct Task {
-    std::string source;         ///< "measured" or "simulated"
-    Measured values;            ///< values of all readings with the covariance of their errors
-    Eigen::MatrixXd weighting;  ///< covariance of the readings, whose inverse weights the points
-};
-
 /// Readings of a group as points, in decreasing P*.
-Points points_of(const WetGroup& group, const std::vector<Reading>& readings, const Task& task,
-                 const GrainProperties& grains, const Liquid& liquid) {
+Points points_of(const WetGroup& group, const std::vector<Reading>& readings,
+                 const LineValues& values, const GrainProperties& grains, const Liquid& liquid) {
     std::vector<Eigen::Index> order(group.members.begin(), group.members.end());
     std::ranges::stable_sort(order, std::greater<>(),
                              [&](Eigen::Index k) { return condition(readings, k).normal_stress; });
@@ -65,12 +58,12 @@ Points points_of(const WetGroup& group, const std::vector<Reading>& readings, co
         const Eigen::Index k = order[static_cast<std::size_t>(i)];
         const double normal_stress = condition(readings, k).normal_stress;
         points.inverse_pressure(i) = 1 / reduced_pressure(normal_stress, grains, liquid);
-        points.stress_ratio(i) = task.values.value(2 * k) / normal_stress;
+        points.stress_ratio(i) = values.value(2 * k) / normal_stress;
         for (Eigen::Index j = 0; j < n; ++j) {
             const Eigen::Index l = order[static_cast<std::size_t>(j)];
             const double unit = normal_stress * condition(readings, l).normal_stress;
-            points.covariance(i, j) = task.values.covariance(2 * k, 2 * l) / unit;
-            points.weighting(i, j) = task.weighting(2 * k, 2 * l) / unit;
+            points.covariance(i, j) = values.covariance(2 * k, 2 * l) / unit;
+            points.weighting(i, j) = values.weighting(2 * k, 2 * l) / unit;
         }
     }
     return points;
@@ -174,42 +167,20 @@ std::string list_of_pressures(const Points& points, const std::vector<Eigen::Ind
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& readings,
-                                const GrainProperties& grains, const Liquid& liquid,
-                                const CohesionOptions& options, std::vector<std::string>& notes) {
-    std::vector<CohesionLine> result;
-    const double limit = options.lowest_reduced_pressure;
-    const bool is_measured = task.source == std::string("measured");
-    for (const WetGroup& group : wet_groups(readings)) {
-        if (group.at_failure) continue;  // a line is one of steady shear
-        const Points all = points_of(group, readings, task, grains, liquid);
-        const Split which = split(all, options);
-        if (!has_two_distinct(all.only(which.fitted))) {
-            std::vector<Eigen::Index> every = which.fitted;
-            every.insert(every.end(), which.below.begin(), which.below.end());
-            notes.push_back(fmt::format(
-                "There is no cohesion line through the {} for {}: it needs points at two reduced "
-                "pressures P* of {:.3g} or more that differ by 2 %; there are points at P* = {}",
-                is_measured ? "readings" : "model", name_of(group), limit,
-                list_of_pressures(all, every)));
-            continue;
-        }
-        if (!which.below.empty())
-            notes.push_back(fmt::format(
-                "The cohesion line through the {} for {} is fitted to points with P* >= {:.3g}; it "
-                "leaves out those at P* = {}",
-                is_measured ? "readings" : "model", name_of(group), limit,
-                list_of_pressures(all, which.below)));
-        CohesionLine line = line_through(all, which);
-        line.source = task.source;
-        line.liquid_content = group.liquid_content;
-        line.inertial_number = group.inertial_number;
-        const double unit = pull_off_force(grains, liquid) / (grains.diameter * grains.diameter);
-        line.cohesion = {line.reduced_cohesion.value * unit,
-                         line.reduced_cohesion.standard_error * unit};
-        result.push_back(std::move(line));
-    }
-    return result;
+/// Explains which readings of a group are not on its line.
+std::string note_on(const WetGroup& group, const Points& all, const Split& which, bool has_line,
+                    double limit) {
+    if (has_line)
+        return fmt::format(
+            "The cohesion line through the readings for {} is fitted to points with P* >= {:.3g}; "
+            "it leaves out those at P* = {}",
+            name_of(group), limit, list_of_pressures(all, which.below));
+    std::vector<Eigen::Index> every = which.fitted;
+    every.insert(every.end(), which.below.begin(), which.below.end());
+    return fmt::format(
+        "There is no cohesion line through the readings for {}: it needs points at two reduced "
+        "pressures P* of {:.3g} or more that differ by 2 %; there are points at P* = {}",
+        name_of(group), limit, list_of_pressures(all, every));
 }
 
 }  // namespace
@@ -238,28 +209,28 @@ double stress_ratio(const CohesionLine& line, double reduced_pressure) {
 }
 
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
-                                         const GrainProperties& grains, const Liquid& liquid,
-                                         const CohesionOptions& options,
-                                         std::vector<std::string>& notes) {
-    return cohesion_lines(readings, stack(readings), grains, liquid, options, notes);
-}
-
-std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
-                                         const Measured& measured, const GrainProperties& grains,
+                                         const LineValues& values, const GrainProperties& grains,
                                          const Liquid& liquid, const CohesionOptions& options,
-                                         std::vector<std::string>& notes) {
-    return lines({"measured",
-                  {measured.value, measured.covariance + measured.widening},
-                  measured.covariance},
-                 readings, grains, liquid, options, notes);
-}
-
-std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
-                                         const Prediction& predicted, const GrainProperties& grains,
-                                         const Liquid& liquid, const CohesionOptions& options,
-                                         std::vector<std::string>& notes) {
-    return lines({"simulated", {predicted.value, predicted.covariance}, stack(readings).covariance},
-                 readings, grains, liquid, options, notes);
+                                         std::vector<std::string>* notes) {
+    std::vector<CohesionLine> result;
+    const double unit = pull_off_force(grains, liquid) / (grains.diameter * grains.diameter);
+    for (const WetGroup& group : wet_groups(readings)) {
+        if (group.at_failure) continue;  // a line is one of steady shear
+        const Points all = points_of(group, readings, values, grains, liquid);
+        const Split which = split(all, options);
+        const bool has_line = has_two_distinct(all.only(which.fitted));
+        if (notes && !(has_line && which.below.empty()))
+            notes->push_back(note_on(group, all, which, has_line, options.lowest_reduced_pressure));
+        if (!has_line) continue;
+        CohesionLine line = line_through(all, which);
+        line.source = values.source;
+        line.liquid_content = group.liquid_content;
+        line.inertial_number = group.inertial_number;
+        line.cohesion = {line.reduced_cohesion.value * unit,
+                         line.reduced_cohesion.standard_error * unit};
+        result.push_back(std::move(line));
+    }
+    return result;
 }
 
 }  // namespace pendular

@@ -92,40 +92,27 @@ struct CohesionOptions {
 ///         number is negative or one at which grains do not flow densely
 void check_options(const CohesionOptions& options);
 
-/// Fits a straight line of the measured stress ratio against the inverse reduced pressure 1/P* to
-/// each group of wet readings of steady shear with about equal liquid contents and inertial
-/// numbers, in the order of `wet_groups`. Readings whose P* is below the limit of `options` are
-/// left out. A group has a line only if the P* of two remaining readings differ by more than 2 %.
-/// @param notes receives sentences for the user on groups without a line and on readings that a
-///        line leaves out
-std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
-                                         const GrainProperties& grains, const Liquid& liquid,
-                                         const CohesionOptions& options,
-                                         std::vector<std::string>& notes);
+/// Values of all readings, measured or predicted, to which cohesion lines are fitted: shear stress
+/// [Pa] and solid fraction [1] of each reading in turn.
+struct LineValues {
+    std::string source;  ///< "measured" or "simulated"
+    Eigen::VectorXd value;
+    Eigen::MatrixXd covariance;  ///< of the errors, from which those of the lines follow
+    /// Covariance whose inverse weights the points. That of predictions would give misleading
+    /// weights, since they share most of their errors: model and measurement have the same weights.
+    Eigen::MatrixXd weighting;
+};
 
-/// Fits lines as above to readings whose errors `measured` states, such as readings that were
-/// brought to one inertial number.
-/// @param measured values of all `readings`, with their covariance
-std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
-                                         const Measured& measured, const GrainProperties& grains,
-                                         const Liquid& liquid, const CohesionOptions& options,
-                                         std::vector<std::string>& notes);
-
-/// Fits a straight line of the predicted stress ratio against the inverse reduced pressure 1/P* to
-/// each group of wet readings of steady shear with about equal liquid contents and inertial numbers
-/// (`wet_groups`). The readings are selected as for the lines of measured stress ratios.
-///
-/// The points (predicted stress ratios) are weighted by the inverse covariance of the measured
-/// readings. The covariance of the predictions would give misleading weights, since the points
-/// share most of their errors. The standard errors of the lines follow from the covariance of the
-/// predictions. A large chi2 means that the predicted stress ratios are not linear in 1/P* within
-/// the errors of the readings.
-/// @param predicted predictions of all `readings`, with their covariance
+/// Fits a straight line of the stress ratio against the inverse reduced pressure 1/P* to each group
+/// of wet readings of steady shear with about equal liquid contents and inertial numbers, in the
+/// order of `wet_groups`. Readings whose P* is below the limit of `options` are left out. A group
+/// has a line only if the P* of two remaining readings differ by more than 2 %. A large chi2 of a
+/// simulated line means that predictions are not linear in 1/P* within the errors of the readings.
 /// @param notes receives sentences for the user on groups without a line and on readings that a
-///        line leaves out
+///        line leaves out, if given
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
-                                         const Prediction& predicted, const GrainProperties& grains,
+                                         const LineValues& values, const GrainProperties& grains,
                                          const Liquid& liquid, const CohesionOptions& options,
-                                         std::vector<std::string>& notes);
+                                         std::vector<std::string>* notes = nullptr);
 
 }  // namespace pendular

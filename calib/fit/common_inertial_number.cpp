@@ -75,12 +75,19 @@ std::vector<Eigen::Index> rows_of(const std::vector<std::size_t>& which, Eigen::
 
 namespace {
 
+/// The readings as they were recorded.
+ReadingsAtOneRate as_recorded(double inertial_number, const Calibration& c) {
+    const Measured measured = stack(c.readings);
+    return {.inertial_number = inertial_number,
+            .readings = c.readings,
+            .moved = std::vector<bool>(c.readings.size(), false),
+            .measured = {"measured", measured.value, measured.covariance + measured.widening,
+                         measured.covariance},
+            .predicted = c.prediction};
+}
+
 ReadingsAtOneRate moved_to(double inertial_number, const Predictor& model, const Calibration& c) {
-    ReadingsAtOneRate result{.inertial_number = inertial_number,
-                             .readings = c.readings,
-                             .moved = std::vector<bool>(c.readings.size(), false),
-                             .measured = stack(c.readings),
-                             .predicted = c.prediction};
+    ReadingsAtOneRate result = as_recorded(inertial_number, c);
     const auto moved = readings_to_move(c.readings, result.inertial_number);
     if (moved.empty()) return result;
 
@@ -92,7 +99,7 @@ ReadingsAtOneRate moved_to(double inertial_number, const Predictor& model, const
     }
     for (const Reading& reading : result.readings)
         conditions.push_back(reading.condition);
-    const Prediction both = predict_unseen(model, c, conditions);
+    const auto [both, with_fitted] = predict_with_fitted(model, c, conditions);
     const auto recorded = 2 * std::ssize(moved), all = both.value.size() - recorded;
     result.predicted = {.value = both.value.tail(all),
                         .jacobian = both.jacobian.bottomRows(all),
@@ -106,12 +113,24 @@ ReadingsAtOneRate moved_to(double inertial_number, const Predictor& model, const
     const Eigen::MatrixXd error = both.covariance.topLeftCorner(recorded, recorded) +
                                   both.covariance(there, there) - cross - cross.transpose();
     result.measured.value(at) -= shift;
+    const auto own = [&result](std::size_t k) {
+        const auto row = 2 * static_cast<Eigen::Index>(k);
+        return Eigen::Matrix2d(result.measured.covariance.block<2, 2>(row, row));
+    };
+    for (const std::size_t k : moved)
+        result.readings[k].covariance -= own(k);
     result.measured.covariance(at, at) += error;
-    for (std::size_t j = 0; j < moved.size(); ++j) {
-        Reading& reading = result.readings[moved[j]];
-        const auto row = 2 * static_cast<Eigen::Index>(j);
-        reading.value -= shift.segment<2>(row);
-        reading.covariance += error.block<2, 2>(row, row);
+    result.measured.weighting(at, at) += error;
+    // The parameters, and with them the shift, follow the errors of the fitted readings.
+    // The weights do not know it: with few errors of the model, this covariance is nearly singular.
+    const Eigen::MatrixXd follows = with_fitted.topRows(recorded) - with_fitted(there, Eigen::all);
+    const auto fitted = Eigen::seqN(0, follows.cols());
+    result.measured.covariance(at, fitted) -= follows;
+    result.measured.covariance(fitted, at) -= follows.transpose();
+    for (const std::size_t k : moved) {
+        result.readings[k].covariance += own(k);
+        result.readings[k].value =
+            result.measured.value.segment<2>(2 * static_cast<Eigen::Index>(k));
     }
     return result;
 }
@@ -130,13 +149,7 @@ ReadingsAtOneRate at_one_inertial_number(const Predictor& model, const Calibrati
         // An effect of the instrument has no limit.
     }
     const double lowest = lowest_inertial_number(c.readings);
-    return std::isfinite(lowest)
-               ? moved_to(lowest, model, c)
-               : ReadingsAtOneRate{.inertial_number = 0,
-                                   .readings = c.readings,
-                                   .moved = std::vector<bool>(c.readings.size(), false),
-                                   .measured = stack(c.readings),
-                                   .predicted = c.prediction};
+    return std::isfinite(lowest) ? moved_to(lowest, model, c) : as_recorded(0, c);
 }
 
 }  // namespace pendular

@@ -23,11 +23,15 @@ struct ReadingsAtOneRate {
     std::vector<Reading> readings;
     /// Whether a reading had another inertial number before, for each reading.
     std::vector<bool> moved;
-    /// Values of `readings`, with the covariance of their errors.
-    Measured measured;
+    LineValues measured;  ///< values of `readings`
     /// Predictions of `readings`, with the errors of the fitted parameters where any reading was
     /// moved.
     Prediction predicted;
+
+    /// Predictions as values of lines, with the weights of the readings.
+    LineValues simulated() const {
+        return {"simulated", predicted.value, predicted.covariance, measured.weighting};
+    }
 };
 
 /// Brings all readings to the inertial number `Calibration::cohesion` states. If it

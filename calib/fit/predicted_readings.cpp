@@ -22,8 +22,8 @@ Eigen::MatrixXd information_of(const std::vector<DirectMeasurement>& direct,
 
 }  // namespace
 
-Prediction predict_unseen(const Predictor& model, const Calibration& c,
-                          const std::vector<Condition>& conditions) {
+UnseenAndFitted predict_with_fitted(const Predictor& model, const Calibration& c,
+                                    const std::vector<Condition>& conditions) {
     const auto seen = part(c.readings, 0, c.fitted);
     std::vector<Condition> all = conditions_of(seen);
     all.insert(all.end(), conditions.begin(), conditions.end());
@@ -40,12 +40,18 @@ Prediction predict_unseen(const Predictor& model, const Calibration& c,
     const Eigen::MatrixXd direct = information_of(c.direct, model.parameters());
     Eigen::MatrixXd map(rest, n + rest);
     map << -through_fit, Eigen::MatrixXd::Identity(rest, rest);
-    return {.value = both.value.tail(rest),
-            .jacobian = both.jacobian.bottomRows(rest),
-            .covariance = map * both.covariance * map.transpose() +
-                          through_fit * measured * through_fit.transpose() +
-                          slopes * direct * slopes.transpose(),
-            .run_noise = both.run_noise.bottomRightCorner(rest, rest)};
+    return {.unseen = {.value = both.value.tail(rest),
+                       .jacobian = both.jacobian.bottomRows(rest),
+                       .covariance = map * both.covariance * map.transpose() +
+                                     through_fit * measured * through_fit.transpose() +
+                                     slopes * direct * slopes.transpose(),
+                       .run_noise = both.run_noise.bottomRightCorner(rest, rest)},
+            .with_fitted = through_fit * measured};
+}
+
+Prediction predict_unseen(const Predictor& model, const Calibration& c,
+                          const std::vector<Condition>& conditions) {
+    return predict_with_fitted(model, c, conditions).unseen;
 }
 
 Prediction predict_readings(const Predictor& model, const Calibration& c) {

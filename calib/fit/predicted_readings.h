@@ -19,6 +19,17 @@ namespace pendular {
 Prediction predict_unseen(const Predictor& model, const Calibration& calibration,
                           const std::vector<Condition>& conditions);
 
+/// Prediction as by `predict_unseen`, and what its errors have in common with those of the fitted
+/// readings, through the parameters.
+struct UnseenAndFitted {
+    Prediction unseen;
+    /// Covariance J K S between the errors of the prediction (rows) and of the measured values of
+    /// the fitted readings (columns), whose covariance is S.
+    Eigen::MatrixXd with_fitted;
+};
+UnseenAndFitted predict_with_fitted(const Predictor& model, const Calibration& calibration,
+                                    const std::vector<Condition>& conditions);
+
 /// Predicts, at the fitted parameters of a calibration, the shear stress [Pa] and solid fraction
 /// [1] of each reading of the study in turn, whether fitted or not. For readings that were not
 /// fitted, the covariance includes the uncertainty of the fitted parameters (`predict_unseen`). The

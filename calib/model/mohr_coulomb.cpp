@@ -27,10 +27,11 @@ bool same_content(const CohesionGroup& group, const MeasuredStrength& strength) 
     return std::abs(strength.condition.liquid_content - first) <= content_tolerance * first;
 }
 
-/// Whether two conditions impose the same state, whatever height and time they state.
-bool same_state(const Condition& a, const Condition& b) {
-    return a.normal_stress == b.normal_stress && a.inertial_number == b.inertial_number &&
-           a.liquid_content == b.liquid_content && a.at_failure == b.at_failure;
+/// Whether the cohesion adds the same stress at two conditions. It does not depend on the inertial
+/// number, so that its error cancels where a fitted reading is brought to another one.
+bool same_cohesive_stress(const Condition& a, const Condition& b) {
+    return a.normal_stress == b.normal_stress && a.liquid_content == b.liquid_content &&
+           a.at_failure == b.at_failure;
 }
 
 }  // namespace
@@ -156,8 +157,9 @@ Prediction MohrCoulombModel::predict_flow(const Eigen::VectorXd& parameters,
             map(2 * k, first[which] + 2 * i) -= unit * line.weight(i);
         }
         constant(2 * k) = unit * line.constant;
-        const bool fitted = std::ranges::any_of(
-            line.fitted, [&](const Condition& one) { return same_state(one, condition); });
+        const bool fitted = std::ranges::any_of(line.fitted, [&](const Condition& one) {
+            return same_cohesive_stress(one, condition);
+        });
         if (!fitted) {
             by_cohesion(2 * k, static_cast<Eigen::Index>(which)) = unit * std::sqrt(line.variance);
         }

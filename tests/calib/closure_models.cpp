@@ -145,6 +145,22 @@ TEST(MohrCoulombModel, IsTheStraightLineThroughItsStrengths) {
     EXPECT_EQ(fitted_cohesions(wet_study().model, study.grains, study.liquid), 0);
 }
 
+TEST(MohrCoulombModel, AddsNoErrorOfItsCohesionToADifferenceOfInertialNumbers) {
+    const Study study = with_planted_strengths(wet_study());
+    Condition fitted = condition(8, 0.03), faster = fitted;
+    faster.inertial_number *= 2;
+    const auto simulation = planned(wet_study(), {fitted, faster, condition(4, 0.01)});
+    // The variance of the difference of the two shear stresses.
+    const auto variance = [](const Prediction& p) {
+        return p.covariance(0, 0) + p.covariance(2, 2) - 2 * p.covariance(0, 2);
+    };
+    Condition dry = fitted, dry_faster = faster;
+    dry.liquid_content = dry_faster.liquid_content = 0;
+    const double expected = variance(simulation->predict(at(0.2), {dry, dry_faster}));
+    const Prediction wet = MohrCoulombModel(simulation, study).predict(at(0.2), {fitted, faster});
+    EXPECT_NEAR(variance(wet), expected, 1e-6 * expected);
+}
+
 TEST(MohrCoulombModel, FitsSteadyShearAlone) {
     Study study = wet_study();
     study.model.base = "mohr-coulomb";

@@ -49,7 +49,10 @@ struct Lines {
 };
 Lines measured(const std::vector<Reading>& readings, const CohesionOptions& options = {}) {
     Lines result;
-    result.lines = cohesion_lines(readings, grains, oil, options, result.notes);
+    const Measured all = stack(readings);
+    result.lines = cohesion_lines(
+        readings, {"measured", all.value, all.covariance + all.widening, all.covariance}, grains,
+        oil, options, &result.notes);
     return result;
 }
 /// Lines through predicted stress ratios with this covariance.
@@ -68,7 +71,10 @@ Lines simulated(const std::vector<Reading>& readings, const Eigen::VectorXd& rat
             prediction.covariance(2 * i, 2 * j) = covariance(i, j) * stress(i) * stress(j);
     }
     Lines result;
-    result.lines = cohesion_lines(readings, prediction, grains, oil, {}, result.notes);
+    result.lines = cohesion_lines(
+        readings,
+        {"simulated", prediction.value, prediction.covariance, stack(readings).covariance}, grains,
+        oil, {});
     return result;
 }
 
