@@ -32,6 +32,9 @@ struct Condition {
     /// Normal stress of the preshear that consolidated the sample before a point of failure [Pa],
     /// if known.
     std::optional<double> preshear_stress = {};
+    /// Whether an ideal instrument shows the state: values predicted for it are those of the
+    /// grains, without what effects of the instrument add.
+    bool ideal_instrument = false;
 
     /// Whether the grains are dry: the liquid content is 0.
     bool dry() const { return liquid_content == 0; }

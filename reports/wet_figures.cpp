@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/common_inertial_number.h"
@@ -76,7 +75,10 @@ Calibration with_readings(Calibration c, ReadingsAtOneRate at) {
 WetStudy wet_study(const StudyModel& model, const Calibration& c, const CohesionOptions& cohesion) {
     ReadingsAtOneRate at = at_one_inertial_number(model.model(), c);
     const double inertial_number = at.inertial_number;
-    const bool moved = std::ranges::find(at.moved, true) != at.moved.end();
+    bool moved = false;
+    for (std::size_t k = 0; k < c.readings.size(); ++k)
+        moved = moved ||
+                at.readings[k].condition.inertial_number != c.readings[k].condition.inertial_number;
     LineValues measured = at.measured;
     Calibration drawn = with_readings(c, std::move(at));
     std::vector<WetGroup> groups = wet_groups(drawn.readings);
@@ -107,9 +109,13 @@ std::string title(const std::string& what, const WetStudy& study) {
     std::string text = fmt::format("{}, {}{}, friction μ = {:.3f}", what,
                                    study.moved ? "readings brought to " : "",
                                    inertial_text(study.inertial_number), study.friction());
-    if (!study.study_model.effects().empty()) {
-        text += ", with " + names_of(study.study_model.effects());
-    }
+    std::vector<const Effect*> of_grains = study.study_model.effects(), of_instrument;
+    std::erase_if(of_grains, [&](const Effect* effect) {
+        if (effect->of_instrument()) of_instrument.push_back(effect);
+        return effect->of_instrument();
+    });
+    if (!of_grains.empty()) text += ", with " + names_of(of_grains);
+    if (!of_instrument.empty()) text += ", corrected for " + names_of(of_instrument);
     if (!agree(study.force(), study.fitted_force(), 1e-6)) {
         text += fmt::format(" (F_0 = {:.3g} µN)", study.fitted_force());
     }
@@ -323,28 +329,6 @@ void draw_cohesions(Panel& panel, const WetStudy& study) {
     }
 }
 
-/// Contribution of effects on the instrument to the reduced cohesion [1], by liquid content: slope
-/// of the line through the predictions, less the slope of the line through predictions for an ideal
-/// instrument. Empty without such effects or lines.
-std::map<double, double> cohesions_by_instrument(const WetStudy& study) {
-    const Calibration& c = study.calibration;
-    std::map<double, double> added;
-    if (std::ranges::none_of(study.study_model.effects(), &Effect::of_instrument)) return added;
-    const Prediction truth = study.study_model.flow().predict(
-        study.study_model.flow_parameters(c.fit.parameters), conditions_of(c.readings));
-    const LineValues ideal{"simulated", truth.value, truth.covariance, study.measured.weighting};
-    for (const CohesionLine& line :
-         cohesion_lines(c.readings, ideal, c.grains, *c.liquid, c.cohesion)) {
-        added[line.liquid_content] = -line.reduced_cohesion.value;
-    }
-    for (const CohesionLine& line : study.lines) {
-        if (line.source != "measured") {
-            added[line.liquid_content] += line.reduced_cohesion.value;
-        }
-    }
-    return added;
-}
-
 Figure cohesion_figure(const WetStudy& study, const std::vector<StructuralCohesion>& structural) {
     Panel panel{.x_label = liquid_content_label,
                 .y_label = "reduced cohesion c* = a^2c/F_0, " + force_text(study),
@@ -357,12 +341,11 @@ Figure cohesion_figure(const WetStudy& study, const std::vector<StructuralCohesi
         generalised{.label = "μ*_0Φ_SZ*/π − a^2σ^{cap}_{12}/F_0",
                     .colour = "#b9770e",
                     .symbol = {Shape::star, Filling::hollow}};
-    std::map<double, double> by_instrument = cohesions_by_instrument(study);
     for (const auto& one : structural) {
         for (auto* curve : {&rumpf, &generalised}) {
             const Estimate& estimate = curve == &rumpf ? one.rumpf : one.generalised;
             curve->x.push_back(one.liquid_content);
-            curve->y.push_back(estimate.value + by_instrument[one.liquid_content]);
+            curve->y.push_back(estimate.value);
             curve->y_error.push_back(estimate.standard_error);
         }
     }

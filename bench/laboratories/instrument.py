@@ -194,9 +194,11 @@ def record(shown_steps, cell, rows, noise, faults, seed):
         of_height = 1 + noise.height * math.sqrt(1 - noise.within**2) * random_.gauss(0, 1)
         t = series(random_, rows, noise.memory)
         h = series(random_, rows, noise.memory)
-        spacing = 20.0 / rows * 2 * s.height / (s.speed * (cell.inner + cell.outer))
+        # A wobble once per turn shows in a step of some turns; a strain of 20 is one or two.
+        strain_of_step = 60.0 if faults.wobble else 20.0
+        spacing = strain_of_step / rows * 2 * s.height / (s.speed * (cell.inner + cell.outer))
         for k in range(rows):
-            strain = 20.0 * k / rows
+            strain = strain_of_step * k / rows
             start = 1 - math.exp(-strain / 0.03) + 0.2 * math.exp(-strain / 0.2) * (strain > 0)
             torque = s.torque * of_torque * start * (1 + noise.torque * noise.within * single * t[k])
             torque *= 1 + faults.torque_drift * len(out) / total

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Table of results.csv by each factor of the matrix, written to summary.csv.
 
-rms(error)/rms(stated error) of friction and cohesion comes from laboratories without a fault, as do the
-false findings per study; the share of faults named comes from the others.
+The root mean square of error/(stated error) of friction and cohesion comes from laboratories without a
+fault, as do the false findings per study; the share of faults named comes from the others.
 """
 import csv
 import math
@@ -25,13 +25,14 @@ def ratio(rows, truth, found, stated):
     all_ = numbers(rows, truth, found, stated)
     if not all_:
         return "", 0
-    return f"{rms([f - t for t, f, _ in all_]) / rms([s for _, _, s in all_]):.2f}", len(all_)
+    return f"{rms([(f - t) / s for t, f, s in all_]):.2f}", len(all_)
 
 
 def line(factor, value, rows):
     sound = [r for r in rows if r["fault"] == "none"]
     false = [v for v, in numbers(sound, "false_findings")]
     named = [v for v, in numbers(rows, "named")]
+    told = [max(v) for v in numbers(rows, "named", "could_go_undetected")]
     friction, count = ratio(sound, "friction", "fitted", "stated")
     cohesion, wet = ratio(sound, "cohesion", "fitted_cohesion", "stated_cohesion")
     return {"factor": factor, "value": value, "laboratories": len(rows),
@@ -40,7 +41,8 @@ def line(factor, value, rows):
             "false_findings_per_study": f"{sum(false) / len(false):.3f}" if false else "",
             "studies_with_false_findings": f"{sum(v > 0 for v in false) / len(false):.3f}" if false
             else "", "faulty": len(named),
-            "named": f"{sum(named) / len(named):.2f}" if named else ""}
+            "named": f"{sum(named) / len(named):.2f}" if named else "",
+            "named_or_undetectable": f"{sum(told) / len(told):.2f}" if told else ""}
 
 
 def main():

@@ -12,6 +12,7 @@
 #include "calib/fit/calibration_notes.h"
 #include "calib/fit/common_inertial_number.h"
 #include "calib/fit/study_model.h"
+#include "calib/fit/wet_groups.h"
 #include "calib/model/run_planner.h"
 #include "data/input_error.h"
 #include "data/recordings/common_reason.h"
@@ -163,8 +164,24 @@ bool learn_wet(PlannedModel& model, const Calibration& c) {
     return false;
 }
 
-/// Note that readings of the cohesion lines were brought to another inertial number; empty if none
-/// was.
+/// Text on the inertial number to which the readings of cohesion lines were brought: "at inertial
+/// numbers from 0.01 to 0.03 are brought to the quasi-static limit".
+std::string text_on_inertial_number(const ReadingsAtOneRate& at, double least, double greatest) {
+    return fmt::format(
+        "at inertial numbers from {:.2g} to {:.2g} are brought to {}", least, greatest,
+        at.inertial_number == 0 ? "the quasi-static limit"
+                                : fmt::format("the inertial number {:.3g}", at.inertial_number));
+}
+
+/// Highest inertial number that was simulated [1]; 0 without simulations.
+double fastest_run(const std::vector<dem::RunResult>& runs) {
+    double fastest = 0;
+    for (const dem::RunResult& run : runs)
+        fastest = std::max(fastest, run.parameters.inertial_number);
+    return fastest;
+}
+
+/// Note that readings of the cohesion lines were changed; empty if none was.
 std::optional<std::string> note_on_moved(const ReadingsAtOneRate& at, const Calibration& c) {
     double least = INFINITY, greatest = 0;
     int count = 0;
@@ -176,15 +193,15 @@ std::optional<std::string> note_on_moved(const ReadingsAtOneRate& at, const Cali
         ++count;
     }
     if (count == 0) return {};
-    double fastest = 0;
-    for (const dem::RunResult& run : c.runs)
-        fastest = std::max(fastest, run.parameters.inertial_number);
+    const bool apart = !agree(least, greatest, inertial_number_tolerance) ||
+                       !agree(greatest, at.inertial_number, inertial_number_tolerance);
+    const double fastest = fastest_run(c.runs);
     return fmt::format(
-        "For the cohesion, {} wet readings at inertial numbers from {:.2g} to {:.2g} are brought "
-        "to {} by the difference of the model's predictions, whose error is included{}",
-        count, least, greatest,
-        at.inertial_number == 0 ? "the quasi-static limit"
-                                : fmt::format("the inertial number {:.3g}", at.inertial_number),
+        "For the cohesion, {} wet readings {}{}{} by the difference of the model's predictions, "
+        "whose error is included{}",
+        count, apart ? text_on_inertial_number(at, least, greatest) : "",
+        apart && at.ideal_instrument ? " and " : "",
+        at.ideal_instrument ? "are freed of what the effects of the instrument add" : "",
         fastest > 0 && at.inertial_number > fastest
             ? fmt::format(", but not that of extrapolating: {:.2g} is the highest inertial number "
                           "that was simulated",

@@ -51,12 +51,16 @@ bool wet_readings_have(const std::vector<Reading>& readings, double common) {
 
 /// Indices of the readings that are to be moved to the inertial number `common`. If all steady wet
 /// readings have it as their set point, readings that scatter about it stay where they are.
-/// Otherwise all are moved: a reading 20 % off would bias the line through readings that were.
-std::vector<std::size_t> readings_to_move(const std::vector<Reading>& readings, double common) {
+/// Otherwise all are moved: a reading 20 % off would bias the line through readings that were. All
+/// are moved, too, where effects of the instrument change what it shows.
+std::vector<std::size_t> readings_to_move(const std::vector<Reading>& readings, double common,
+                                          const Predictor& model) {
     const double tolerance = wet_readings_have(readings, common) ? inertial_number_tolerance : 0;
     std::vector<std::size_t> result;
     for (std::size_t k = 0; k < readings.size(); ++k) {
-        if (!agree(readings[k].condition.inertial_number, common, tolerance)) result.push_back(k);
+        if (model.has_instrument() ||
+            !agree(readings[k].condition.inertial_number, common, tolerance))
+            result.push_back(k);
     }
     return result;
 }
@@ -88,13 +92,15 @@ ReadingsAtOneRate as_recorded(double inertial_number, const Calibration& c) {
 
 ReadingsAtOneRate moved_to(double inertial_number, const Predictor& model, const Calibration& c) {
     ReadingsAtOneRate result = as_recorded(inertial_number, c);
-    const auto moved = readings_to_move(c.readings, result.inertial_number);
+    result.ideal_instrument = model.has_instrument();
+    const auto moved = readings_to_move(c.readings, result.inertial_number, model);
     if (moved.empty()) return result;
 
     std::vector<Condition> conditions;  // as recorded, those that move; then all, as moved
     for (const std::size_t k : moved) {
         conditions.push_back(c.readings[k].condition);
         result.readings[k].condition.inertial_number = result.inertial_number;
+        result.readings[k].condition.ideal_instrument = result.ideal_instrument;
         result.moved[k] = true;
     }
     for (const Reading& reading : result.readings)

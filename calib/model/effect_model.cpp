@@ -59,6 +59,10 @@ EffectModel::EffectModel(std::shared_ptr<const FlowPredictor> inside, const Stud
     }
 }
 
+bool EffectModel::has_instrument() const {
+    return std::ranges::any_of(effects_, &Effect::of_instrument);
+}
+
 bool EffectModel::changes_grains() const {
     return std::ranges::any_of(effects_, &Effect::of_grains);
 }
@@ -85,7 +89,8 @@ EffectModel::Truths EffectModel::truths_at(const Eigen::VectorXd& parameters,
                   .imposed = {}};
     for (const Condition& condition : conditions) {
         Condition imposed = condition;
-        InstrumentMap map(touching(truths.effects, condition));
+        InstrumentMap map;
+        if (!condition.ideal_instrument) map = InstrumentMap(touching(truths.effects, condition));
         CellState state;
         if (!map.empty()) {
             state =

@@ -39,6 +39,7 @@ class EffectModel : public Predictor {
     Prediction predict(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
                        PredictionPart what = PredictionPart::covariance) const override;
     ParameterBounds bounds() const override;
+    bool has_instrument() const override;
 
     /// Returns the covariances that simulation errors cause in a change of predictions: prediction
     /// of the present model minus prediction of the model `without`. The model `without` has the

@@ -34,6 +34,9 @@ class Predictor {
     /// of an effect, its allowed values.
     virtual ParameterBounds bounds() const = 0;
 
+    /// Whether effects of the instrument change what it shows (`Condition::ideal_instrument`).
+    virtual bool has_instrument() const { return false; }
+
     /// Predicted stress ratio [1] (index 0) and solid fraction [1] (index 1) at one condition, with
     /// the covariance matrix of their errors.
     struct Point {

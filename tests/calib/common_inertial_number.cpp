@@ -180,6 +180,42 @@ TEST(CommonInertialNumber, IsTheLowestWhereThereIsNoQuasiStaticLimit) {
     EXPECT_NEAR(c.cohesion_lines[0].reduced_cohesion.value, cohesion, 1e-9);
 }
 
+/// The law, shown by an instrument whose torque has an offset of 30 Pa.
+class WithOffset : public RateLaw {
+  public:
+    bool has_instrument() const override { return true; }
+    Prediction predict(const Eigen::VectorXd& p, const std::vector<Condition>& conditions,
+                       PredictionPart what) const override {
+        Prediction result = RateLaw::predict(p, conditions, what);
+        for (std::size_t k = 0; k < conditions.size(); ++k)
+            if (!conditions[k].ideal_instrument)
+                result.value(2 * static_cast<Eigen::Index>(k)) += 30;
+        return result;
+    }
+};
+
+TEST(CommonInertialNumber, FreesReadingsOfTheInstrument) {
+    for (const bool at_one_number : {false, true}) {
+        std::vector<Reading> readings = at_constant_speed();
+        for (Reading& r : readings) {
+            if (at_one_number) r.condition.inertial_number = 0.01;
+            r.value = WithOffset()
+                          .predict(Eigen::VectorXd::Constant(1, friction), {r.condition}, {})
+                          .value;
+        }
+        Calibration c{.readings = readings, .grains = grains, .liquid = water};
+        c.fit.parameters = Eigen::VectorXd::Constant(1, friction);
+        c.fit.covariance = Eigen::MatrixXd::Constant(1, 1, 1e-4);
+        c.prediction = predict_readings(WithOffset(), c);
+        add_cohesion_lines(WithOffset(), c);
+        ASSERT_EQ(c.cohesion_lines.size(), 2u);
+        for (const CohesionLine& line : c.cohesion_lines)
+            EXPECT_NEAR(line.cohesion.value, cohesion * unit, 1e-6);
+        ASSERT_EQ(c.cohesion_notes.size(), 1u);
+        EXPECT_THAT(c.cohesion_notes[0], testing::HasSubstr("effects of the instrument"));
+    }
+}
+
 /// The law with b fitted.
 class FittedRate : public RateLaw {
   public:
