@@ -8,16 +8,14 @@
 
 namespace pendular::app {
 
-/// Returns a text that warns against the use of a fit and states the most serious reason in
-/// `belief`: "Do not use the fitted intergranular friction coefficient, 0.196 +- 0.005. The model
-/// does not describe ...". Returns an empty text if `belief` contains no reason against the fit.
+/// Returns a warning against the use of a fit, with the most serious reason in `belief`: "Do not
+/// use the fitted intergranular friction coefficient, 0.196 +- 0.005. The model does not describe
+/// ...". Empty if there is no reason against the fit.
 /// @param what name and value of the fitted quantity, as in the example
 std::string warning_on(const Belief& belief, const std::string& what);
 
-/// Prints the reasons not to believe a fit, one reason per line.
-/// @param named_already number of reasons, from the first on, that the command has already printed
-///        and that are therefore left out
-/// @param heading text before each reason
+/// Prints the reasons not to believe a fit, one per line, each after `heading`.
+/// @param named_already number of reasons, from the first on, that the command has printed before
 void print_doubts(Console& console, const Belief& belief, std::size_t named_already = 0,
                   const std::string& heading = "Warning: ");
 

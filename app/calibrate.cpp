@@ -188,7 +188,7 @@ int calibrate(const std::vector<std::string>& arguments) {
     auto json = to_json(c, comparison);
     add_belief(json, belief);
     console.json(json);
-    constexpr double significant = 0.05;
+    constexpr double significant = 0.05;  // as in the diagnosis (`DiagnosisOptions`)
     if (replicate_groups(c.readings).size() < 2) {
         console.note(
             "All readings are at one condition: nothing tests the model. Measure at two or more "

@@ -8,26 +8,20 @@
 
 namespace pendular::app {
 
-/// Returns the names of the files and folders that `pendular add` and `pendular drop` write into
-/// the results folder: fit.json, fit_runs.csv, ladder.json and figures.
+/// Returns the names of files and folders that `pendular add` and `pendular drop` write to the
+/// results folder.
 std::vector<std::filesystem::path> outputs_of_change();
 
-/// Adds an effect to the model of a session's study or drops an effect, and fits the model before
-/// and after the change. The function passes on the exceptions of `Session::add` and
-/// `Session::drop`, which it calls.
-/// @param same_fidelity whether to use the simulation settings of the fit in the results folder, if
-///        there is a fit
+/// Calls `Session::add` or `Session::drop`, and passes on their exceptions.
 ChangedStudy change_effects(const Session& session, Action action, const std::string& effect,
                             const FitOptions& fit, bool same_fidelity);
 
-/// Returns a sentence on the result of adding an effect to a study's model or dropping an effect.
-/// The sentence states chi2 per degree of freedom and the relative RMS error of shear stress before
-/// and after the change. If the fit did not converge, the sentence says that the study is
+/// Returns a sentence on the result of a change: chi2 per degree of freedom and the relative RMS
+/// error of shear stress before and after it or, if the fit did not converge, that the study is
 /// unchanged.
 std::string answer_on(const ChangedStudy& changed);
 
-/// Draws the figure of a ladder (the sequence of a study's models) to a folder, and returns the
-/// name of the figure.
+/// Draws the figure of a ladder to a folder, and returns the name of the figure.
 /// @throws std::runtime_error if gnuplot is missing or fails, or if a file cannot be written
 std::string draw_ladder(const Ladder& ladder, const std::filesystem::path& folder);
 

@@ -9,9 +9,8 @@ namespace pendular::app {
 /// --cohesion-inertial-number.
 class CohesionLineOptions {
   public:
-    /// Declares the options.
-    /// @param otherwise what is done without an option, for the help: "as calibrated"; empty: the
-    ///        defaults of `CohesionOptions`
+    /// @param otherwise effect of leaving the options out, for the help: "as calibrated"; empty:
+    ///        the defaults of `CohesionOptions`
     CohesionLineOptions(Options& options, const std::string& otherwise = {});
     /// Whether the command line has one of the options.
     static bool given(const Options& options);

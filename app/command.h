@@ -11,13 +11,12 @@
 
 namespace pendular::app {
 
-/// Subcommand of the program `pendular`, such as `calibrate`: the name and the summary for the help
-/// text, and the function that runs the command.
+/// Subcommand of the program `pendular`, such as `calibrate`.
 struct Command {
     std::string_view name;
-    std::string_view summary;
-    /// Function that runs the command with the arguments after the command's name, and returns the
-    /// exit code of the program, an `ExitCode`. The function throws InputError for wrong input.
+    std::string_view summary;  ///< for the help text
+    /// Runs the command with the words after its name, and returns an `ExitCode`. Throws InputError
+    /// for wrong input.
     int (*run)(const std::vector<std::string>& arguments);
 };
 
@@ -52,11 +51,8 @@ const std::vector<CommandGroup>& command_groups();
 
 /// Texts on the program as a whole, for its help text and its manual page, with line ends.
 struct ProgramTexts {
-    /// Text that says what the program does.
     const char* about;
-    /// Part of the help text that shows a new user the commands of a first session.
-    const char* session;
-    /// Text on the exit codes of the program and their meaning.
+    const char* session;  ///< commands of a first session
     const char* exit_codes;
 };
 extern const ProgramTexts program_texts;
@@ -73,9 +69,8 @@ enum ExitCode {
     interrupted = 130
 };
 
-/// Runs the program `pendular` and returns the exit code. Prints the text of exceptions on standard
-/// error. Throws no std::exception.
-/// @param arguments arguments of the program on the command line, the command's name first
+/// Runs the program with the arguments of the command line, the command's name first, and returns
+/// the exit code. Prints the text of exceptions on standard error. Throws no std::exception.
 int run_program(const std::vector<std::string>& arguments);
 
 }  // namespace pendular::app

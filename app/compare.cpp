@@ -120,7 +120,7 @@ int compare(const std::vector<std::string>& arguments) {
         if (draw(figure, out / "figures")) drawn_figures.push_back(figure.name);
     }
     console.figures(out / "figures", drawn_figures);
-    constexpr double significant = 0.05;
+    constexpr double significant = 0.05;  // as in the diagnosis (`DiagnosisOptions`)
     const bool fits = belief.believable() && comparison.total.p() >= significant;
     if (replicate_groups(c.readings).size() > 1) {
         console.next(fmt::format("pendular {} {}",

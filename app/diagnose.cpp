@@ -340,6 +340,12 @@ int diagnose(const std::vector<std::string>& arguments) {
     }
     print_notes(console, d, measurements, common->study_word());
     note_bounds(console, d, session->study());
+    const bool named =
+        diagnosis.verdict == Verdict::missing || diagnosis.verdict == Verdict::indistinguishable;
+    if (const auto& cell = session->study().cell; named && cell) {
+        for (const std::string& note : implausible_offsets(diagnosis, models, d.readings, *cell))
+            console.note(note);
+    }
     const auto figures = common->out_folder() / "figures";
     std::vector<Figure> drawn = {diagnosis_figure(diagnosis, models)};
     std::ranges::move(scan_figures(diagnosis, models), std::back_inserter(drawn));

@@ -10,21 +10,20 @@
 
 namespace pendular::app {
 
-/// Function that returns the reason, as text for messages, why a physical effect cannot be switched
-/// on in a command. The text is empty if the effect can be switched on.
+/// Function that returns the reason, as text for messages, why an effect cannot be switched on in a
+/// command; empty if it can.
 using WhyNot = std::function<std::string(const Effect&)>;
 
-/// Command-line options --EFFECT.PARAMETER, one for each parameter of every built-in physical
-/// effect that a command can switch on. The value of an option is a number with its unit, or a
-/// plain number in the SI unit of the parameter.
+/// Command-line options --EFFECT.PARAMETER, one for each parameter of every built-in effect that a
+/// command can switch on. The value is a number with its unit, or a plain number in the SI unit of
+/// the parameter.
 class EffectOptions {
   public:
     /// Adds the options to a command, and checks the names of effects and parameters in
     /// `arguments`.
     /// @param arguments words of the command line
     /// @param meaning heading above these options in the help text
-    /// @param why_not function that returns the reason why an effect has no option in this command;
-    ///        empty: every effect has options
+    /// @param why_not reason why an effect has no option in this command; empty: all have options
     /// @throws InputError if an argument names an effect or parameter that does not exist, or an
     ///         effect for which `why_not` returns a reason
     EffectOptions(Options& options, const std::vector<std::string>& arguments,
@@ -39,19 +38,16 @@ class EffectOptions {
     std::vector<ActiveEffect> effects() const;
 
   private:
-    /// Values of the options as the user typed them. The key is "EFFECT.PARAMETER". The text is
-    /// empty if the user did not give the option.
+    /// Values as the user typed them, empty if not given. The key is "EFFECT.PARAMETER".
     std::map<std::string, std::string> words_;
 };
 
-/// Returns the names of all built-in physical effects.
+/// Returns the names of all built-in effects.
 std::vector<std::string> names_of_effects();
 
-/// Returns an option for the examples in a help text, "--EFFECT.PARAMETER VALUE". The effect is the
-/// first effect for which `wanted` returns true. The option sets the first parameter of this effect
-/// to the value at which the effect has its smallest size of interest. Empty if `wanted` returns
-/// false for every effect.
-/// @param wanted function that returns whether an effect may be the example
+/// Returns an option for the examples in a help text, "--EFFECT.PARAMETER VALUE": the first
+/// parameter of the first `wanted` effect, at the value of its smallest size of interest. Empty if
+/// no effect is wanted.
 std::string example_of(const std::function<bool(const Effect&)>& wanted);
 
 }  // namespace pendular::app

@@ -11,30 +11,25 @@
 namespace pendular::app {
 
 /// Options of `pendular import FILE`, which state how the file is to be read and which files are to
-/// be written.
+/// be written. An empty path: nothing is written.
 struct ImportFileOptions {
     std::string layout, encoding, sheet, decimal;
-    /// Names and units of the file's columns as the user states them: header cells `name [unit]`,
-    /// separated by semicolons, or an array as in study.toml.
+    /// Names and units of the file's columns: header cells `name [unit]`, separated by semicolons,
+    /// or an array as in study.toml.
     std::string columns;
-    /// Folder of the new study that is made from the file. If the text is empty, no study is made.
-    std::string study;
-    /// CSV file to which all rows of the file are written in SI units. If the text is empty, no CSV
-    /// file is written.
-    std::string tidy;
-    /// Folder for the figures of the file or study. If the text is empty, no figures are drawn.
-    std::string figures;
+    std::string study;    ///< folder of the new study that is made from the file
+    std::string tidy;     ///< CSV file for all rows of the file in SI units
+    std::string figures;  ///< folder for the figures of the file or study
 
     /// Adds the options to the command line of `pendular import`.
     void declare(Options& options);
-    /// Checks, for the import of a study, that the user gave no option that applies to a single
-    /// file only, such as --layout. The option --figures is allowed.
-    /// @throws InputError if an option for a single file was given; the message says that
-    ///         study.toml must state the setting instead
+    /// Checks, for the import of a study, that the user gave no option for a single file, such as
+    /// --layout. The option --figures is allowed.
+    /// @throws InputError if one was given; the message says that study.toml must state the setting
     void refuse_for_studies(const Options& options) const;
 };
 
-/// Draws figures to files in a folder, and prints the names of the figures on the console.
+/// Draws figures to files in a folder, and prints their names on the console.
 void draw_all(const std::vector<Figure>& figures, const std::filesystem::path& folder,
               Console& console);
 
@@ -43,8 +38,7 @@ void draw_all(const std::vector<Figure>& figures, const std::filesystem::path& f
 bool is_bare_file(const std::filesystem::path& path);
 
 /// Runs `pendular import FILE` and returns the exit code. Prints the layout, the columns, the
-/// intervals (steps of constant set points) and the faults of a file of measurements. If the user
-/// requested a new study, makes the study from the file.
+/// intervals and the faults of the file, and makes the new study that the user requested.
 /// @throws InputError if the file cannot be read, if --layout or --decimal has an unknown value, if
 ///         the folder for the new study already contains a file of the new study, or if the file of
 ///         --tidy cannot be written or contains anything other than an earlier table of --tidy

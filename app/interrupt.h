@@ -5,10 +5,9 @@
 
 namespace pendular::app {
 
-/// Handler that turns the signals SIGINT (Ctrl-C), SIGTERM and SIGHUP into a request to stop, so
-/// that long computations end in order and leave no half-written file. The program ends at most 20
-/// s after the first signal, even if a computation does not check `token`. A second signal ends the
-/// program at once.
+/// Turns the signals SIGINT (Ctrl-C), SIGTERM and SIGHUP into a request to stop, so that long
+/// computations end in order and leave no half-written file. The program ends at most 20 s after
+/// the first signal, even if a computation does not check `token`. A second signal ends it at once.
 class InterruptGuard {
   public:
     InterruptGuard();

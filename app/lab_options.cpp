@@ -61,10 +61,11 @@ void take_list(const Word& word, std::vector<double>& values) {
 LabOptions::LabOptions(Options& options) {
     options.add("friction", &friction_,
                 "hidden friction coefficient between grains [1] (default 0.09)");
-    options.add("like", &like_,
-                "take beads, liquid, cell, set points and their order, number of replicates, rows, "
-                "strain and scatter from this study; other options replace single values",
-                a_study());
+    options.add(
+        "like", &like_,
+        "take beads, liquid, cell, set points and their order, number of replicates, rows, "
+        "strain and scatter from this study; options other than set points replace single values",
+        a_study());
     declare_set_points(options);
     declare_instrument(options);
     declare_beads(options);

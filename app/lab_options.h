@@ -13,7 +13,6 @@ namespace pendular::app {
 /// noise and drifts. Values are texts with units, as the user typed them.
 class LabOptions {
   public:
-    /// Declares the options.
     explicit LabOptions(Options& options);
 
     /// Returns the plan that the options state. With --like, it begins with the study's set points

@@ -16,26 +16,23 @@
 
 namespace pendular::app {
 
-/// Returns the paths to which a command writes: the folder for results, the paths `files` in this
-/// folder, and the JSON file that option --json names.
-/// @param options values of the command-line options
+/// Returns the paths to which a command writes: the results folder, `files` in it, and the file of
+/// --json.
 OutputPlaces places_of(const CommonOptions& options, std::vector<std::filesystem::path> files);
 
-/// Sets in `fit` whether new simulations at the fitted parameters check a fit, and how long these
-/// simulations may take.
+/// Sets in `fit` whether new simulations at the fitted parameters check a fit, and for how long.
 /// @param seconds longest computing time of these simulations [s]; infinity: no limit; empty: no
 ///        simulation checks the fit
 void set_confirmation(const std::optional<double>& seconds, FitOptions& fit);
 
-/// Session in which one command works on a study (recordings and study.toml). The session opens the
-/// user's store (SQLite file that keeps simulations). Progress of computations appears on the
+/// Session in which one command works on a study, with the user's store. Progress appears on the
 /// console, or is passed to a callback. Ctrl-C, or a stop request, ends long computations without
 /// half-written files.
 class OpenSession {
   public:
     enum class Access { reads, changes };
-    /// Reads the study `options.study`, and opens the user's store (SQLite file of simulations).
-    /// @param files paths in the folder for results that the command writes to
+    /// Reads the study `options.study`, and opens the store.
+    /// @param files paths in the results folder that the command writes to
     /// @param seed seed of all random numbers, 0 or more
     /// @param access whether the command changes the study or its fit; a command with `changes`
     ///        waits until no other command is changing the study
@@ -43,23 +40,13 @@ class OpenSession {
     ///         store, or if a result would replace a file that the study reads
     /// @throws std::runtime_error if a store that the user named cannot be written, or if the wait
     ///         takes longer than a minute or $PENDULAR_LOCK_SECONDS [s]
-    /// @throws dem::Interrupted if the user stops the command while the command waits
+    /// @throws dem::Interrupted if the user stops the command while it waits
     OpenSession(Console& console, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
                 Access access = Access::reads);
-    /// Opens a session without a console, such as for `pendular serve`: reads the study
-    /// `options.study`, and opens the user's store (SQLite file of simulations).
-    /// @param stop token; long computations end if a stop is requested through the token
+    /// Opens a session without a console, such as for `pendular serve`; else as above.
+    /// @param stop long computations end if a stop is requested through the token
     /// @param listener callback for notes and progress; may be empty
-    /// @param files paths in the folder for results that the command writes to
-    /// @param seed seed of all random numbers, 0 or more
-    /// @param access whether the command changes the study or its fit; a command with `changes`
-    ///        waits until no other command is changing the study
-    /// @throws InputError for a mistake in the study's files, a negative seed or an unreadable
-    ///         store, or if a result would replace a file that the study reads
-    /// @throws std::runtime_error if a store that the user named cannot be written, or if the wait
-    ///         takes longer than a minute or $PENDULAR_LOCK_SECONDS [s]
-    /// @throws dem::Interrupted if a stop is requested while the command waits
     OpenSession(const std::stop_token& stop, const Listener& listener, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
                 Access access = Access::reads);
@@ -70,16 +57,15 @@ class OpenSession {
     const Session& operator*() const { return session_; }
 
   private:
-    /// Opens a session with or without handling of signals, for the public constructors.
-    /// @param guard handler of signals such as Ctrl-C; null: only `stop` ends computations
+    /// For the public constructors.
+    /// @param guard null: only `stop` ends computations
     OpenSession(std::unique_ptr<InterruptGuard> guard, const std::stop_token& stop,
                 const Listener& listener, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed, Access access);
 
     std::unique_ptr<InterruptGuard> guard_;
     std::unique_ptr<StudyLock> lock_;
-    /// Study as read from its files, until `session_` takes the study over.
-    StudyInput input_;
+    StudyInput input_;  ///< until `session_` takes it over
     std::unique_ptr<RunStore> store_;
     Session session_;
 };

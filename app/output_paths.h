@@ -5,8 +5,7 @@
 
 namespace pendular::app {
 
-/// Checks, before a long computation, that `path` can be written, as a folder if `folder` is true,
-/// else as a file. Creates nothing.
+/// Checks, before a long computation, that a folder or a file can be written. Creates nothing.
 /// @throws InputError if `path` is empty or cannot be written; the message names `option`, the
 ///         command-line option that gave the path
 void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder);
@@ -16,10 +15,10 @@ void demand_writable(const std::filesystem::path& path, const std::string& optio
 /// @throws InputError if the file contains anything else, such as a recording
 void demand_table(const std::filesystem::path& file, const std::string& first);
 
-/// Checks that writing JSON to `file`, which the option `option` names, replaces nothing but JSON.
-/// A missing or empty file is accepted.
-/// @throws InputError if the first character of the file shows that the file is not JSON but, for
-///         example, a recording
+/// Checks that writing JSON to `file` replaces nothing but JSON, by its first character. A missing
+/// or empty file is accepted.
+/// @throws InputError if the file is something else, such as a recording; the message names
+///         `option`
 void demand_json(const std::filesystem::path& file, const std::string& option);
 
 }  // namespace pendular::app

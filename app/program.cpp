@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -109,7 +110,11 @@ int run_command(const std::vector<std::string>& arguments) {
 int run_program(const std::vector<std::string>& arguments) {
     // Ceres logs problems inside a fit; the user is to read only the messages of commands.
     FLAGS_minloglevel = google::GLOG_FATAL;
+    // A reader that has seen enough, such as 'head', must not end the program before its files are
+    // written.
+    std::signal(SIGPIPE, SIG_IGN);
     const int code = run_command(arguments);
+    if (reader_has_left()) return code;
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
         print_error("pendular failed: ", "standard output cannot be written");
         return program_failed;

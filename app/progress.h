@@ -12,22 +12,18 @@ namespace pendular::app {
 /// command after ": pendular ".
 std::string as_sentence(std::string text);
 
-/// Returns the text of a duration for messages: "40 s", "1 min 20 s", "3 h 5 min".
-/// @param seconds duration [s]
+/// Returns a duration for messages: "40 s", "1 min 20 s", "3 h 5 min".
 std::string duration(double seconds);
 
-/// Returns a sentence on the progress of a computation that `event` reports: the stage that begins,
-/// the share of simulations done, the fitted friction coefficient at the end of a round (new
-/// simulations, then a fit), or the number of refits to do. Returns an empty text for a note or a
-/// single refit.
+/// Returns a sentence on the progress that `event` reports: the stage that begins, the share of
+/// simulations done, the friction coefficient at the end of a round, or the number of refits to do.
+/// Empty for a note or a single refit.
 std::string progress_sentence(const Event& event);
 
-/// Returns the finished share of a computation's simulations or refits [1], if `event` reports this
-/// share. Returns nothing for any other event.
+/// Returns the finished share of simulations or refits [1], if `event` reports one.
 std::optional<double> progress_share(const Event& event);
 
-/// Returns a text on simulations in progress that states the share done, the number done and the
-/// time left, such as "45 %, 1 of 3 simulations done, 20 s left".
+/// Returns a text such as "45 %, 1 of 3 simulations done, 20 s left".
 std::string progress_numbers(const EnsembleProgress& progress);
 
 }  // namespace pendular::app

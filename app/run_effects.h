@@ -11,13 +11,12 @@
 
 namespace pendular::app {
 
-/// Physical effects of a single simulation, set by command-line options. The user gives the
-/// parameters of the effects with their units. Reference quantities (the scale) make the parameters
-/// dimensionless: diameter and density of the grains, normal stress, and surface tension.
+/// Effects of a single simulation, set by command-line options with units. The parameters become
+/// dimensionless by the scale: diameter and density of the grains, normal stress, and surface
+/// tension.
 class RunEffects {
   public:
-    /// Adds the options for the effects, --EFFECT.PARAMETER, and for the scale (grains, normal
-    /// stress, surface tension) to a command.
+    /// Adds the options --EFFECT.PARAMETER and those of the scale to a command.
     /// @param arguments words of the command line
     /// @throws InputError if an argument names an effect or parameter that does not exist, or an
     ///         effect that a single simulation cannot have
@@ -29,11 +28,9 @@ class RunEffects {
     ///         cannot change this simulation
     dem::RunParameters changed(const dem::RunParameters& run, const Options& options);
 
-    /// Prints the effects that `RunEffects::changed` applied. If the effects changed the friction
-    /// coefficient or the reduced pressure, also prints the new value. If an effect has parameters
-    /// in SI units, also prints the scale (grains, normal stress, surface tension). If no effect
-    /// has such parameters but the user gave the scale, prints a note that the scale changes
-    /// nothing.
+    /// Prints the effects that `changed` applied, a friction coefficient or reduced pressure that
+    /// they changed and, if an effect has parameters in SI units, the scale. If none has but the
+    /// user gave the scale, prints a note that the scale changes nothing.
     /// @param changed parameters of the simulation with the effects
     void print(Console& console, const dem::RunParameters& changed) const;
     /// Adds to the JSON of a simulation the key `effects` and, if an effect has parameters in SI
@@ -48,17 +45,12 @@ class RunEffects {
     EffectOptions options_;
     std::vector<ActiveEffect> effects_;
     RunScale scale_;
-    /// Whether an effect has parameters in SI units, which `scale_` makes dimensionless.
-    bool scaled_ = false;
-    /// Whether the user gave an option for a quantity of `scale_`, such as the grain diameter.
-    bool scale_given_ = false;
-    /// Parameters of the simulation before the effects were applied.
-    dem::RunParameters without_;
+    bool scaled_ = false;         ///< whether an effect has parameters in SI units
+    bool scale_given_ = false;    ///< whether the user gave a quantity of `scale_`
+    dem::RunParameters without_;  ///< before the effects were applied
 };
 
-/// Returns an option for the examples in a help text, "--EFFECT.PARAMETER VALUE". The option sets
-/// the first parameter of an effect to the value at which the effect has its smallest size of
-/// interest. The effect is the first built-in effect on grains that is not a switch (on or off).
+/// Returns the `example_of` the first built-in effect on grains that is not a switch (on or off).
 std::string example_of_run();
 
 }  // namespace pendular::app

@@ -10,9 +10,8 @@
 
 namespace pendular::app {
 
-/// Opens the user's store, the SQLite file that keeps simulations. If the user named no store and
-/// the folder of the default store cannot be written, prints a note on standard error and returns
-/// null.
+/// Opens the user's store. If the user named none and the folder of the default store cannot be
+/// written, prints a note on standard error and returns null.
 /// @throws InputError if the file is not a store, is corrupt or is from a newer version of Pendular
 /// @throws std::runtime_error if a store that the user named cannot be written
 std::unique_ptr<RunStore> open_store(const CommonOptions& options);
@@ -23,8 +22,7 @@ std::unique_ptr<RunStore> open_store(const CommonOptions& options);
 std::shared_ptr<const TrainingRuns> training_runs(const CommonOptions& options,
                                                   const RunStore* store);
 
-/// Converts a word of the command line to the number of a stored simulation. Does not check that
-/// the store (the user's file of simulations) has a simulation with this number.
+/// Converts a word of the command line to the number of a run, which the store need not have.
 /// @throws InputError if the word is not a whole number
 std::int64_t run_number(const std::string& word);
 

@@ -8,15 +8,14 @@
 
 namespace pendular::app {
 
-/// Lock of a study. Each command that changes the study locks the study first, so that these
-/// commands run one after the other. A study in a folder without write permission is not locked,
-/// since no command can change the study.
+/// Lock of a study, which each command that changes the study takes first, so that these commands
+/// run one after the other. A study in a folder without write permission is not locked, since no
+/// command can change it.
 class StudyLock {
   public:
     /// Locks a study. If another process has the lock, prints a line that names this process and
     /// waits for at most a minute or $PENDULAR_LOCK_SECONDS [s].
     /// @param folder folder of the study
-    /// @param stop token through which a stop of the waiting is requested
     /// @throws dem::Interrupted if a stop is requested while waiting
     /// @throws std::runtime_error if another process keeps the lock for longer than the waiting
     ///         time

@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+#include <cerrno>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
+#include <string>
+#include <system_error>
 
 #include "app/command.h"
 #include "data/files/printable.h"
@@ -23,11 +28,19 @@ std::string shortened(std::string_view text) {
     return fmt::format("{} ... {}", text.substr(0, part), text.substr(text.size() - part));
 }
 
+std::atomic<bool> reader_left = false;
+
 }  // namespace
 
 void print_line(std::FILE* stream, std::string_view text) {
-    fmt::print(stream, "{}\n", printable(text));
-    std::fflush(stream);
+    const std::string line = fmt::format("{}\n", printable(text));
+    const bool written =
+        std::fwrite(line.data(), 1, line.size(), stream) == line.size() && std::fflush(stream) == 0;
+    if (!written && errno == EPIPE) reader_left = true;
+}
+
+bool reader_has_left() {
+    return reader_left;
 }
 
 void print_error(std::string_view prefix, std::string_view message) {
@@ -47,6 +60,18 @@ int report_exception() {
     } catch (const dem::Interrupted& interruption) {
         print_error("\n", interruption.what());
         return interrupted;
+    } catch (const std::filesystem::filesystem_error& error) {
+        // What the user named cannot be followed: a link to itself, a name that is too long.
+        print_error("error: ", fmt::format("{}: {}: check this path and its links",
+                                           error.path1().string(), error.code().message()));
+        return wrong_input;
+    } catch (const std::system_error& error) {
+        if (error.code() == std::errc::broken_pipe) {  // from fmt::print
+            reader_left = true;
+            return done;
+        }
+        print_error("pendular failed: ", error.what());
+        return program_failed;
     } catch (const std::bad_alloc&) {
         print_error("pendular failed: ", "the memory is not enough for this command");
         return program_failed;

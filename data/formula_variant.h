@@ -6,20 +6,16 @@
 
 namespace pendular {
 
-/// Variant of a formula that is misprinted in Badetti et al. (2018). The variant `derived` follows
-/// from the definitions in the paper. The variant `as_printed` is the formula as the paper prints
-/// it.
+/// Variant of a formula that is misprinted in Badetti et al. (2018): `derived` follows from the
+/// definitions in the paper, `as_printed` is the formula as the paper prints it.
 enum class FormulaVariant { derived, as_printed };
 
-/// Returns the names of the formula variants, which study.toml, the command line and JSON use:
-/// first "derived" (the default), second "as_printed".
+/// Returns the names used in study.toml, on the command line and in JSON, in the order of the enum.
 const std::vector<std::string>& formula_variant_names();
-/// Returns the name of a formula variant: "derived" or "as_printed".
 const std::string& to_string(FormulaVariant form);
 
-/// Returns the formula variant with the name "derived" or "as_printed".
-/// @throws InputError for every other name. The message suggests the name that was probably meant,
-///         or lists both names.
+/// Returns the formula variant with a given name.
+/// @throws InputError for an unknown name, with a suggestion
 FormulaVariant formula_variant_named(std::string_view name);
 
 }  // namespace pendular

@@ -12,7 +12,8 @@
 namespace pendular {
 namespace {
 
-/// Whether `name` is the unit `si` times an SI unit. A prefix before "m^2" or "1/s" is not.
+/// Whether `name` is the unit `si` times an SI unit, but for rounding. A prefix before "m^2" or
+/// "1/s" is not.
 bool is_multiple(const std::string& name, double si, const std::string& si_unit) {
     try {
         const Unit unit(name);

@@ -6,32 +6,26 @@
 
 namespace pendular {
 
-/// Unit in which values of a quantity are printed, with the size of the unit in the quantity's SI
-/// unit.
+/// Unit in which values of a quantity are printed.
 struct PrintedUnit {
-    std::string name;  ///< name of the printed unit, such as "mN m"; "1": dimensionless
+    std::string name;  ///< such as "mN m"; "1": dimensionless
     double si = 1;     ///< size of one printed unit in the SI unit: 0.001 for "mN m"
 };
 
-/// Returns the unit in which all values of a parameter of a physical effect are printed. An angle
-/// is printed in degrees. Every other parameter is printed in its SI unit. The SI unit gets the
-/// prefix m (milli) if both bounds of the parameter are below 1 in magnitude, and u (micro) if both
-/// bounds are below 0.001. Numbers without dimension, and units such as "kg" and "m^2", get no
-/// prefix.
+/// Returns the unit in which all values of a parameter are printed: degrees for an angle, otherwise
+/// its SI unit, with the prefix m if both bounds are below 1 in magnitude and u if both are below
+/// 0.001. Numbers without dimension, and units such as "kg" and "m^2", get no prefix.
 PrintedUnit printed_unit(const EffectParameter& parameter);
 
-/// Returns a value [SI unit] of an effect's parameter as text in the printed unit (`printed_unit`),
-/// with four significant digits, such as "0.1 mN m" or "10 deg". The text has no unit if the
-/// parameter is dimensionless.
+/// Returns a value [SI unit] in the printed unit with four significant digits, such as "0.1 mN m"
+/// or "10 deg", or "0.3" for a dimensionless parameter.
 std::string printed_value(double value, const EffectParameter& parameter);
 
-/// Returns a value [SI unit] of an effect's parameter as one argument of a shell command, in the
-/// printed unit (`printed_unit`). If the value has a unit, the text is in double quotes, which are
-/// part of the text: "10 deg".
+/// Returns `printed_value` as one argument of a shell command: a text with a unit is in double
+/// quotes, which are part of the text.
 std::string printed_word(double value, const EffectParameter& parameter);
 
-/// Returns the lower and upper bound of an effect's parameter as text in the printed unit
-/// (`printed_unit`), such as "-100 to 100 mN m".
+/// Returns the bounds of a parameter in the printed unit, such as "-100 to 100 mN m".
 std::string printed_bounds(const EffectParameter& parameter);
 
 }  // namespace pendular

@@ -10,9 +10,8 @@
 namespace pendular {
 
 /// Returns the figures of `pendular compare`: dry readings, wet readings, predicted against
-/// measured values (`parity`), residuals, contributions to chi2, and fitted parameters. A reading
-/// is the measured shear stress and solid fraction at one condition. The predictions are those of
-/// the fitted model with all effects that the study lists.
+/// measured values (`parity`), residuals, contributions to chi2, and fitted parameters. The
+/// predictions are those of the fitted model with all effects of the study.
 std::vector<Figure> comparison_figures(const StudyModel& model, const Calibration& calibration,
                                        const Comparison& comparison);
 

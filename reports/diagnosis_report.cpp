@@ -168,6 +168,7 @@ std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) 
 /// Names of the effects each of which would take at least half of a large misfit, though the errors
 /// of the readings are known too badly to test it.
 std::vector<std::string> untested_effects(const Diagnosis& d, const ModelSpace& space) {
+    // `Steps::inconclusive` advises repeats from the same chi2/dof on.
     constexpr double large = 2, most = 0.5;
     std::vector<std::string> names;
     if (chi2_per_dof(d.chi2, d.dof) < large) return names;
@@ -242,7 +243,7 @@ std::string closest_rival_line(const Diagnosis& d, const ModelSpace& space) {
         });
         if (!named && (closest == nullptr || each.chi2 < closest->chi2)) closest = &each;
     }
-    constexpr double close = 0.9;
+    constexpr double close = 0.9;  // as `most_of_misfit`
     if (closest == nullptr || share_explained(d.chi2, d.dof, *closest) < close) return "";
     return fmt::format(
         "The next-best effect, {}, would leave chi2/dof at {:.2f}; the readings rule it out.",

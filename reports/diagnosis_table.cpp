@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "reports/failure_report.h"
 #include "reports/with_error.h"
@@ -32,12 +33,13 @@ std::string estimate_of(const Diagnosis& d, const Finding& finding, const ModelS
     const std::string& unit = candidate.parameters.front().unit;
     const auto first = static_cast<Eigen::Index>(d.fit.parameters.size());
     const Explanation* const refit = refit_with(d, finding.candidate);
-    const EffectParameter& p = candidate.parameters.front();
-    const bool determined = refit && refit->fit.parameters.size() > first &&
-                            refit->fit.standard_error(first) > 0 &&
-                            refit->fit.standard_error(first) < p.upper - p.lower;
-    if (determined) {
-        return with_error(refit->fit.parameters(first), refit->fit.standard_error(first), unit);
+    if (refit && refit->fit.parameters.size() > first) {
+        const EffectParameter& p = candidate.parameters.front();
+        const Fit& fit = refit->fit;
+        const bool at_bound =
+            first < std::ssize(fit.at_bound) && fit.at_bound[static_cast<std::size_t>(first)];
+        return estimate_text(fit.parameters(first), fit.standard_error(first), unit,
+                             p.upper - p.lower, at_bound);
     }
     return finding.standard_error > 0
                ? with_error(finding.value, finding.standard_error, unit)
@@ -50,6 +52,48 @@ std::string remaining_chi2_text(const Diagnosis& d, const Finding& finding,
     const auto added = static_cast<int>(space.candidates()[finding.candidate].free_parameters());
     return fmt::format("{}{:.2f}", finding.refitted_reduction ? "" : "~",
                        std::max(0.0, d.chi2 - reduction) / std::max(1, d.dof - added));
+}
+
+namespace {
+
+/// Largest torque [N m] or normal force [N] of the readings, by the unit; 0 for another unit.
+double largest_of(const std::string& unit, const std::vector<Reading>& readings,
+                  const AnnularCell& cell) {
+    double largest = 0;
+    for (const Reading& reading : readings) {
+        if (unit == "N m") largest = std::max(largest, torque(reading.value(0), cell));
+        if (unit == "N")
+            largest = std::max(largest, normal_force(reading.condition.normal_stress, cell));
+    }
+    return largest;
+}
+
+}  // namespace
+
+std::vector<std::string> implausible_offsets(const Diagnosis& d, const ModelSpace& space,
+                                             const std::vector<Reading>& readings,
+                                             const AnnularCell& cell) {
+    // Zeros of load cells and torque transducers are set to per cents of the full scale; a fifth of
+    // the largest reading would be seen on the display at rest.
+    constexpr double seen_at_rest = 0.2;
+    std::vector<std::string> notes;
+    for (const Finding& finding : d.scan) {
+        const Candidate& candidate = space.candidates()[finding.candidate];
+        const Explanation* const refit = refit_with(d, finding.candidate);
+        if (!refit || candidate.is_switch() ||
+            std::ranges::find(d.effects, candidate.name) == d.effects.end())
+            continue;
+        const EffectParameter& p = candidate.parameters.front();
+        const double largest = largest_of(p.unit, readings, cell),
+                     value = refit->fit.parameters(d.fit.parameters.size());
+        if (largest == 0 || std::abs(value) <= seen_at_rest * largest) continue;
+        notes.push_back(fmt::format(
+            "An offset of {} ({}) is implausible beside the largest reading of {}: it would be "
+            "seen "
+            "at rest. The usual cause is a wrong unit or radius, or an effect that is missing",
+            with_unit(value, p.unit), candidate.name, with_unit(largest, p.unit)));
+    }
+    return notes;
 }
 
 std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& space, bool all) {

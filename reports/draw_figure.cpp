@@ -113,7 +113,7 @@ double step_of_tics(AxisRange range, double width) {
     const double middle = step * std::round((range.first + span / 2) / step) + step;
     const auto characters = static_cast<double>(fmt::format("{:.6g}", middle).size());
     while (span / step * (width_of_character * characters + between_numbers) > width) {
-        step = round_step(2.2 * step);
+        step = round_step(2.2 * step);  // the next of 1, 2, 5, 10
     }
     return step;
 }
@@ -280,6 +280,7 @@ std::string complete_drawing(const fs::path& file, std::string_view end) {
     std::error_code error;
     if (!fs::exists(file, error)) return "";
     std::string content = read_bytes(file, largest_table);
+    // Behind `end` follow the check sum of a PNG and line ends.
     const std::string_view tail = std::string_view(content).substr(
         content.size() - std::min<std::size_t>(content.size(), 32));
     return tail.find(end) != std::string_view::npos ? content : "";

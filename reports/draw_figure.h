@@ -6,11 +6,10 @@
 
 namespace pendular {
 
-/// Draws a figure with gnuplot as NAME.svg, NAME.png and NAME.pdf in `folder`, and writes the drawn
-/// values to NAME.csv. NAME is the name of the figure. Creates a missing folder. Only one thread at
-/// a time may call this function. Values that are not finite are not drawn, nor is a panel without
-/// an extent: one whose axes have no range to show. A figure without such panels is not drawn.
-/// @return whether the figure was drawn
+/// Draws NAME.svg, NAME.png and NAME.pdf in `folder` with gnuplot and writes the drawn values to
+/// NAME.csv; NAME is the figure's name. Creates a missing folder. One thread at a time only. Values
+/// that are not finite are not drawn, nor are panels whose axes have no range to show.
+/// @return whether the figure has a panel and was drawn
 /// @throws std::runtime_error if gnuplot is missing, a drawing is incomplete or a file cannot be
 ///        written
 bool draw(const Figure& figure, const std::filesystem::path& folder);

@@ -228,12 +228,19 @@ struct InertialFigure {
 InertialFigure inertial_figure_of(const DryStudy& study) {
     const Calibration& c = study.calibration;
     const auto levels = simulated_inertial_numbers(c);
+    // The axis holds every reading: at constant speed, some are slower than all simulations.
+    double slowest = INFINITY, fastest = 0;
+    for (const std::size_t k : study.readings) {
+        const double number = study.condition(k).inertial_number;
+        if (number > 0) slowest = std::min(slowest, number);
+        fastest = std::max(fastest, number);
+    }
     InertialFigure figure{
         .study = study,
         .series = curve_groups(study.readings, study.model.model(), c, along_inertial_number,
                                {Apart::normal_stress, Apart::bead_volume, Apart::file}),
-        .low = levels.front() / 4,
-        .high = levels.back() * 2,
+        .low = std::min(levels.front() / 4, slowest / 1.5),
+        .high = std::max(levels.back() * 2, fastest * 1.5),
         .fastest = levels.back(),
         .curves = levels.size() > 1,
         .model = {}};

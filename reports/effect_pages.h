@@ -9,52 +9,38 @@
 
 namespace pendular {
 
-/// Relation of a physical effect to a study: whether the study lists the effect, and whether the
-/// effect can be added to the study.
+/// Relation of an effect to a study.
 struct EffectStatus {
-    /// Whether study.toml lists the effect, so that the study's model has the effect.
-    bool listed = false;
-    /// Reason why the effect does not apply to the study. Empty if the effect applies.
-    std::optional<Obstacle> obstacle;
+    bool listed = false;               ///< whether study.toml lists the effect
+    std::optional<Obstacle> obstacle;  ///< why the effect does not apply; empty: it applies
 };
 
-/// Entry of the catalogue of effects, the list of all known physical effects that `pendular
-/// effects` prints.
+/// Effect as `pendular effects` prints it, with its relation to the study that the user named.
 struct EffectEntry {
     const Effect* effect;
-    /// Whether the user defined the effect by formulas in study.toml. If false, the effect is built
-    /// into the program.
-    bool written = false;
-    /// Relation of the effect to the user's study: whether the study lists the effect, and whether
-    /// the effect applies to the study. Empty if the user named no study.
-    std::optional<EffectStatus> status = {};
+    bool written = false;                     ///< whether the user wrote it in study.toml
+    std::optional<EffectStatus> status = {};  ///< empty without a study
 };
 
-/// Returns the names of the quantities on which the change of the shear stress and the solid
-/// fraction by an effect depends, as a list for a sentence: "normal stress (largest at small
-/// values), height".
+/// Returns the quantities on which the change of the readings depends, as words in a sentence:
+/// "normal stress (largest at small values), height".
 std::string dependences(const Effect& effect);
 
-/// Returns a table of physical effects as lines of text, one line per parameter of an effect. The
-/// effects are grouped by the part of the experiment that they change, such as the instrument.
+/// Returns a table with one line per parameter, grouped by the part of the experiment that the
+/// effects change, such as the instrument.
 std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries);
 
-/// Returns the full description of one physical effect as lines of text, with the settings in
-/// study.toml and the command-line options that switch the effect on.
+/// Returns the description of one effect, with the settings and options that switch it on.
 std::vector<std::string> effect_page(const EffectEntry& entry);
 
-/// Returns the page of the manual of effects on one physical effect, in Markdown.
-/// @param figure Markdown of the figure that shows how the effect changes the readings, or the
-///        reason why this figure does not exist
+/// Returns the effect's page of the manual, in Markdown.
+/// @param figure Markdown of the effect's signature figure, or the reason why there is none
 std::string manual_page(const EffectEntry& entry, const std::string& figure);
 
-/// Returns the first page of the manual of effects, in Markdown. The page has tables with one row
-/// per effect. Each row has a link to the page of the effect, NAME.md.
+/// Returns the index of the manual of effects, in Markdown, with links to the pages NAME.md.
 std::string manual_index(const std::vector<EffectEntry>& entries);
 
-/// Returns the JSON of one entry of the catalogue of effects: name, equation, and parameters with
-/// their bounds. If the user named a study, the JSON also states whether the study lists the effect
-/// and whether the effect applies to the study.
+/// Returns name, equation, parameters and bounds as JSON, with `EffectStatus` if it is known.
 nlohmann::ordered_json to_json(const EffectEntry& entry);
 
 }  // namespace pendular

@@ -11,6 +11,8 @@
 namespace pendular {
 namespace {
 
+/// Level [1] at which where_it_fails.cpp names conditions and files, and verdicts are given
+/// (`DiagnosisOptions::significance`).
 constexpr double significant = 0.05;
 
 std::string sentence(const Check& check) {

@@ -6,8 +6,7 @@
 
 namespace pendular {
 
-/// Returns words as a list for a sentence, with the word `last` before the final element: "a, b and
-/// c" if `last` is "and".
+/// Returns a list for a sentence: "a, b and c" if `last` is "and".
 inline std::string joined(const std::vector<std::string>& words, const std::string& last) {
     std::string text;
     for (std::size_t k = 0; k < words.size(); ++k) {

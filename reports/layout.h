@@ -8,38 +8,29 @@
 
 namespace pendular {
 
-/// Least and greatest value on an axis of a figure, in the unit of the axis.
+/// Least and greatest value on an axis, in its unit.
 using AxisRange = std::pair<double, double>;
 
-/// Position of the axes of a panel on the page of a figure, with the ranges of values along the
-/// axes.
+/// Place of a panel's axes on the page, with the ranges of values along them.
 struct PanelPlace {
-    /// Edges of the panel's axes on the page [inch]: distances from the left edge of the page
-    /// (`left`, `right`) and from the lower edge of the page (`bottom`, `top`).
-    double left = 0, right = 0, bottom = 0, top = 0;
+    double left = 0, right = 0, bottom = 0, top = 0;  ///< edges of the axes on the page [inch]
     AxisRange x, y;
     bool log_x = false, log_y = false;
 
-    /// Returns the point on the page [inch] at which the figure shows a data point.
-    /// @param value_x value of the data point on the x axis, in the unit of the axis
-    /// @param value_y value of the data point on the y axis, in the unit of the axis
+    /// Returns the point on the page [inch] that shows the data point (value_x, value_y).
     PaperPoint at(double value_x, double value_y) const;
 };
 
-/// Height of one line of the names that an x axis shows in place of numbers [inch].
-constexpr double name_line = 0.19;
+constexpr double name_line = 0.19;  ///< height of a line of names below an x axis [inch]
 
-/// Layout of the page of a figure, in inches. The program computes the layout before gnuplot draws
-/// the figure. Symbols and key can therefore be placed in inches and keep their shape.
+/// Layout of a figure's page. It is computed before gnuplot draws, so that symbols and keys can be
+/// placed in inches and keep their shape.
 struct Page {
-    /// Width and height of the figure's page [inch].
-    double width = 0, height = 0;
-    /// Title of the figure. Line ends divide a title that would be wider than the page.
-    std::string title;
+    double width = 0, height = 0;  ///< [inch]
+    std::string title;             ///< with line ends where it would be wider than the page
     std::vector<PanelPlace> panels;
 };
-/// Returns the layout of a figure's page: the size of the page, the title with line ends, and the
-/// place of each panel.
+/// Returns the size of the page [inch], the title with line ends, and the place of each panel.
 Page page_of(const Figure& figure);
 
 }  // namespace pendular

@@ -23,6 +23,7 @@ const Coordinate along_inverse_normal_stress = {
 
 namespace {
 
+/// Largest number of groups of either state: `series_looks` in dry_figures.cpp has as many.
 constexpr std::size_t most_series = 8;
 /// Relative difference up to which coordinates belong to one set point [1].
 constexpr double same_place = 0.05;

@@ -8,11 +8,10 @@
 
 namespace pendular {
 
-/// Returns figures of the parameters of a fit that the readings determine:
-/// - `profile`: profile likelihood of each of up to eight parameters, beside the parabola that
-///   follows from the standard error
-/// - `corner`: confidence region of each pair of up to five parameters. The figure is left out for
-///   fewer than two parameters.
+/// Returns figures of the parameters that the readings determine:
+/// - `profile`: profile likelihood of up to eight parameters, beside the parabola that follows from
+///   the standard error
+/// - `corner`: confidence region of each pair of up to five parameters; left out for fewer than two
 std::vector<Figure> parameter_figures(const StudyModel& model, const Calibration& calibration);
 
 }  // namespace pendular

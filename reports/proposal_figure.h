@@ -9,12 +9,10 @@
 
 namespace pendular {
 
-/// Returns a figure of a proposed change of the model, of unknown physical cause. The two panels
-/// show the deviations of shear stress and of solid fraction from the study's model [%], as
-/// measured and as predicted with the change. The x axis is the quantity with which the change
-/// varies, or the normal stress if the change is constant.
-/// @param model shear stresses and solid fractions that the study's model predicts without the
-///        change
+/// Returns a figure of a proposed change of unknown cause: the deviations of shear stress and of
+/// solid fraction from the study's model [%], as measured and as predicted with the change. The x
+/// axis is the quantity with which the change varies, or the normal stress if it is constant.
+/// @param model predictions of the study's model without the change
 Figure proposal_figure(const Proposal& proposal, const std::vector<Reading>& readings,
                        const Prediction& model);
 

@@ -7,19 +7,17 @@
 
 namespace pendular {
 
-/// Returns a sentence that says how many of the numbers published by Badetti et al. (2018) the
-/// simulations reproduce, and how many simulated states were used.
+/// Returns how many of the published numbers the simulations reproduce, and how many simulated
+/// states were used.
 std::string verdict_of(const Reproduction& reproduction);
 
-/// Returns a table of numbers published by Badetti et al. (2018) and their simulated values, one
-/// line per number below a heading. The line states the meaning of the number, the published and
-/// the simulated value, and whether the two values agree.
+/// Returns a table with the meaning of each published number, its published and simulated values,
+/// and whether they agree.
 /// @param all whether numbers that agree are shown too
 std::vector<std::string> scoreboard_table(const std::vector<ScoreboardRow>& rows, bool all);
 
-/// Returns a page in Markdown on the reproduction of Badetti et al. (2018). The page has a table of
-/// published and simulated numbers for each section of the paper, and says how to repeat the
-/// comparison.
+/// Returns a page in Markdown with a table of numbers for each section of Badetti et al. (2018),
+/// and how to repeat the comparison.
 std::string reproduction_page(const Reproduction& reproduction);
 
 }  // namespace pendular

@@ -7,14 +7,12 @@
 
 namespace pendular {
 
-/// Returns figures of the residuals of a fit. A residual is the measured value minus the predicted
-/// value, divided by the standard error of this difference [1].
-/// - `residuals`: residuals of shear stress and solid fraction of each reading, in one panel for
-///   each quantity that varies between the readings
+/// Returns figures of the residuals, (measured - predicted)/(standard error of the difference) [1]:
+/// - `residuals`: of shear stress and solid fraction of each reading, in one panel for each
+///   quantity that varies between the readings
 /// - `residual_map`: mean residual of each condition, in standard errors of the mean [1], in the
 ///   plane of normal stress and inertial number, with one panel for each liquid content and
-///   observable (shear stress, solid fraction). The figure is left out if all readings have one
-///   inertial number.
+///   observable; left out if all readings have one inertial number
 std::vector<Figure> residual_figures(const Comparison& comparison);
 
 }  // namespace pendular

@@ -55,7 +55,8 @@ std::string SuspectError::text() const {
 }
 
 std::vector<SuspectError> suspect_errors(const StudyDiagnosis& study) {
-    constexpr double largest_share = 0.99;  // of a measured value that may be error
+    // Largest share of a measured value that may be error: at 1, the true value would be 0.
+    constexpr double largest_share = 0.99;
     const Diagnosis& d = study.diagnosis;
     std::vector<SuspectError> errors;
     if (d.verdict != Verdict::suspect_measurement || d.overruled) return errors;

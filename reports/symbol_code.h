@@ -10,7 +10,7 @@ namespace pendular {
 // Code of the symbols in figures: the shape shows the friction coefficient, colour and filling show
 // the liquid content. Source: Badetti et al. (2018), Table 2.
 
-/// Shape of the symbols in figures for one value of the intergranular friction coefficient.
+/// Shape for one friction coefficient.
 struct FrictionCode {
     double friction;  ///< intergranular friction coefficient [1]
     Shape shape;
@@ -21,7 +21,7 @@ inline constexpr std::array<FrictionCode, 5> friction_code = {{{0.05, Shape::squ
                                                                {0.20, Shape::star},
                                                                {0.25, Shape::downward_triangle}}};
 
-/// Colour and filling of the symbols in figures for one value of the liquid content.
+/// Colour and filling for one liquid content.
 struct ContentCode {
     double liquid_content;  ///< liquid volume divided by solid volume, Phi_L/Phi_S [1]
     std::string_view colour;
@@ -34,25 +34,20 @@ inline constexpr std::array<ContentCode, 5> content_code = {
      {0.030, "#111111", Filling::crossed},      // black
      {0.063, "#8e2fb5", Filling::top_half}}};   // purple
 
-/// Colour and filling of symbols for dry readings: grey, filled. Badetti et al. (2018) state no
-/// symbols for dry grains.
+/// Dry readings are grey. Badetti et al. (2018) state no symbols for dry grains.
 inline constexpr ContentCode dry_code{0, "#808080", Filling::filled};
 
-/// Returns the shape of symbols for grains with this friction coefficient [1]. The shape belongs to
-/// the nearest friction coefficient in `friction_code`.
+/// Returns the shape of the nearest friction coefficient [1] in `friction_code`.
 Shape shape_of(double friction);
 
-/// Returns the colour and filling of symbols for this liquid content [1]. Colour and filling belong
-/// to the liquid content in `content_code` whose logarithm is nearest, or to `dry_code` for the
-/// liquid content 0.
+/// Returns the entry of `content_code` with the nearest logarithm of the liquid content [1], or
+/// `dry_code` for 0.
 const ContentCode& code_of(double liquid_content);
 
-/// Returns the symbol of a simulated or predicted state. The shape encodes the friction coefficient
-/// [1]. The filling encodes the liquid content (liquid volume divided by grain volume) [1].
+/// Returns the symbol of a simulated or predicted state.
 Symbol simulated_symbol(double friction, double liquid_content);
 
-/// Symbol of measured points: a plus, since the friction coefficient of the measured grains is not
-/// known.
+/// Measured points are pluses, since the friction coefficient of their grains is not known.
 inline constexpr Symbol measured_symbol{Shape::plus, Filling::hollow};
 
 }  // namespace pendular

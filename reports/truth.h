@@ -6,10 +6,10 @@
 
 namespace pendular {
 
-/// Returns the JSON of the true friction coefficient and the true effects with which a virtual
-/// laboratory simulated rheometer recordings. The user compares the result of a diagnosis with
-/// these true values. The program never reads this JSON. The JSON also contains the plan of the
-/// experiment and, for each step, the condition and the data for a repetition of the simulation.
+/// Returns the true friction coefficient and effects with which a virtual laboratory simulated
+/// recordings, for comparison with a diagnosis: the program never reads this JSON. It also contains
+/// the plan of the experiment and, for each step, the condition and the data that repeat the
+/// simulation.
 nlohmann::ordered_json to_json(const LabResult& result);
 
 }  // namespace pendular

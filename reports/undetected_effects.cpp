@@ -14,7 +14,7 @@ namespace {
 
 /// Texts of two sizes with their unit, with as many digits as tell them apart.
 std::pair<std::string, std::string> sizes_apart(double one, double other, const std::string& unit) {
-    constexpr int most_digits = 5;
+    constexpr int most_digits = 5;  // sizes may be equal
     for (int digits = 2;; ++digits) {
         auto texts = std::pair(with_unit(one, unit, digits), with_unit(other, unit, digits));
         if (texts.first != texts.second || digits == most_digits) return texts;

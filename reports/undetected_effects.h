@@ -11,29 +11,20 @@
 
 namespace pendular {
 
-/// Largest number of rows of `undetected_table` (effects that could go undetected) that are printed
-/// if the user does not give --all.
-inline constexpr std::size_t shown_undetected = 5;
+inline constexpr std::size_t shown_undetected = 5;  ///< rows printed without --all
 
-/// Returns a table of the effects that the study's readings cannot exclude: an effect of the
-/// smallest size of interest could be present and remain undetected. Returns an empty list unless
-/// the verdict of the diagnosis is inconclusive. One line follows the heading for each effect, the
-/// effect that shifts the fitted friction coefficient most first. A line states:
-/// - the shift of the friction coefficient by the effect at its smallest size of interest
-/// - the smallest size of interest
-/// - the smallest size that these readings would show or, for an effect that is on or off, the
-///   percentage of repetitions of the study that would detect the effect
-/// - how to settle whether the effect is there
-///
-/// Sizes are deviations of the effect's parameter from the value without the effect.
-/// @param impacts shifts of the fitted friction coefficient by each effect
+/// Returns a table of the effects of the smallest size of interest that could be present
+/// undetected, the one that shifts the fitted friction coefficient most first. A line states this
+/// shift, the smallest size of interest, the smallest size that these readings would show (for an
+/// effect that is on or off: the percentage of repetitions that would detect it), and how to settle
+/// whether the effect is there. Sizes are deviations of the parameter from the value without the
+/// effect. Empty unless the verdict is inconclusive.
 std::vector<std::string> undetected_table(const StudyDiagnosis& diagnosis,
                                           const std::optional<ImpactTable>& impacts,
                                           const EffectCatalogue& catalogue);
 
-/// Returns a sentence that names the effects that the study's readings could not detect at any size
-/// within the bounds of the effect's parameter. Returns an empty text if there is no such effect,
-/// or unless the verdict of the diagnosis is inconclusive.
+/// Returns a sentence that names the effects that the readings could not detect at any size within
+/// the bounds of the parameter. Empty for none, or unless the verdict is inconclusive.
 std::string undetectable_line(const Diagnosis& diagnosis, const ModelSpace& space);
 
 }  // namespace pendular

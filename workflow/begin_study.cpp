@@ -15,6 +15,7 @@
 #include "data/input_error.h"
 #include "data/quantities/number.h"
 #include "data/study/files.h"
+#include "data/study/study_edit.h"
 
 namespace pendular {
 namespace {
@@ -67,17 +68,12 @@ bool named_wet(const std::string& texts) {
            texts.find("water") != std::string::npos;
 }
 
-constexpr double glass_density = 2500, water_density = 1000;
+constexpr double glass_density = 2500, water_density = 1000;  ///< [kg/m^3]
 
 /// Mass of liquid over mass of grains [1] that the names of file and test suggest; 0 for dry
 /// grains.
 double guessed_mass_ratio(const std::string& texts) {
     return named_wet(texts) ? stated_percent(texts).value_or(1) / 100 : 0;
-}
-
-/// Text as a string of TOML, whose escapes are those of JSON.
-std::string toml_string(const std::string& text) {
-    return nlohmann::json(text).dump();
 }
 
 /// Text for a comment, without the control characters that TOML does not allow there.

@@ -8,15 +8,13 @@
 
 namespace pendular {
 
-/// Returns the files of a new study that is made from one file of measurements, as a map from the
-/// name of each file to its text:
+/// Returns the files of a new study made from one file of measurements, as a map from the name of
+/// each file to its text:
 /// - study.toml, in which "GUESS" marks guessed values, such as the density of the grains;
 /// - a copy of the file of measurements, if it contains steady shear;
-/// - steady.csv with the states at the end of the preshears, if the file contains preshears;
-/// - failure.csv with the points of failure (peaks of the shear stress), if the file contains any.
+/// - steady.csv with the states at the end of the preshears, if there are any;
+/// - failure.csv with the points of failure, if there are any.
 /// In steady.csv and failure.csv, an unknown solid fraction is stated as 0.60 +- 0.1 [1].
-/// @param view file of measurements, as read
-/// @param format user's settings for reading the file, such as the decimal sign
 /// @throws InputError if the file contains neither steady shear nor points of failure, if the name
 ///         of the file contains a character that study.toml cannot contain or is the name of
 ///         another file of the study, or if neither number, name nor test tells an interval from

@@ -6,9 +6,8 @@
 
 namespace pendular {
 
-/// Returns the JSON that describes a file of measurements, as `pendular import FILE --json` writes
-/// it: layout, encoding, intervals with their roles and columns, faults, rows left out, and yield
-/// loci. Numbers are in SI units, angles in rad.
+/// Returns the JSON of a file of measurements, as `pendular import FILE --json` writes it. Numbers
+/// are in SI units, angles in rad.
 nlohmann::ordered_json to_json(const FileView& view);
 
 }  // namespace pendular

@@ -9,23 +9,20 @@
 
 namespace pendular {
 
-/// Returns the JSON of a calibration, with the comparison of the readings with the predictions of
-/// the calibration. This JSON is the content of out/fit.json, except the judgement whether the fit
-/// can be believed (`Belief`).
+/// Returns the JSON of a calibration with its comparison: the content of out/fit.json, except the
+/// judgement whether the fit can be believed.
 nlohmann::ordered_json to_json(const Calibration& calibration, const Comparison& comparison);
 
-/// Writes the result of a fit to FOLDER/fit.json, and returns the JSON. Also writes
-/// FOLDER/fit_runs.csv with the training runs (simulations on which the emulator is trained) that
-/// the atlas (the simulations supplied with Pendular) does not contain.
+/// Writes FOLDER/fit.json and returns its JSON. Also writes FOLDER/fit_runs.csv with the training
+/// simulations that the atlas does not contain.
 /// @throws std::runtime_error if a file cannot be written
 nlohmann::ordered_json write_calibration(const std::filesystem::path& folder,
                                          const Calibration& calibration,
                                          const Comparison& comparison, const Belief& belief);
 
 /// Reads a calibration from a fit.json, without the predictions of the readings. Grains, liquid,
-/// model and direct measurements come from `study`, which must be the study that was fitted. The
-/// training runs (simulations on which the emulator is trained) come from the atlas (the
-/// simulations supplied with Pendular) and from fit_runs.csv in the folder of `file`.
+/// model and direct measurements come from `study`, which must be the study that was fitted; the
+/// training simulations from the atlas and from fit_runs.csv in the folder of `file`.
 /// @param readings readings of the study, dry readings first
 /// @throws InputError if the file is missing, malformed or of another format, if the study's
 ///         readings, direct measurements, grains, liquid or model have changed since the fit, or if

@@ -61,6 +61,7 @@ Calibration fit_study(const ResolvedStudy& study, const Measurements& measuremen
         request_for(runs_before(study, session, options), session, options);
     std::string stage = "round 1";
     request.stage = [&](std::string_view name) { stage = name; };
+    // A repeated fit reads its own runs from the store, even if it was cold.
     const Workers workers{session.threads, session.stop,
                           [&](const EnsembleProgress& progress) {
                               tell(session.listener,

@@ -6,9 +6,8 @@
 
 namespace pendular {
 
-/// Returns the JSON of an impact table. The table states by how much each effect that the model may
-/// lack, each error of measurement, and each group of effects or errors would shift the calibrated
-/// parameters. Sizes of effects and errors, and shifts of parameters, are in SI units.
+/// Returns the JSON of an impact table. Sizes of effects and errors, and shifts of parameters, are
+/// in SI units.
 nlohmann::ordered_json to_json(const ImpactTable& table);
 
 }  // namespace pendular

@@ -10,24 +10,17 @@
 
 namespace pendular {
 
-/// Returns the JSON of a study's measurements, as `pendular import STUDY --json` writes it:
-/// readings (shear stress and solid fraction, in SI units), rows of files that were left out with
-/// the reason, scatter between replicates (readings at the same condition), doubtful values, faults
-/// of files and recordings, and notes.
+/// Returns the JSON of a study's measurements in SI units, as `pendular import STUDY --json` writes
+/// it.
 nlohmann::ordered_json to_json(const Measurements& measurements);
 
-/// Returns the JSON of the comparison of the readings with the predictions of a fitted model, as
-/// written to out/compare.json.
-/// @param lines cohesion lines: Mohr-Coulomb lines fitted to measured and to predicted stress
-///        ratios of wet readings
-/// @param where tests of the residuals, and the groups of readings that deviate significantly from
-///        the model
+/// Returns the JSON of the comparison of readings and predictions, as written to out/compare.json.
 nlohmann::ordered_json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
                                const WhereItFails& where);
 
 /// Writes a JSON object to a file. The first key, "format", contains the version of the program's
-/// JSON formats. The text is first written to a temporary file, which is then renamed, so that an
-/// earlier file is kept if the disk is full.
+/// JSON formats. The text goes to a temporary file, which is then renamed, so that an earlier file
+/// is kept if the disk is full.
 /// @throws std::runtime_error if the file cannot be written
 void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json);
 

@@ -16,39 +16,31 @@ namespace pendular {
 
 // Parts of the JSON output that several commands share.
 
-/// Returns the JSON of a shear stress [Pa] and a solid fraction [1], each with its standard error.
-/// @param value first the shear stress, second the solid fraction
+/// Returns the JSON of a shear stress [Pa] and a solid fraction [1] with their standard errors.
 /// @param covariance covariance matrix of the errors of `value`
 nlohmann::ordered_json pair_of(const Eigen::Vector2d& value, const Eigen::Matrix2d& covariance);
 
-/// Returns the JSON of the misfit of a set of readings: chi2, degrees of freedom and the p value of
-/// chi2, which is 1 if there are no degrees of freedom.
+/// Returns the JSON of chi2, its degrees of freedom and its p value, which is 1 if there are no
+/// degrees of freedom.
 nlohmann::ordered_json misfit_json(const Misfit& misfit);
 
-/// Returns the JSON of one reading and its prediction: file, step and condition of the reading,
-/// measured and predicted shear stress [Pa] and solid fraction [1] with their standard errors, and
-/// the contribution of the reading to chi2.
+/// Returns the JSON of one reading and its prediction: shear stress [Pa] and solid fraction [1]
+/// with their standard errors, and the contribution of the reading to chi2.
 nlohmann::ordered_json prediction_json(const ReadingMisfit& misfit);
 
-/// Returns the JSON of a direct measurement (a measurement of an effect's parameter without
-/// shearing grains): name and unit of the parameter, measured value and its standard error.
+/// Returns the JSON of a direct measurement: parameter, unit, value and standard error.
 nlohmann::ordered_json direct_json(const DirectMeasurement& direct);
 
-/// Adds the judgement whether a fit can be believed to the JSON of the fit, as the keys
-/// `believable` and `reasons`.
+/// Adds the judgement whether a fit can be believed, as the keys `believable` and `reasons`.
 void add_belief(nlohmann::ordered_json& json, const Belief& belief);
 
-/// Returns the JSON of one fault of a file: name of the file, kind of fault, lines concerned, what
-/// is wrong, and what was done about the fault.
+/// Returns the JSON of one fault of a file, with the lines concerned and what was done about it.
 nlohmann::ordered_json file_finding_json(const FileFinding& finding);
 
-/// Returns a JSON array of the faults found inside recordings, such as a wobble of the lid, with
-/// one object for each fault.
+/// Returns a JSON array of the faults found inside recordings, such as a wobble of the lid.
 nlohmann::ordered_json findings_json(const std::vector<RecordingFinding>& findings);
 
-/// Returns a JSON array of cohesion lines, with one object for each line. A cohesion line is a
-/// Mohr-Coulomb line fitted to the measured or the predicted stress ratios of wet readings of one
-/// liquid content and one inertial number.
+/// Returns a JSON array of cohesion lines.
 nlohmann::ordered_json cohesion_lines_json(const std::vector<CohesionLine>& lines);
 
 /// Returns a JSON array of faults found inside recordings. `explains`: share of the misfit that the

@@ -7,19 +7,15 @@
 
 namespace pendular {
 
-/// Returns the JSON of one step of a ladder (the sequence of a study's models), as written to
-/// ladder.json: a model of the study with its effects, its fitted parameters, its chi2, and the
-/// relative RMS errors of its predictions [%].
+/// Returns the JSON of one ladder step as in ladder.json. Relative RMS errors are in %.
 nlohmann::ordered_json to_json(const LadderStep& ladder_step);
 
-/// Reads a ladder (the sequence of a study's models) from a file such as ladder.json. Returns an
-/// empty ladder if the file does not exist.
+/// Reads a ladder from a file such as ladder.json. Empty if the file does not exist.
 /// @throws InputError if the file exists but is incomplete, is not in the format of a ladder, or
 ///         contains no ladder
 Ladder read_ladder(const std::filesystem::path& file);
 
-/// Writes a ladder (the sequence of a study's models) to a file such as ladder.json. If writing
-/// fails, an earlier file is unchanged.
+/// Writes a ladder to a file such as ladder.json. If writing fails, an earlier file is unchanged.
 /// @throws std::runtime_error if the file cannot be written
 void write_ladder(const std::filesystem::path& file, const Ladder& ladder);
 

@@ -9,8 +9,7 @@
 
 namespace pendular {
 
-/// Event to be displayed to the user: a note, or a progress report of a long computation such as a
-/// fit.
+/// Event to be displayed to the user: a note, or progress of a long computation such as a fit.
 struct Event {
     enum class Kind {
         note,   ///< note for the user: `text`
@@ -20,24 +19,17 @@ struct Event {
         refits  ///< progress of the refits that `text` names: `number` of `total` refits are done
     };
     Kind kind = Kind::note;
-    /// Text of the note, or name of the stage of work or of the refits.
-    std::string text = {};
-    /// Progress of the simulations. Used for an event of the kind `runs`.
-    EnsembleProgress runs = {};
-    /// Number of the round (`number`) in an event of the kind `round`. In an event of the kind
-    /// `refits`, number of refits that are done (`number`) and of all refits (`total`).
+    std::string text = {};  ///< text of the note, or name of the stage of work or of the refits
+    EnsembleProgress runs = {};  ///< for the kind `runs`
+    /// Round (`round`), or refits that are done and all refits (`refits`).
     std::size_t number = 0, total = 0;
-    /// Fit at the end of a round, in an event of the kind `round`. The pointer is valid only while
-    /// the listener is called.
-    const Fit* fit = nullptr;
+    const Fit* fit = nullptr;  ///< fit at the end of a round; valid while the listener is called
 };
 
-/// Callback that receives notes to the user and progress reports of long computations such as fits.
-/// The callback is called from one thread at a time. A listener may be empty.
+/// Callback for events. It is called from one thread at a time, and may be empty.
 using Listener = std::function<void(const Event&)>;
 
-/// Calls a listener (callback for notes and progress reports) with an event. Does nothing if the
-/// listener is empty.
+/// Calls a listener, unless it is empty.
 inline void tell(const Listener& listener, const Event& event) {
     if (listener) listener(event);
 }

@@ -8,15 +8,14 @@
 namespace pendular {
 
 /// Returns the rank correlation gamma [1] between the liquid contents and the times of the wet
-/// readings: 1 if the content never decreases with time, -1 if the content never increases. Pairs
-/// of readings with equal contents or equal times do not count. Returns 0 if no pair counts.
+/// readings: 1 if the content never decreases with time, -1 if it never increases. Pairs with equal
+/// contents or times do not count; 0 if no pair counts.
 /// Source: Goodman and Kruskal, J. Am. Stat. Assoc. 49 (1954) 732.
 double order_of_contents(const std::vector<Reading>& readings);
 
-/// Returns a warning for the user that the diagnosis may have mistaken a dependence on the liquid
-/// content for a change with time. Empty unless the diagnosis names an effect that changes with
-/// time, and `order_of_contents` is at least 0.9 or at most -0.9.
-/// @param catalogue catalogue of effects, with the effects that the study defines
+/// Returns a warning that the diagnosis may have mistaken a dependence on the liquid content for a
+/// change with time. Empty unless the diagnosis names an effect that changes with time, and
+/// `order_of_contents` is at least 0.9 or at most -0.9.
 std::string order_line(const StudyDiagnosis& diagnosis, const EffectCatalogue& catalogue);
 
 }  // namespace pendular

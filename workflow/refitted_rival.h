@@ -11,8 +11,6 @@ namespace pendular {
 
 /// Fits a rival model to the readings and direct measurements of a diagnosis. The fit ends as soon
 /// as the parameters are accurate to a small fraction of their standard errors.
-/// @param name name of the rival model
-/// @param predictor rival model as a predictor of readings
 /// @param start starting values of the parameters; empty: Parameter::start
 /// @throws std::domain_error if the readings are impossible with the model
 Rival refit_rival(const StudyDiagnosis& diagnosis, std::string name,

@@ -11,15 +11,12 @@
 
 namespace pendular {
 
-/// Comparison of the numbers that Badetti et al. (2018) publish with the numbers that simulations
-/// give.
+/// Comparison of the numbers that Badetti et al. (2018) publish with those of simulations.
 class Reproduction {
   public:
-    /// Compares the published numbers with numbers from the runs of the atlas (the simulations
-    /// supplied with Pendular) and of a store (the user's file of simulations).
-    /// @param fidelity simulation settings: they set the smallest number of grains (at most 1000)
-    ///        of the runs that are used, and the settings of `missing_runs`
-    /// @param store user's file of simulations; null: only the atlas is used
+    /// Compares the published numbers with runs of the atlas and of a store (null: only the atlas).
+    /// @param fidelity sets the smallest number of grains (at most 1000) of the runs that are used,
+    ///        and the settings of `missing_runs`
     /// @throws InputError if there are too few runs
     Reproduction(const Fidelity& fidelity, const RunStore* store);
     Reproduction(const Reproduction&) = delete;
@@ -28,11 +25,10 @@ class Reproduction {
     const Emulator& emulator() const { return *emulator_; }
     const PaperStudy& study() const { return *study_; }
     const std::vector<ScoreboardRow>& rows() const { return rows_; }
-    /// Returns the number of published numbers or ranges that agree with the simulated numbers.
+    /// Returns how many published numbers or ranges agree with the simulated numbers.
     std::size_t agreeing() const;
-    /// Returns the parameters of the runs that are still to be simulated: one run for each state of
-    /// the published simulations that has not been simulated yet. The number of grains, the strain
-    /// and the stiffness number are those of the fidelity (set of simulation settings).
+    /// Returns the parameters of one run for each state of the published simulations that has not
+    /// been simulated yet, with grains, strain and stiffness number of the fidelity.
     std::vector<dem::RunParameters> missing_runs() const;
 
   private:
@@ -42,9 +38,7 @@ class Reproduction {
     std::vector<ScoreboardRow> rows_;
 };
 
-/// Returns the JSON of a reproduction, as `pendular reproduce --json` writes it: each number or
-/// range that Badetti et al. (2018) publish, the simulated numbers, and whether the simulated
-/// numbers agree with the published number or range.
+/// Returns the JSON of a reproduction, as `pendular reproduce --json` writes it.
 nlohmann::ordered_json to_json(const Reproduction& reproduction);
 
 }  // namespace pendular

@@ -9,26 +9,25 @@
 
 namespace pendular {
 
-/// Returns the JSON of a number with its standard error, {"value": number, "stderr": standard
-/// error}, both in the unit of the number.
+/// Returns {"value": number, "stderr": standard error}, both in the unit of the number.
 nlohmann::ordered_json uncertain(double value, double error);
 
-/// Returns the JSON of the parameter values of a model's effects, in the units of the parameters. A
-/// key has the form "EFFECT.PARAMETER", such as "torque-offset.torque".
+/// Returns the JSON of the parameter values of effects, in the units of the parameters, with keys
+/// "EFFECT.PARAMETER", such as "torque-offset.torque".
 nlohmann::ordered_json effects_json(const std::vector<ActiveEffect>& effects);
 
-/// Returns the JSON of a simulation run: each observable (such as the stress ratio) as {"value",
-/// "stderr"}, and all parameters that are needed to repeat the run. Observables of liquid bridges
-/// are zero in a run of dry grains. Parameters of effects on grains are under the key
-/// `effects_in_run_units`, in units in which grain diameter, grain mass and normal stress are 1.
+/// Returns the JSON of a run: each observable as {"value", "stderr"}, and all parameters that are
+/// needed to repeat the run. Observables of liquid bridges are zero in a run of dry grains.
+/// Parameters of effects on grains are under the key `effects_in_run_units`, in units in which
+/// grain diameter, grain mass and normal stress are 1.
 nlohmann::ordered_json to_json(const dem::RunResult& run);
 
-/// Returns the JSON of the values that the closures (analytical formulas) of Badetti et al. (2018)
-/// give for a wet state, with one key for each quantity. All values are dimensionless.
+/// Returns the JSON of the closures of Badetti et al. (2018) for a wet state; all are
+/// dimensionless.
 nlohmann::ordered_json closures_json(const closures::ClosureValues& values);
 
-/// Reads the result of a simulation run from the JSON that `to_json` writes for a run. Observables
-/// that are missing from the JSON of an earlier version are zero.
+/// Reads the result of a run from the JSON that `to_json` writes for it. Observables that are
+/// missing from the JSON of an earlier version are zero.
 /// @throws nlohmann::json::exception if a key is missing or its value has a wrong type
 dem::RunResult run_from_json(const nlohmann::ordered_json& json);
 

@@ -17,48 +17,41 @@
 
 namespace pendular {
 
-/// Fit of a study, with the comparison of the readings with the predictions, and the judgement
-/// whether the fit can be believed.
+/// Fit of a study with its comparison and the judgement whether it can be believed.
 struct CalibratedStudy {
     Calibration calibration;
     Comparison comparison;
     Belief belief;
 };
 
-/// Fit of a study, read from the study's results folder, with the comparison of the readings with
-/// the predictions.
+/// Fit that was read from the results folder of a study, with its comparison.
 struct ComparedStudy {
     Calibration calibration;
-    /// Model of the study whose parameters were fitted.
-    StudyModel model;
+    StudyModel model;  ///< model whose parameters were fitted
     Comparison comparison;
-    /// Tests of the residuals, and the groups of readings that deviate significantly from the
-    /// model.
-    WhereItFails where;
-    Belief belief;  ///< judgement whether the fit can be believed
+    WhereItFails where;  ///< where the model deviates significantly from the readings
+    Belief belief;       ///< judgement whether the fit can be believed
 };
 
-/// Session on a study. The session reads the files of the study once, then calibrates, compares,
-/// predicts, diagnoses, plans measurements and changes effects. The session prints nothing.
-/// Progress goes to `SessionOptions::listener`, and new simulation runs go to
-/// `SessionOptions::store`. Only `calibrate`, `add` and `drop` write to the results folder. Only
-/// `add` and `drop` change study.toml.
+/// Session on a study: reads the study's files once, then calibrates, compares, predicts,
+/// diagnoses, plans measurements and changes effects. It prints nothing: progress goes to
+/// `SessionOptions::listener`, new simulation runs to `SessionOptions::store`. Only `calibrate`,
+/// `add` and `drop` write to the results folder, only `add` and `drop` change study.toml.
 class Session {
   public:
     /// Reads a study and all its recordings, and checks them before any computation. Results are
-    /// written to `outputs.folder` or, if `outputs.folder` is empty, to STUDY/out.
+    /// written to `outputs.folder` or, if it is empty, to STUDY/out.
     /// @param study folder of the study, or its study.toml
     /// @throws InputError if a file of the study or a listed effect is wrong, if a result would
     ///         replace a file of the study, or if the study would read a result as a measurement
     explicit Session(const std::filesystem::path& study, SessionOptions options = {},
                      OutputPlaces outputs = {});
-    /// Opens a session on a study that `read_input` has read. Results are written to `folder`. The
-    /// caller must have checked that the results replace no file of the study (`protect_inputs`).
+    /// Opens a session on a study that `read_input` has read. The caller must have checked that
+    /// results in `folder` replace no file of the study (`protect_inputs`).
     Session(StudyInput input, SessionOptions options, std::filesystem::path folder);
 
     const Study& study() const { return input_.study; }
-    /// Returns the study with its catalogue of effects: the built-in effects and the effects that
-    /// study.toml defines.
+    /// Returns the study with its catalogue: built-in effects and those that study.toml defines.
     const ResolvedStudy& resolved() const { return input_.study; }
     const Measurements& measurements() const { return input_.measurements; }
     const SessionOptions& options() const { return options_; }
@@ -69,53 +62,43 @@ class Session {
     /// @throws std::runtime_error if a file cannot be written
     /// @throws dem::Interrupted if the user requests a stop; the message says how to continue
     CalibratedStudy calibrate(const FitOptions& fit = {}) const;
-    /// Compares the readings of the study with the predictions of the fit in the results folder.
-    /// Writes no file.
+    /// Compares the readings with the predictions of the fit in the results folder. Writes no file.
     /// @throws InputError if the folder has no readable fit.json, or if the study has changed since
     ///         it was fitted
     ComparedStudy compare() const;
-    /// Predicts the readings of the study's instrument at several conditions from the fit in the
-    /// results folder. The values are the shear stress [Pa] and the solid fraction [1] of each
-    /// condition in turn. The covariance includes errors of the fit and of the simulation.
-    /// @throws InputError if the folder has no readable fit.json, if the study has changed since it
-    ///         was fitted, or if a condition cannot be simulated
+    /// Predicts readings from the fit in the results folder: shear stress [Pa] and solid fraction
+    /// [1] of each condition in turn. The covariance includes errors of the fit and of the
+    /// simulation.
+    /// @throws InputError as `compare`, or if a condition cannot be simulated
     Prediction predict(const std::vector<Condition>& conditions) const;
-    /// Tests which physical effect is missing from the study's model. Also tests whether other
-    /// effects could replace an effect that was added earlier: `StudyDiagnosis::rivals` contains
-    /// the models with other effects that the readings do not rule out.
+    /// Tests which physical effect is missing from the study's model, and whether other effects
+    /// could replace one that was added earlier (`StudyDiagnosis::rivals`).
     /// @param confirming_seconds maximum time [s] for new simulations that test the verdict and for
     ///        repeated diagnoses; empty: nothing is simulated
     /// @throws InputError if the study cannot be diagnosed (see `diagnose_study`), or if
     ///         ladder.json cannot be read
     /// @throws dem::Interrupted if the user requests a stop
     StudyDiagnosis diagnose(std::optional<double> confirming_seconds = {}) const;
-    /// Plans the next measurement of the study from its diagnosis. The measurement tells apart the
-    /// models that fit or, if only one model fits, determines its parameters most precisely. The
-    /// session and the diagnosis must outlive the result.
+    /// Plans the next measurement from a diagnosis (see `next_measurement`). The session and the
+    /// diagnosis must outlive the result.
     /// @throws InputError if none of the conditions that the instrument can measure is near an
     ///         earlier simulation run
     NextMeasurement next(const StudyDiagnosis& diagnosis) const;
     NextMeasurement next(StudyDiagnosis&& diagnosis) const = delete;
     /// Adds an effect to study.toml and fits the study before and after the change. If the fit
-    /// after the change does not converge, study.toml and the results remain unchanged. This
-    /// session keeps the study without the effect. Open a new session for the changed study.
+    /// after it does not converge, study.toml and the results remain unchanged. This session keeps
+    /// the study without the effect: open a new session for the changed study.
     /// @param effect name of a known effect, or of an effect in proposed.toml of the results folder
-    /// @param same_fidelity whether to use the simulation settings of the fit in the results
-    ///        folder, if there is a fit
+    /// @param same_fidelity whether to use the fidelity of the fit in the results folder, if there
+    ///        is one
     /// @throws InputError if the effect cannot be added, if ladder.json cannot be read, if a fit is
     ///         impossible, or if study.toml has changed since the session read it
     /// @throws std::runtime_error if a file cannot be written
     /// @throws dem::Interrupted if the user requests a stop
     ChangedStudy add(const std::string& effect, const FitOptions& fit = {},
                      bool same_fidelity = true) const;
-    /// Removes an effect from study.toml and fits the study before and after the change. If the fit
-    /// after the change does not converge, study.toml and the results remain unchanged. This
-    /// session keeps the study with the effect. Open a new session for the changed study.
-    /// @param effect name of an effect that study.toml lists
-    /// @param same_fidelity whether to use the simulation settings of the fit in the results
-    ///        folder, if there is a fit
-    /// @throws InputError if the study does not list the effect, if ladder.json cannot be read, if
-    ///         a fit is impossible, or if study.toml has changed since the session read it
+    /// Removes an effect that study.toml lists, in the same way as `add` adds one.
+    /// @throws InputError if the study does not list the effect; else as `add`
     /// @throws std::runtime_error if a file cannot be written
     /// @throws dem::Interrupted if the user requests a stop
     ChangedStudy drop(const std::string& effect, const FitOptions& fit = {},
@@ -126,8 +109,7 @@ class Session {
                         bool same_fidelity) const;
 
     SessionOptions options_;
-    /// Folder to which the session writes its results.
-    std::filesystem::path folder_;
+    std::filesystem::path folder_;  ///< for results
     StudyInput input_;
 };
 

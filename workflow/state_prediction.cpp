@@ -145,7 +145,7 @@ StatePredictor::StatePredictor(const Fidelity& fidelity, const RunStore* store,
 }
 
 void StatePredictor::check_stiffness_number(double stiffness_number) {
-    if (!(stiffness_number >= 100)) {
+    if (!(stiffness_number >= 100)) {  // as for every simulation (run_parameters.cpp)
         throw InputError(
             fmt::format("--stiffness-number {}: 100 or more is needed", stiffness_number));
     }

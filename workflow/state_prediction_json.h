@@ -6,19 +6,15 @@
 
 namespace pendular {
 
-/// Returns the JSON of the predictions at one state of steady shear, as `pendular predict --json`
-/// writes it: each observable (such as the stress ratio) with its standard error and its
-/// derivatives with respect to friction coefficient, logarithm of inertial number, inverse reduced
-/// pressure and bridge volume.
+/// Returns the JSON of a prediction, as `pendular predict --json` writes it: each observable with
+/// its standard error and its derivatives with respect to friction coefficient, logarithm of
+/// inertial number, inverse reduced pressure and bridge volume.
 nlohmann::ordered_json to_json(const StatePrediction& prediction);
 
-/// Returns the JSON of the predictions along a curve of states, as `pendular predict --along
-/// --json` writes it: an array of states of steady shear that differ in one quantity. Each state
-/// has its observables (such as the stress ratio), their standard errors and their derivatives.
+/// Returns the JSON of a curve (`--along`): an array of states with their observables.
 nlohmann::ordered_json to_json(const PredictionCurve& curve);
 
-/// Returns the JSON of a state of steady shear that was simulated instead of predicted, as
-/// `pendular predict --json` writes it: each observable (such as the stress ratio) with its
+/// Returns the JSON of a state that was simulated instead of predicted: each observable with its
 /// standard error, without derivatives.
 /// @param requested parameters of the requested run, which give the state
 nlohmann::ordered_json simulated_state_json(const dem::RunParameters& requested,

@@ -24,19 +24,15 @@ struct StudyInput {
 ///         wrongly or does not apply to the study, or if a direct measurement is wrong
 StudyInput read_input(const std::filesystem::path& file);
 
-/// Returns the path of the folder of a study, given the path of the folder or of the study.toml in
-/// the folder.
+/// Returns the folder of a study, given the folder or the study.toml in it.
 std::filesystem::path study_folder(const std::filesystem::path& study);
 
 /// Files and folders to which a command writes.
 struct OutputPlaces {
-    /// Folder to which the command writes its results.
-    std::filesystem::path folder;
-    /// Paths in `folder` to which the command writes: files, and folders in which the command
-    /// creates files whose names are not known beforehand.
+    std::filesystem::path folder;  ///< for results
+    /// Paths in `folder`: files, and folders for files whose names are not known beforehand.
     std::vector<std::filesystem::path> files;
-    /// File that the option --json names. "-": standard output. Empty: no JSON is written.
-    std::optional<std::string> json;
+    std::optional<std::string> json;  ///< file of option --json; "-": standard output; empty: none
 };
 
 /// Checks, before a long computation, that the output of a command will not damage a study. Output
@@ -47,12 +43,8 @@ struct OutputPlaces {
 ///         message says what to do
 void protect_inputs(const Study& study, const OutputPlaces& outputs);
 
-/// Reads a study and its recordings. Checks first that the files which a command will write
-/// (`outputs`) will not damage the study (`protect_inputs`).
-/// @param file study.toml, or the folder that contains study.toml
-/// @throws InputError if a file of the study is wrong, if a listed effect is unknown, is defined
-///         wrongly or does not apply to the study, if a direct measurement is wrong, or if an
-///         output would damage the study
+/// Reads a study and its recordings, after `protect_inputs`.
+/// @throws InputError as the functions above
 StudyInput read_input(const std::filesystem::path& file, const OutputPlaces& outputs);
 
 /// Returns the shear cell that study.toml in the folder of `file` describes. Empty if study.toml

@@ -252,6 +252,7 @@ SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis&
                                 .total = result.models.size()});
     };
     const auto fit_one = [&](std::size_t index) {
+        // All effects are fitted beside the sets with one fewer (`in_groups`), not after them.
         const int fewer = index + 1 == result.models.size() ? 2 : 1;
         Effects effects = result.always;
         for (std::size_t k = 0; k < result.switches.size(); ++k) {

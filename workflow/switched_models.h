@@ -19,60 +19,47 @@ namespace pendular {
 /// Model of a study with some effects switched on and all other effects switched off, fitted to the
 /// readings without new simulations.
 struct SwitchedModel {
-    /// Predictor of readings with the effects that are switched on.
     std::shared_ptr<const EffectModel> predictor;
-    /// Fit of the model, with the readings of the diagnosis (`StudyDiagnosis::readings`). The list
-    /// of simulation runs (`Calibration::runs`) is empty.
+    /// Fit to `StudyDiagnosis::readings`. Its list of simulation runs is empty.
     Calibration calibration;
-    /// Comparison of all readings of the diagnosis, fitted or not, with the predictions of the
-    /// fitted model.
-    Comparison comparison;
+    Comparison comparison;  ///< of all readings of the diagnosis, fitted or not
     /// Second-order expansions of the predictions about the fitted parameters: `response` for all
-    /// readings of the diagnosis and direct measurements of effects' parameters, `along` for the
-    /// conditions of `SwitchOptions::along`.
+    /// readings of the diagnosis and direct measurements, `along` for `SwitchOptions::along`.
     Response response, along;
     /// Range of each parameter around its fitted value in which `response` differs from the model's
     /// predictions by at most a tenth of the standard error of each reading.
     ParameterBounds trusted;
-    /// Matrix that gives chi2 of all readings and direct measurements of effects' parameters
-    /// quickly at shifted parameters: the coefficients of chi2 as a quadratic form in 1, the shifts
-    /// of the parameters from their fitted values, and the products of two shifts (see
-    /// `chi2_form`).
+    /// Coefficients of chi2 of all readings and direct measurements as a quadratic form in 1, the
+    /// shifts of the parameters from their fitted values, and the products of two shifts (see
+    /// `chi2_form`). Gives chi2 quickly at shifted parameters.
     Eigen::MatrixXd chi2_form;
     /// Change of the fit when one reading is left out: a row for each fitted reading, with the
-    /// reduction of chi2 [1] in the first column and the shift of each parameter [its unit] in the
-    /// following columns.
+    /// reduction of chi2 [1] in the first column and the shift of each parameter [its unit] after
+    /// it.
     Eigen::MatrixXd without_each;
 };
 
-/// Options for fitting a study with all combinations of its leading effects (effects that the study
-/// lists or that the diagnosis finds most important).
+/// Options for fitting a study with all combinations of its leading effects.
 struct SwitchOptions {
-    /// Largest number n of effects to switch on and off; up to 2^n models are fitted.
+    /// Largest number n of effects to switch. Up to 2^n models are fitted: with 6, a page of 60
+    /// readings takes 9 s on two cores.
     std::size_t most = 6;
-    /// Further conditions, beside the conditions of the readings, at which the models predict, such
-    /// as points of curves.
-    std::vector<Condition> along = {};
+    std::vector<Condition> along = {};  ///< further conditions to predict, such as points of curves
 };
 
-/// Models of a study with all combinations of its leading effects (effects that the study lists or
-/// that the diagnosis finds most important), each fitted to the readings.
+/// Models of a study with all combinations of its leading effects, each fitted to the readings.
+/// Leading are here the effects that the study lists or that the diagnosis finds most important
+/// (see `switched_models`). Combination i contains effect k of `switches` if bit k of i is 1.
 struct SwitchedModels {
-    /// Study, with the catalogue that defines the effects of the models.
     ResolvedStudy study;
-    /// Names of the effects that the models switch on and off.
-    std::vector<std::string> switches = {};
-    /// Names of effects that the study lists and that all models have, since the study lists more
-    /// effects than the largest number of effects to switch (`SwitchOptions::most`).
+    std::vector<std::string> switches = {};  ///< effects that are switched on and off
+    /// Listed effects that all models have, since the study lists more than `SwitchOptions::most`.
     std::vector<std::string> always = {};
-    /// Fitted model of each combination of effects. The combination with index i contains effect k
-    /// of `switches` if bit k of i is 1. An element is empty if its combination cannot be fitted.
-    std::vector<std::optional<SwitchedModel>> models = {};
-    /// Reason why each combination of effects cannot be fitted, such as "the readings are
-    /// impossible with these effects". The reason is empty if the combination is fitted.
+    std::vector<std::optional<SwitchedModel>> models = {};  ///< empty where it cannot be fitted
+    /// Reason why a combination cannot be fitted, such as "the readings are impossible with these
+    /// effects"; empty if it is fitted.
     std::vector<std::string> why_not = {};
-    /// Index in `models` of the combination that has the effects which the study lists.
-    std::size_t current = 0;
+    std::size_t current = 0;  ///< index of the combination that the study lists
 };
 
 /// Fits a study with each combination of its leading effects. Nothing is simulated. The leading
@@ -80,8 +67,8 @@ struct SwitchedModels {
 /// - effects that the study lists;
 /// - effects that the verdict names, unless the verdict is inconclusive;
 /// - effects of all models that fit the readings;
-/// - candidate effects (effects that may be added) with which the diagnosis refitted the model, the
-///   largest reduction of chi2 first;
+/// - candidate effects with which the diagnosis refitted the model, the largest reduction of chi2
+///   first;
 /// - all other candidate effects, in the order of their score tests.
 /// @throws dem::Interrupted if the user requests a stop
 SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis& diagnosis,

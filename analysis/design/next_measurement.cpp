@@ -133,6 +133,7 @@ std::vector<StatedDirect> written_direct(const Study& study, const Rig& rig) {
 std::vector<Point> points_of(const Rig& rig, const ResolvedStudy& resolved, double time) {
     const Study& study = resolved;
     constexpr int stresses = 7, rates = 4;
+    // Gives planned readings a height, which is known only once they are made.
     constexpr double typical_solid_fraction = 0.6;
     std::vector<std::optional<double>> fillings(rig.bead_volumes.begin(), rig.bead_volumes.end());
     if (fillings.empty()) {
@@ -154,6 +155,7 @@ std::vector<Point> points_of(const Rig& rig, const ResolvedStudy& resolved, doub
                     .cost = content > 0 ? rig.wet_cost : 1};
         if (filling && study.cell) {
             AnnularCell cell = *study.cell;
+            // Within 2 %, as replicates, the beads are those that are in the cell.
             const bool other = std::abs(*filling / cell.bead_volume - 1) > 0.02;
             point.first_cost = cell.bead_volume > 0 && other ? rig.filling_cost : 0;
             cell.bead_volume = *filling;

@@ -12,7 +12,8 @@ namespace {
 using Pair = std::pair<std::size_t, std::size_t>;
 using Counts = std::map<std::size_t, int>;  ///< number of readings at each point, by its index
 
-/// Smallest increase of the noncentrality [1] that counts as progress.
+/// Smallest increase of the noncentrality [1] that counts as progress. Each reading increases it by
+/// a little: without a limit, the search would spend all allowed readings.
 constexpr double least_gain = 1e-3 * telling_noncentrality;
 
 /// Difference of two rivals' predictions at all points, with its covariance from errors of

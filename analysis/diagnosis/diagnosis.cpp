@@ -197,6 +197,7 @@ void Diagnostician::judge_power(const FamilyOfTests& family) {
         const EffectParameter& p = space_.candidates()[k].parameters.front();
         const double value = addition(k).value_at(amplitude, finding.test.one_sided);
         finding.detectable = std::abs(value - p.neutral);
+        // A smaller amplitude was cut off at the bounds of the parameter, beyond rounding.
         finding.identifiable =
             addition(k).amplitude_at(value, finding.test.one_sided) > 0.999 * amplitude;
     }

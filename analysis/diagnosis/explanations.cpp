@@ -43,6 +43,7 @@ class WithSuspect : public Model {
     }
 
   private:
+    /// No limit in practice: 1 doubles readings, or shifts direct measurements by a standard error.
     static constexpr double widest = 1e3;
     Eigen::Index size() const { return static_cast<Eigen::Index>(parameters_.size()); }
     Eigen::VectorXd own(const Eigen::VectorXd& parameters) const {

@@ -90,7 +90,9 @@ class Impacts {
     /// Limits the step from the estimate to `end`, rather than `end`, so that a step from an
     /// estimate beyond the bounds does not vanish.
     void bound_step(const Shift& estimate, Shift& end) const {
-        end.bounded = estimate.bounded + within_bounds(end.linear - estimate.linear);
+        // Readings that do not determine a parameter shift it to its bound, whatever the size.
+        const Eigen::VectorXd step = end.linear - estimate.linear;
+        end.bounded = estimate.bounded + within_bounds(step.array().isFinite().select(step, 0));
     }
     /// Shift of the parameters by a refit with the effect at `size`; the fit starts from `start`.
     Eigen::VectorXd refitted(const Impact& impact, double size, const Eigen::VectorXd& start) const;
@@ -146,13 +148,15 @@ std::vector<Impact> Impacts::impact_of(const Finding& finding) const {
         impact.error = finding.standard_error;
     }
     const Explanation* refit = is_switch ? nullptr : refit_of(k);
-    if (refit != nullptr && !refit->fit.converged) {
+    const auto last = [&] { return refit->fit.parameters.size() - 1; };
+    if (refit != nullptr &&
+        !(refit->fit.converged && std::isfinite(refit->fit.standard_error(last())))) {
         refit = nullptr;
-        impact.error = 0;  // the size is unknown, since no fit converged
+        impact.error = 0;  // the size is unknown: no fit converged, or none determines it
     }
     if (refit != nullptr) {
         estimate = refit->fit.parameters.tail(1)(0);
-        impact.error = refit->fit.standard_error(refit->fit.parameters.size() - 1);
+        impact.error = refit->fit.standard_error(last());
     }
     impact.at_estimate = shift(estimate);
     if (refit != nullptr) {

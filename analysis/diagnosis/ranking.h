@@ -19,28 +19,25 @@
 // essentially none.
 namespace pendular {
 
-/// Difference of the criterion from which a model is clearly better than another: essentially no
-/// support is left for the other.
+/// Difference of the criterion from which a model is clearly better: essentially no support is left
+/// for the other.
 inline constexpr double clearly_better = 10;
-/// Difference of the criterion to the best model from which the readings rule a model out: the end
-/// of the range of considerably less support. A rival that is ruled out is not measured for, which
-/// costs more than one that is kept, so that the limit is above 2.
+/// Difference to the best model from which the readings rule a model out: the end of the range of
+/// considerably less support. Above 2, since to keep a rival costs less than to miss it.
 inline constexpr double ruled_out = 7;
-/// Difference of the criterion to the best model up to which simulations are spent on a model.
-/// Below `ruled_out`, since a round of simulations serves three models at most.
+/// Difference to the best model up to which simulations are spent on a model. Below `ruled_out`,
+/// since a round of simulations serves three models at most.
 inline constexpr double worth_simulating = 6;
 
 /// Returns Akaike's criterion [1].
-/// @param parameters number of parameters k
 inline double akaike(double chi2, Eigen::Index parameters, double variance_factor = 1,
                      double log_determinant = 0) {
     return chi2 / variance_factor + log_determinant + 2.0 * static_cast<double>(parameters);
 }
 
-/// Returns the factor s^2 [1] by which the variances of all errors are probably larger than stated:
-/// the smallest chi2/dof of the refitted models, at least 1. A misfit that even the best model
-/// leaves is taken as a sign of larger errors, so that differences of chi2 are not overrated. 1 for
-/// an empty list.
+/// Returns the factor s^2 [1]: the smallest chi2/dof of the refitted models, at least 1; 1 without
+/// any. A misfit that even the best model leaves is taken as a sign of larger errors, so that
+/// differences of chi2 are not overrated.
 double factor_on_variance(const std::vector<Explanation>& tried);
 
 }  // namespace pendular

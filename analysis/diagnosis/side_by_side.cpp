@@ -8,7 +8,8 @@
 namespace pendular {
 namespace {
 
-/// Number of pieces of work for each of which one more thread is started.
+/// Number of pieces of work for each of which one more thread is started; with 3, one thread
+/// would make five fits alone.
 constexpr std::size_t worth_another_thread = 2;
 
 }  // namespace

@@ -30,7 +30,7 @@ enum class Verdict {
     unknown,
     suspect_measurement
 };
-/// Returns the name of a verdict for output, such as "nothing-missing".
+/// Returns the name for output, such as "nothing-missing".
 std::string_view to_string(Verdict verdict);
 
 /// Decision on one candidate effect.
@@ -48,45 +48,37 @@ enum class Decision {
     explains_most_not_all,  ///< removes most of the misfit; a model with it does not fit
     does_not_explain        ///< significant, but a model with it does not fit
 };
-/// Returns the words for a decision in tables and JSON, such as "cannot be excluded".
+/// Returns the words in tables and JSON, such as "cannot be excluded".
 std::string_view to_string(Decision decision);
 
-/// Tests of a study's model and of models with further effects: what the readings say.
+/// Tests of a study's model and of models with further effects.
 struct TestResults {
-    Fit fit;          ///< fit of the study's model, without further effects, to the readings
-    double chi2 = 0;  ///< chi2 [1] of all measured values in `fit`
-    /// Degrees of freedom of `chi2`: number of measured values minus number of fitted parameters
-    /// and fitted constant cohesions.
-    int dof = 0;
-    /// p value [1] of the test whether the study's model misses the mean of the readings at a
-    /// condition.
-    double lack_of_fit_p = 0;
-    /// p value [1] of the most significant candidate effect or suspect measurement, corrected for
-    /// the number of tests.
+    Fit fit;                   ///< study's model, without further effects
+    double chi2 = 0;           ///< of all measured values in `fit` [1]
+    int dof = 0;               ///< measured values minus fitted parameters and constant cohesions
+    double lack_of_fit_p = 0;  ///< p value [1] of the study's model
+    /// p value [1] of the most significant candidate or suspect measurement, corrected for the
+    /// number of tests.
     double further_p = 0;
     bool base_fits = false;  ///< whether the study's model passes both tests
-    /// Score test of each candidate effect, sorted by the reduction of chi2, the largest first: the
-    /// reduction in a refit with the effect alone or, without one, the predicted reduction.
+    /// Tests of each candidate, sorted by the reduction of chi2 in a refit with it alone or,
+    /// without one, the predicted reduction, the largest first.
     std::vector<Finding> scan;
-    /// p value [1] of the score test of each suspect measurement, corrected for the number of
-    /// tests, in the order of `Evidence::suspects`.
+    /// p value [1] of each suspect measurement, corrected for the number of tests.
     std::vector<double> suspect_p;
-    /// All models that were refitted, whether they fit the readings or not.
-    std::vector<Explanation> tried;
+    std::vector<Explanation> tried;    ///< all refitted models, whether they fit or not
     std::vector<Explanation> fitting;  ///< models among `tried` with further effects that fit
-    /// Models among `tried` that fit with an error of a suspect measurement; `suspect_names` has
-    /// its name, in the same order.
+    /// Models among `tried` that fit with an error of a suspect measurement, and the names of
+    /// these.
     std::vector<Explanation> fitting_suspects;
     std::vector<std::string> suspect_names;
-    /// Effects that lead if no model fits.
-    std::optional<Leaders> leading;
-    bool errors_assumed = false;  ///< whether the errors of some readings are assumed, not measured
+    std::optional<Leaders> leading;  ///< if no model fits
+    bool errors_assumed = false;     ///< whether some errors are assumed, not measured
 };
 
 /// Further evidence that has a say in a verdict beside the tests.
 struct Circumstances {
-    /// Parts of the measurement that are doubtful in themselves, such as "the unit of the torque".
-    std::vector<std::string> doubtful = {};
+    std::vector<std::string> doubtful = {};  ///< such as "the unit of the torque"
     /// Proposal of a change of unknown cause.
     struct Proposed {
         bool fits;              ///< whether the model with the changes fits
@@ -94,22 +86,17 @@ struct Circumstances {
         double penalised_chi2;  ///< `Proposal::penalised_chi2` [1]
     };
     std::vector<Proposed> proposals = {};
-    /// Whether a fault inside the recordings explains most of the misfit
-    /// (`RecordingEvidence::explains_most`).
-    bool recordings_explain_most = false;
+    bool recordings_explain_most = false;  ///< RecordingEvidence::explains_most() of a fault
 };
 
 /// Answer of a diagnosis, as it follows from the tests.
 struct Conclusion {
     Verdict verdict = Verdict::inconclusive;
-    /// Names of the effects that are missing or may be missing. If the verdict is `inconclusive`,
-    /// names of the effects that the readings cannot exclude at their smallest sizes of interest.
+    /// Names of the effects that are missing or may be missing; of an `inconclusive` verdict, those
+    /// that the readings cannot exclude at their smallest sizes of interest.
     std::vector<std::string> effects;
-    /// Whether a model fits the readings: the study's model, or one with further effects or with an
-    /// error of measurement.
-    bool complete = true;
-    /// Leading effects. Empty unless the verdict is `missing` and `complete` is false.
-    std::optional<Leaders> leaders;
+    bool complete = true;            ///< whether any model, the study's or a refitted one, fits
+    std::optional<Leaders> leaders;  ///< empty unless `missing` and not `complete`
     /// Names of the suspect measurements whose error alone would explain the misfit, such as "the
     /// readings of dry_1.csv". Beside effects that fit, only those that explain the readings at
     /// least as well (Explanation::criterion).
@@ -117,11 +104,10 @@ struct Conclusion {
     /// Models that fit and between which the readings cannot decide: the study's model alone if it
     /// fits; otherwise models with further effects, or else with an error of measurement.
     std::vector<Explanation> confidence_set;
-    std::vector<Decision> decisions;  ///< decision on each candidate, in their order
-    /// Whether a doubtful measurement decides the verdict, regardless of the tests.
-    bool overruled = false;
-    bool proposals_stand = false;   ///< whether the proposals are part of the answer
-    bool recordings_first = false;  ///< whether the fault of the recordings is said first
+    std::vector<Decision> decisions;  ///< on each candidate, in their order
+    bool overruled = false;           ///< whether a doubtful measurement decides
+    bool proposals_stand = false;     ///< whether the proposals are part of the answer
+    bool recordings_first = false;    ///< whether the fault of the recordings is said first
 
     Decision decision_on(const Finding& finding) const { return decisions.at(finding.candidate); }
 };

@@ -120,6 +120,7 @@ class Checking {
             }
             const Eigen::VectorXd whitened = residuals_.whiten(along);
             const Eigen::VectorXd left = residuals_.project(whitened);
+            // The calibrated parameters imitate the trend: only rounding errors are left.
             if (!(left.squaredNorm() > 1e-9 * whitened.squaredNorm())) continue;
             const Eigen::VectorXd direction = left.normalized();
             // The sign is positive where measured values increase more than predicted ones.

@@ -51,7 +51,7 @@ Eigen::MatrixXd normals(Eigen::Index rows, Random& random) {
 /// coefficient, as uncertain as the estimate of their correlation.
 void correlate(const ErrorKnowledge& knowledge, Random& random,
                Eigen::Ref<Eigen::VectorXd> errors) {
-    constexpr double fewest = 4;
+    constexpr double fewest = 4;  // the variance 1/(nu - 2) must be positive and finite
     if (!std::isfinite(knowledge.correlation_freedom)) return;
     const double spread = 1 / std::sqrt(std::max(fewest, knowledge.correlation_freedom) - 2);
     const double off = std::tanh(spread * std::normal_distribution<double>()(random));

@@ -107,7 +107,8 @@ const std::vector<Column>& columns() {
 }
 
 /// Whether a reading is within the range of steady shear of grains for which a model can be
-/// evaluated, with wide margins.
+/// evaluated, with wide margins. 0.74 is the solid fraction of the densest packing of equal
+/// spheres.
 bool possible(const Reading& reading, const Study& study) {
     const Condition& c = reading.condition;
     const double ratio = reading.stress_ratio();

@@ -7,18 +7,23 @@ namespace pendular {
 namespace {
 
 /// Lower triangular root of a covariance of whitened predictions [1]. Such a covariance has no
-/// eigenvalue above 1, but may be singular, and rounding may make eigenvalues slightly negative.
-/// The root is that of the covariance plus the smallest of some negligible variances that makes it
-/// positive definite; the root of zero is zero.
+/// eigenvalue above 1, but may be singular, and rounding may make eigenvalues negative: slightly,
+/// which a negligible variance mends, or more where the readings are nearly exact, so that
+/// whitening loses digits. Negative eigenvalues then count as 0. The root of zero is zero.
 Eigen::MatrixXd lower_root(const Eigen::MatrixXd& covariance) {
     if (covariance.isZero(0)) return covariance;
     Eigen::LLT<Eigen::MatrixXd> factor;
-    for (const double variance : {1e-10, 1e-8, 1e-6, 1e-4}) {
+    for (const double variance : {1e-10, 1e-8, 1e-6}) {
         factor.compute(covariance +
                        variance * Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols()));
         if (factor.info() == Eigen::Success) return factor.matrixL();
     }
-    throw std::logic_error("the covariance of the predictions has negative eigenvalues");
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(covariance);
+    const Eigen::VectorXd sizes = parts.eigenvalues().cwiseMax(0).cwiseSqrt();
+    const Eigen::MatrixXd root = parts.eigenvectors() * sizes.asDiagonal();
+    // root root' = (QR)'(QR) = R'R
+    const Eigen::MatrixXd upper = root.transpose().householderQr().matrixQR();
+    return upper.triangularView<Eigen::Upper>().toDenseMatrix().transpose();
 }
 
 }  // namespace
@@ -33,6 +38,7 @@ WeightedResiduals::WeightedResiduals(const Measured& measured, const Prediction&
     prediction_root_ = lower_root(whiten(whiten(prediction.covariance).transpose()));
     residuals_ = whiten(measured.value - prediction.value);
     slopes_ = whiten(prediction.jacobian);
+    // Columns of zeros are divided by a tiny length and stay zero; the rank does not count them.
     lengths_ = slopes_.colwise().norm().cwiseMax(1e-300);
     decomposed_.setThreshold(1e-7);
     decomposed_.compute(slopes_ * lengths_.cwiseInverse().asDiagonal());

@@ -134,6 +134,7 @@ void add_steps_and_kinks(const ReadingCoordinate& coordinate, std::vector<Profil
 
 void add_decays(const ReadingCoordinate& coordinate, std::vector<Profile>& profiles) {
     const double span = coordinate.at.maxCoeff() - coordinate.at.minCoeff();
+    // From 1/16 to 2.8 times the span of the readings, by factors of sqrt(2).
     for (int k = 0; k < decay_times; ++k) {
         const double share = std::pow(2.0, 0.5 * k - decay_times / 2.0 + 2);
         profiles.push_back(sized({.dependence = Dependence::decay,
@@ -145,6 +146,7 @@ void add_decays(const ReadingCoordinate& coordinate, std::vector<Profile>& profi
 
 void add_oscillations(const ReadingCoordinate& coordinate, std::vector<Profile>& profiles) {
     const double span = coordinate.at.maxCoeff() - coordinate.at.minCoeff();
+    // Readings resolve at most one half period each (Nyquist).
     const int periods = std::min(most_periods, static_cast<int>(coordinate.at.size()));
     for (int k = 1; k <= periods; ++k) {
         for (int phase = 0; phase < phases; ++phase) {
@@ -251,6 +253,7 @@ std::vector<Profile> finer_profiles(const Profile& profile, const ReadingCoordin
     const double frequency = 1 / profile.constant;
     constexpr int steps = 8;
     for (int f = -steps; f <= steps; ++f) {
+        // Up to the neighbouring frequencies of add_oscillations.
         const double near = frequency + 0.5 / span * f / steps;
         if (near <= 0) continue;
         for (int phase = 0; phase < 4 * phases; ++phase) {

@@ -11,7 +11,8 @@
 namespace pendular {
 namespace {
 
-/// Quantity with a factor 1 + change on it; the change is at most `largest` and at least -0.9.
+/// Quantity with a factor 1 + change on it; the change is at most `largest` and at least -0.9,
+/// so that the factor stays positive.
 ChangedQuantity factor_on(const std::string& target, double smallest, double largest) {
     return {.target = target,
             .unit = "1",

@@ -17,7 +17,7 @@ namespace {
 
 using dem::Observable;
 
-/// Largest inertial number of a state that counts as slow [1].
+/// Largest inertial number of a state that counts as slow [1], above `grid_inertial_number`.
 constexpr double slow = 0.0035;
 
 bool is_of_study(const dem::RunResult& run) {

@@ -7,8 +7,8 @@
 namespace pendular {
 
 /// Compares simulations with the numbers and statements of Badetti et al. (2018) about dry and wet
-/// grains, and returns a row of a table for each comparison. Rows whose states no run simulates are
-/// left out. The published numbers have the following uncertainties:
+/// grains, and returns a row for each comparison that runs allow. The published numbers have the
+/// following uncertainties:
 /// - a number with an error: the error;
 /// - a number without an error: half a unit of its last digit;
 /// - a number of one digit with the word "about": 10 %;

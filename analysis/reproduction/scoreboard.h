@@ -9,56 +9,39 @@
 
 namespace pendular {
 
-/// Row of a table that compares simulations with publications: a number or range that Badetti et
-/// al. (2018) state, with the values that simulations give.
+/// Comparison of a number or range that Badetti et al. (2018) state with simulations. Numbers have
+/// the unit of the compared quantity.
 struct ScoreboardRow {
-    /// Heading of the section of the table to which the row belongs.
     std::string section;
-    /// Name of the compared quantity, with the states for which the comparison holds and the unit
-    /// of the quantity, such as "stress ratio, friction 0.09, I -> 0 [1]".
+    /// Compared quantity, states and unit, such as "stress ratio, friction 0.09, I -> 0 [1]".
     std::string what;
-    /// Published value or range of the quantity, as text.
-    std::string published;
-    /// Simulated value of the quantity with its standard error, or range of the simulated values,
-    /// as text.
-    std::string ours;
-    /// Lower and upper end of the published range [unit of the quantity]. For a single published
-    /// value, the value minus and plus its standard error.
+    std::string published;  ///< value or range as text
+    std::string ours;       ///< simulated value with its standard error, or range, as text
+    /// Ends of the published range; for a single value, minus and plus its standard error.
     double lower = 0, upper = 0;
-    /// Smallest and largest of the simulated values of the quantity [unit of the quantity].
-    double least = 0, greatest = 0;
-    /// Distance of the farthest simulated value from the published value or range, in standard
-    /// errors [1]. For a published value, the standard error combines the errors of publication and
-    /// simulation. For a published range, the standard error is the error of the simulated value,
-    /// and the distance is 0 inside the range.
+    double least = 0, greatest = 0;  ///< smallest and largest simulated value
+    /// Distance of the farthest simulated value in standard errors [1]: those of publication and
+    /// simulation for a published value; those of the simulation for a range, with 0 inside.
     double distance = 0;
-    /// Number of simulated values of the quantity.
-    int values = 0;
-    /// Number of simulated values of the quantity whose distance from the published value or range
-    /// exceeds `allowed_distance`.
-    int outside = 0;
-    /// Text that states the simulated value farthest outside the published range and the name of
-    /// the simulated state. Empty if the published number is a single value, if all values agree,
-    /// or if the state has no name.
+    int values = 0;   ///< number of simulated values
+    int outside = 0;  ///< number of them beyond `allowed_distance`
+    /// Simulated value farthest outside a published range, with its state; may be empty.
     std::string where;
-    /// Whether simulation and publication agree: `distance` of the farthest simulated value is at
-    /// most `allowed_distance`.
-    bool agrees = true;
+    bool agrees = true;  ///< whether `distance` is at most `allowed_distance`
 };
 
-/// Largest distance of a simulated value from the published value or range, in standard errors [1],
-/// at which the simulated value counts as agreeing. By chance alone, one of 370 values is farther
-/// away.
+/// Largest distance [standard errors] at which a simulated value agrees: by chance alone, one of
+/// 370 values is farther away.
 inline constexpr double allowed_distance = 3;
 
-/// Simulated value with its standard error, and name of the simulated state.
+/// Simulated value and the name of its state.
 struct StateValue {
     Mean mean;
     std::string where;
 };
 
-/// Table that compares the simulations of a parameter study with published numbers. The rows of the
-/// table are in the order in which the rows are added.
+/// Table that compares the simulations of a parameter study with published numbers, in the order in
+/// which rows are added. In its functions, `what` and `published` are those of the row.
 class Scoreboard {
   public:
     using Quantity = std::function<Mean(const PaperState&)>;
@@ -66,46 +49,28 @@ class Scoreboard {
 
     explicit Scoreboard(const PaperStudy& study) : study_(study), states_(&study.states()) {}
 
-    /// Begins a section of the table, with the heading `name`. Rows that are added after this call
-    /// compare the simulated states of the parameter study of Badetti et al. (2018).
+    /// Begins a section on the states of the parameter study.
     void section(std::string name) { section(std::move(name), study_.states()); }
-    /// Begins a section of the table, with the heading `name`. Rows that are added after this call
-    /// compare the simulated states `states` instead of the states of the parameter study.
-    /// @param states must outlive the scoreboard
+    /// Begins a section on other states, which must outlive the scoreboard.
     void section(std::string name, const std::vector<PaperState>& states) {
         section_ = std::move(name);
         states_ = &states;
     }
-    /// Adds a row that compares a published value with a simulated value.
-    /// @param what name of the compared quantity, with the compared states and the unit
-    /// @param published published value as text
-    /// @param expected published value with its standard error
-    /// @param ours simulated value with its standard error
+    /// Adds a row on a published value.
     void value(const std::string& what, const std::string& published, const Mean& expected,
                const Mean& ours);
-    /// Adds a row that compares a published range with one or several simulated values. Adds no row
-    /// if `ours` is empty.
-    /// @param what name of the compared quantity, with the compared states and the unit
-    /// @param published published range as text
-    /// @param lower, upper ends of the published range
-    /// @param ours simulated values with the names of their states
+    /// Adds a row on a published range, unless there are no simulated values.
     void range(const std::string& what, const std::string& published, double lower, double upper,
                const std::vector<StateValue>& ours);
     void range(const std::string& what, const std::string& published, double lower, double upper,
                const Mean& ours) {
         range(what, published, lower, upper, std::vector<StateValue>{{ours, ""}});
     }
-    /// Adds a row for each friction coefficient of the parameter study (`paper_frictions`). The row
-    /// compares a published range with the values of `quantity` for the states of the current
-    /// section that have the friction coefficient and for which `which` returns true. Without such
-    /// a state, the row is left out.
-    /// @param what name of the compared quantity, with the compared states and the unit
-    /// @param published published range as text
-    /// @param lower, upper ends of the published range
+    /// Adds a row on a published range for each of `paper_frictions`, with the states of the
+    /// current section that have this friction coefficient and satisfy `which`, if there are any.
     void each_friction(const std::string& what, const std::string& published, double lower,
                        double upper, const Quantity& quantity, const Condition& which);
-    /// Returns the values of `quantity` for the states of the current section for which `which`
-    /// returns true, each with the name of its state.
+    /// Returns `quantity` of the states of the current section that satisfy `which`.
     std::vector<StateValue> values(const Quantity& quantity, const Condition& which) const;
 
     const PaperStudy& study() const { return study_; }

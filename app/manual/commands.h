@@ -7,14 +7,13 @@
 
 namespace pendular::app {
 
-/// Command of the program with the texts and options that its manual page and its completion in a
-/// shell show.
+/// Command of the program with its texts and options, for its manual page and its completion.
 struct DeclaredCommand {
     std::string name, summary;
-    const char* heading;  ///< heading of the group to which the command belongs
+    const char* heading;  ///< of the group of commands
     CommandDeclaration declaration;
 
-    /// Returns all options of the command. The options that every command has come last.
+    /// Returns all options of the command, those that every command has last.
     std::vector<OptionDeclaration> options() const;
 };
 

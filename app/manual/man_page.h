@@ -9,9 +9,7 @@ namespace pendular::app {
 
 /// Date and version that the first line of a manual page states.
 struct ManHeading {
-    /// Date of the manual page, as year-month-day.
-    std::string date;
-    /// Version of the program that the manual page describes.
+    std::string date;  ///< year-month-day
     std::string version;
 };
 
@@ -20,8 +18,8 @@ struct ManHeading {
 std::string man_page_of_program(const std::vector<DeclaredCommand>& commands,
                                 const ManHeading& heading);
 
-/// Returns the manual page of one command, pendular-COMMAND(1), in roff, with the texts of the
-/// command's help (usage, description, options and examples) and the exit codes.
+/// Returns the manual page of one command, pendular-COMMAND(1), in roff: the texts of its help and
+/// the exit codes.
 std::string man_page_of(const DeclaredCommand& command, const ManHeading& heading);
 
 }  // namespace pendular::app

@@ -4,8 +4,7 @@
 
 namespace pendular::app {
 
-/// Answer of the server to a request of a browser: the HTTP status, and a text that the page in the
-/// browser shows.
+/// Answer to a request of a browser: the HTTP status, and a text that the page shows.
 struct Answer {
     int status = 200;
     std::string text;

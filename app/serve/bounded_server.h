@@ -11,8 +11,8 @@ namespace pendular::app {
 /// while most threads of the server wait for such clients. The server of httplib waits five seconds
 /// for each byte, with eight threads, so that sixty idle connections stop it for everybody. Each
 /// connection has one request, so that the content of a refused one is never read as another.
-/// Requests of byte ranges are answered with the whole content, since
-/// many ranges that overlap would multiply it.
+/// Requests of byte ranges are answered with the whole content, since many ranges that overlap
+/// would multiply it.
 class BoundedServer : public httplib::Server {
   public:
     BoundedServer();

@@ -12,7 +12,7 @@ namespace pendular::app {
 class PageServer {
   public:
     /// Binds a port of this computer, and chooses a random token, a secret part of the address.
-    /// @param port port number; 0: any free port
+    /// @param port 0: any free port
     /// @throws InputError if the port is taken or not permitted
     /// @throws std::runtime_error if the system gives no random numbers
     explicit PageServer(int port);
@@ -22,8 +22,7 @@ class PageServer {
     ~PageServer();
 
     const ServerAddress& address() const;
-    /// Starts to answer requests on a study, in threads of the server. The object `study` must
-    /// outlive the server.
+    /// Starts to answer requests on a study, which must outlive the server, in threads of its own.
     void start(LiveStudy& study);
 
   private:

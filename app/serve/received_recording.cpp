@@ -26,7 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longest_name = 200;  ///< longest name of a file [bytes]
+/// Longest name of a file [bytes]: with the 22 bytes that `write_whole` appends for its temporary
+/// file, the name stays below the 255 bytes that Linux permits.
+constexpr std::size_t longest_name = 200;
 
 /// Place of a recording in a study, and how it is read there.
 struct Place {

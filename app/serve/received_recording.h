@@ -8,19 +8,16 @@
 
 namespace pendular::app {
 
-/// Largest size of a recording that a server receives [bytes].
-constexpr std::size_t largest_received = 64u << 20;
+constexpr std::size_t largest_received = 64u << 20;  ///< [bytes]
 
-/// Returns the reason why a received file must not be stored under `name`. Returns an empty text if
-/// the name is allowed. An allowed name is printable text in UTF-8 of at most 200 bytes, names no
-/// folder, and begins with neither a dot nor a hyphen.
+/// Returns the reason why a received file must not be stored under `name`; empty if it may. An
+/// allowed name is printable text in UTF-8 of at most 200 bytes, names no folder, and begins with
+/// neither a dot nor a hyphen.
 std::string fault_of_name(const std::string& name);
 
 /// Stores a recording in the folder of a study, or in the subfolder that a `file` pattern of a
 /// [[recording]] in study.toml names. Nothing is stored unless the HTTP status is 201.
-/// @param study folder of the study, or its study.toml
 /// @param name name of the file, without a folder
-/// @param bytes content of the file
 /// @return HTTP status with a sentence: 201, stored; 200, the study has the file already, with
 ///         equal content; 400, invalid name (`fault_of_name`); 409, a file of different content has
 ///         the name; 422, no pattern matches the name, or the recording cannot be read or lacks a

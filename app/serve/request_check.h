@@ -6,18 +6,14 @@
 
 namespace pendular::app {
 
-/// Parts of an HTTP request by which a server decides whether to answer the request. A header that
-/// the request lacks is empty.
+/// Parts of an HTTP request by which a server decides whether to answer. A header that the request
+/// lacks is empty.
 struct RequestHead {
-    /// Method of the HTTP request, such as GET or POST.
-    std::string method;
-    /// Path and query of the HTTP request as they were sent, such as "/TOKEN/state".
-    std::string target;
-    /// Header Host of the HTTP request.
-    std::string host;
-    /// Header Origin of the HTTP request.
-    std::string origin;
-    std::string token;  ///< header X-Pendular-Token
+    std::string method;  ///< such as GET or POST
+    std::string target;  ///< path and query as they were sent, such as "/TOKEN/state"
+    std::string host;    ///< header Host
+    std::string origin;  ///< header Origin
+    std::string token;   ///< header X-Pendular-Token
 };
 
 /// Address of a server on this computer: http://127.0.0.1:PORT/TOKEN/.
@@ -36,7 +32,7 @@ enum class Route {
     change      ///< POST /TOKEN/change: adds an effect to the study or drops an effect
 };
 
-/// Answer to a request that the server does not accept: HTTP status, and the reason as text.
+/// Answer to a request that the server does not accept.
 struct Refusal {
     int status = 403;
     std::string reason;

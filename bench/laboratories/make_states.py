@@ -85,11 +85,6 @@ def tasks(program, store):
                     for _ in range(2):
                         seed += 1
                         yield program, store, friction, number, seed, pressure, content
-    for friction in FRICTIONS.values():
-        for number in reversed(DRY_NUMBERS):
-            for _ in range(2):
-                seed += 1
-                yield program, store, friction, number, seed, None, None
 
 
 def main():

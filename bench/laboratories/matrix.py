@@ -30,6 +30,7 @@ LIQUIDS = {"none": 0.0, "oil": 20.6e-3, "water": 72.8e-3}
 PROTOCOLS = ["speed", "number", "ramp"]
 DRY_STRESSES = [400.0, 1000.0, 2000.0, 5000.0]
 CONTENT = 0.03
+LOWEST_NUMBER = 0.006  # inertial number of the slowest steps
 
 # Names under which a fault may rightly be reported: effects, and kinds of findings of `import`.
 FAULTS = {
@@ -112,7 +113,7 @@ def set_points(spec, wet):
     all_ = stresses(spec, wet)
     middle = math.sqrt(all_[0] * all_[-1])
     if spec["protocol"] == "number":
-        return [(s, None, i) for s in all_ for i in (0.006, 0.04)]
+        return [(s, None, i) for s in all_ for i in (LOWEST_NUMBER, 0.04)]
     speeds = [speed_for(spec, 0.03, middle)] if spec["protocol"] == "ramp" else [
         speed_for(spec, 0.008, middle), speed_for(spec, 0.05, middle)]
     if spec["protocol"] == "ramp":
@@ -140,7 +141,7 @@ def make_python(spec, folder):
         return None
     # Line through the points of the fit: P* >= 2.3, under the lid, at the lowest number of a step.
     unit = math.pi * LIQUIDS[spec["liquid"]] / beads.diameter
-    lines = [(1 / s, rig.states.at(0.006, unit / s, CONTENT)[0])
+    lines = [(1 / s, rig.states.at(LOWEST_NUMBER, unit / s, CONTENT)[0])
              for s in stresses(spec, True) if s >= 2.3 * unit]
     mean = [sum(v) / len(lines) for v in zip(*lines)]
     return (sum((x - mean[0]) * (y - mean[1]) for x, y in lines) /
@@ -189,7 +190,9 @@ def score(program, scratch, spec, folder, cohesion):
     common = ["--quiet", "--fidelity", "quick", "--threads", 1, "--store",
               scratch / "fits.sqlite", "--json", "-"]
     imported = json.loads(run([program, "import", folder, "--json", "-"]))
-    fit = json.loads(run([program, "calibrate", folder, "--no-confirm"] + common, (0, 3)))
+    # The true line is known at the lowest number of a step: its slope rises by 3 % to the quasi-static limit.
+    at = ["--cohesion-inertial-number", LOWEST_NUMBER] if cohesion is not None else []
+    fit = json.loads(run([program, "calibrate", folder, "--no-confirm"] + at + common, (0, 3)))
     diagnosis = json.loads(run([program, "diagnose", folder] + common, (0, 3)))
     value, error = stated_friction(fit)
     friction = BEADS[spec["beads"]].friction

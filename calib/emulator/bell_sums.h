@@ -19,28 +19,23 @@ class BellSums {
 
     /// @param coordinates number of coordinates of a point: 2, 4 or 5; further entries of a `Place`
     ///        are ignored
-    /// @param inverse_squares inverse squares c_k of the widths (standard deviations) of the bells,
-    ///        one for each coordinate
+    /// @param inverse_squares c_k
     BellSums(std::size_t coordinates, const Place& inverse_squares)
         : coordinates_(coordinates), inverse_squares_(inverse_squares) {}
 
-    /// Adds a bell (Gaussian function) with the centre `place` and the weight `weight`. A bell of
-    /// weight 0 changes no sum and is not stored.
+    /// Adds a bell. A bell of weight 0 changes no sum and is not stored.
     void add(const Place& place, double weight);
 
-    /// Returns the sums over all bells at the point `at`: first S = sum_i w_i E_i, then S_k = sum_i
-    /// w_i d_ik E_i for each coordinate k. Bell i has the weight w_i, the value E_i at the point (1
-    /// at the centre of the bell) and the difference d_ik, centre minus point, along coordinate k.
-    /// S_k is 0 for coordinates that are not used.
+    /// Returns S, then S_k for each coordinate k (0 for unused ones), at the point `at`.
     std::array<double, 1 + most_coordinates> at(const Place& at) const;
 
   private:
     std::size_t coordinates_;
     Place inverse_squares_;
     std::size_t count_ = 0;
-    /// Centres and weights of the bells, in blocks of eight bells, one bell for each lane of a
-    /// vector register. A block contains the first coordinates of its eight bells, then the second
-    /// coordinates, and so on, then the weights. Unused lanes of the last block have the weight 0.
+    /// Bells in blocks of eight, one bell for each lane of a vector register. A block contains the
+    /// first coordinates of its eight bells, then the second coordinates, and so on, then the
+    /// weights. Unused lanes of the last block have the weight 0.
     std::vector<double> blocks_;
 };
 

@@ -32,6 +32,7 @@ EffectResponse::EffectResponse(std::vector<ResponsePlace> places, Eigen::VectorX
     : places_(std::move(places)),
       amplitudes_(std::move(amplitudes)),
       bells_(BellSums::most_coordinates, inverse_square_lengths()) {
+    // Not 0 where an effect changes nothing, so that the prior variances stay positive.
     const double seen = std::max(1e-12, changes.squaredNorm() / amplitudes_.squaredNorm());
     double best = -std::numeric_limits<double>::infinity();
     double best_plane = seen, best_curved = seen;

@@ -9,26 +9,20 @@
 
 namespace pendular {
 
-/// Emulated value of one observable at one state of steady shear, with the derivatives of the value
-/// and the standard errors of value and derivatives.
+/// Emulated value of one observable at one state, with derivatives and standard errors.
 struct EmulatedObservable {
     dem::Observable which;
-    /// Emulated value of the observable with the standard error of the value, in the unit of the
-    /// observable.
-    Estimate value;
-    /// Derivatives of the value with respect to the friction coefficient, ln I, 1/P* and V0/a^3, in
-    /// the order of `Input`, with the standard errors of the derivatives. Here I is the inertial
-    /// number, P* the reduced pressure, V0 the bridge volume and a the grain diameter. Wet states
-    /// have all four derivatives, dry states only the first two.
+    Estimate value;  ///< in the unit of the observable
+    /// Derivatives with respect to the friction coefficient, ln I, 1/P* and V0/a^3, in the order of
+    /// `Input`. Wet states have all four, dry states only the first two.
     std::vector<Estimate> slopes;
 };
 
-/// Returns the emulated values of the observables `which` at a state of steady shear, in the order
-/// of `which`, with derivatives and standard errors. The values hold for grains with the stiffness
-/// number `stiffness_number` [1]. If the emulator cannot predict changes with stiffness
-/// (`Emulator::knows_stiffness`), only solid fraction and overlap are converted to this stiffness
-/// number. The standard errors include the error of the conversion. The derivatives leave out the
-/// changes by effects on grains.
+/// Returns the emulated values of the observables `which` at a state, in the order of `which`, for
+/// grains with the stiffness number `stiffness_number` [1]. If the emulator cannot predict changes
+/// with stiffness (`Emulator::knows_stiffness`), only solid fraction and overlap are converted to
+/// this number. The standard errors include the error of the conversion. The derivatives leave out
+/// the changes by effects on grains.
 /// @throws std::invalid_argument if an observable describes liquid bridges but the state is dry, if
 ///         no training run has a value of an observable, or if the emulator cannot predict an
 ///         effect of the state (`Emulator::knows`)
@@ -36,9 +30,8 @@ std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const Flow
                                             double stiffness_number,
                                             const std::vector<dem::Observable>& which);
 
-/// Returns the emulated observables that are defined at a state of steady shear, in the order of
-/// `emulated::observables`. For wet grains, the list contains all emulated observables. For dry
-/// grains, the list leaves out the observables of liquid bridges.
+/// Returns the emulated observables that are defined at a state, in the order of
+/// `emulated::observables`: all for wet grains, those that do not describe bridges for dry grains.
 std::vector<dem::Observable> observables_of(const FlowState& state);
 
 }  // namespace pendular

@@ -34,6 +34,7 @@ double bridge_volume_of(const Emulator& emulator, double liquid_content, FlowSta
     for (int k = 0; k < 50; ++k) {
         const StructureResponse z = coordination(emulator, state);
         const double value = std::max(1.0, z.value);
+        // At least 0.5: the step is at most twice that of a constant Z, also where Z(V0) falls.
         const double step =
             std::log(dem::bridge_volume(liquid_content, value) / state.bridge_volume) /
             std::max(0.5, 1 + z.by_log_volume / value);

@@ -9,24 +9,21 @@
 
 namespace pendular {
 
-/// Simulation runs that exist before a calibration and on which the emulator is trained, with
-/// hyperparameters of the emulator that were fitted in advance.
+/// Runs that exist before a calibration and train the emulator, with its hyperparameters.
 struct KnownRuns {
-    /// Training runs of the emulator. If the list is empty and `may_simulate` is true, a
-    /// calibration first simulates dry runs.
+    /// Training runs. Without any, a calibration first simulates dry runs if `may_simulate` is
+    /// true.
     std::vector<dem::RunResult> runs;
-    /// Hyperparameters of the emulator's Gaussian processes for each observable. If an observable
-    /// has no entry, its hyperparameters are fitted to `runs`.
+    /// Hyperparameters fitted in advance; those of other observables are fitted to `runs`.
     EmulatorHyperparameters hyperparameters;
-    /// Whether a calibration may simulate new runs in addition to the training runs `runs`.
+    /// Whether a calibration may simulate new runs in addition to `runs`.
     bool may_simulate = true;
 };
 
-/// Returns the runs among `runs` on which the emulator for a study can be trained. Each returned
-/// run is usable (`emulated::usable`) and has only effects that the study lists. The run has at
-/// least 1000 grains or, if fewer, the number of grains in the settings `fidelity`. The Poisson
-/// ratios of the run and of the study's grains differ by at most 0.1. A wet run has the formula for
-/// the bridge force that the study states.
+/// Returns the runs on which the emulator for a study can be trained. Each is usable
+/// (`emulated::usable`) and has only effects that the study lists. It has at least 1000 grains or,
+/// if fewer, the number of grains in `fidelity`. Its Poisson ratio differs from that of the study
+/// by at most 0.1. A wet run has the study's formula for the bridge force.
 std::vector<dem::RunResult> runs_serving(const Study& study, const Fidelity& fidelity,
                                          const std::vector<dem::RunResult>& runs);
 

@@ -16,69 +16,41 @@
 
 namespace pendular {
 
-/// Result of the calibration of a study: the fitted parameters and predictions, with the readings,
-/// settings and simulation runs from which the calibration computed the parameters and predictions.
+/// Result of the calibration of a study, with the readings, settings and simulation runs that led
+/// to it. Grains, liquid, model and effects are those of the study at the time of the fit.
 struct Calibration {
-    /// Readings of the study. First come the dry readings, then the wet readings, each in the order
-    /// of `Measurements::readings`. The first `fitted` readings are fitted, and all following
-    /// readings are only predicted.
+    /// Dry readings, then wet readings, each in the order of `Measurements::readings`. The first
+    /// `fitted` readings are fitted, all others only predicted.
     std::vector<Reading> readings;
-    /// Number of readings that the fit uses, which are the first readings in `readings`.
     std::size_t fitted = 0;
-    /// Direct measurements of effects' parameters, such as the contact angle of a drop, which the
-    /// fit uses in addition to the readings.
-    std::vector<DirectMeasurement> direct = {};
-    /// Properties of the study's grains at the time of the fit.
+    std::vector<DirectMeasurement> direct = {};  ///< used by the fit
     GrainProperties grains;
-    /// Liquid of the study at the time of the fit; empty if the study stated no liquid.
     std::optional<Liquid> liquid;
-    /// Settings of the study's model at the time of the fit.
     ModelSettings model;
-    /// Effects that the study defined by formulas ([[effect]] in study.toml) at the time of the
-    /// fit.
-    std::vector<WrittenEffect> written_effects;
-    /// Fidelity of the simulations of the calibration: number of grains, stiffness number, lowest
-    /// inertial number and strain.
+    std::vector<WrittenEffect> written_effects;  ///< by formulas ([[effect]] in study.toml)
     Fidelity fidelity;
-    /// Random seed from which the seeds of all simulations of the calibration follow.
-    std::uint64_t seed = 1;
-    /// Whether the calibration began without earlier simulation runs, so that the emulator is
-    /// trained on the calibration's own runs only.
+    std::uint64_t seed = 1;  ///< from which the seeds of all simulations follow
+    /// Whether there were no earlier runs: the emulator is trained on the calibration's own runs.
     bool cold = false;
-    /// Parameters of the model, of which the first is the friction coefficient.
-    std::vector<Parameter> parameters;
-    /// Result of the last fit of the model's parameters.
+    std::vector<Parameter> parameters;  ///< the first is the friction coefficient
     Fit fit;
-    /// Predicted shear stress [Pa] and solid fraction [1] of all `readings` at the fitted
-    /// parameters. For readings that were not fitted, the covariance includes the error of the fit
-    /// (`predict_unseen`).
+    /// Predictions of all `readings` at the fitted parameters. For readings that were not fitted,
+    /// the covariance includes the error of the fit (`predict_unseen`).
     Prediction prediction;
-    /// Options with which the lines in `cohesion_lines` were fitted.
     CohesionOptions cohesion;
-    /// Straight lines of stress ratio against the inverse reduced pressure 1/P* of the wet
-    /// readings. First come the lines fitted to the measured stress ratios, then the lines fitted
-    /// to the predicted stress ratios. The list is empty in a dry study.
+    /// Lines of the measured, then of the predicted stress ratios; empty in a dry study.
     std::vector<CohesionLine> cohesion_lines;
-    /// Sentences for the user on groups of wet readings without a cohesion line, and on readings
-    /// that a cohesion line leaves out.
+    /// Sentences for the user on groups of wet readings without a line, and on readings left out.
     std::vector<std::string> cohesion_notes;
-    /// Number of rounds of simulations and fits that led to the last fit. Rounds of a preceding fit
-    /// to the dry readings alone are not counted.
+    /// Rounds that led to the last fit, without those of a preceding fit to the dry readings.
     int rounds = 0;
-    /// Simulation runs on which the emulator of the model is trained, earlier runs and new runs.
-    std::vector<dem::RunResult> runs;
-    /// Number of runs, the first ones of `runs`, that existed before the calibration.
-    std::size_t known = 0;
-    /// Hyperparameters of the emulator (amplitudes, correlation lengths and noise of the Gaussian
-    /// processes) for each observable.
+    std::vector<dem::RunResult> runs;  ///< training runs, earlier and new
+    std::size_t known = 0;             ///< number of earlier runs, the first of `runs`
     EmulatorHyperparameters hyperparameters;
-    /// Numbers of runs that were simulated for the calibration. There is an entry for each reason
-    /// to simulate, such as "to confirm the optimum".
-    std::vector<SimulatedRuns> simulated;
-    /// Lower and upper end of the 68 % interval of the friction coefficient [1], from the profile
-    /// likelihood (`profile_interval`); empty if the interval was not requested.
+    std::vector<SimulatedRuns> simulated;  ///< an entry for each reason
+    /// 68 % interval of the friction coefficient [1] (`profile_interval`), if requested.
     std::optional<std::pair<double, double>> profile;
-    /// Sentences for the user that qualify the result of the calibration (`notes_on`).
+    /// Sentences for the user that qualify the result (`notes_on`).
     std::vector<std::string> notes;
 };
 

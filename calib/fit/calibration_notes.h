@@ -13,14 +13,13 @@ namespace pendular {
 /// - readings whose predictions the simulation runs do not support,
 /// - simulation noise that exceeds the errors of the readings,
 /// - time for simulations that ended before their noise was small enough,
-/// - a large error of the friction coefficient from corrections to the stiffness of the grains and
-///   to the quasi-static limit,
+/// - a large error of friction from corrections to the stiffness of grains and the quasi-static
+///   limit,
 /// - wet readings at reduced pressures so low that the grains may shear in bands, and
 /// - parameters that are undetermined or at a bound.
 ///
-/// The notes of `planner` on simulation runs (RunPlanner::notes()) are included.
-/// @param wet_known whether the errors that the noise of the simulation runs causes in the
-///        predicted wet readings are small compared with the errors of the measured wet readings
+/// They include RunPlanner::notes().
+/// @param wet_known whether run noise in predicted wet readings is small compared with their errors
 std::vector<std::string> notes_on(const Calibration& calibration, const ResolvedStudy& study,
                                   const RunPlanner& planner, bool wet_known);
 

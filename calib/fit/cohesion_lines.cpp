@@ -16,7 +16,8 @@
 namespace pendular {
 namespace {
 
-/// Relative difference up to which two reduced pressures count as equal [1].
+/// Relative difference up to which two reduced pressures count as equal [1], as the normal stresses
+/// of replicates do (`are_replicates`).
 constexpr double reduced_pressure_tolerance = 0.02;
 
 /// Points of a group of wet readings: stress ratio against 1/P*, with covariance.
@@ -160,9 +161,12 @@ bool has_two_distinct(const Points& points) {
 
 std::string list_of_pressures(const Points& points, const std::vector<Eigen::Index>& which) {
     std::vector<std::string> texts;
+    double last = 0;
     for (const Eigen::Index k : which) {
-        const std::string text = fmt::format("{:.3g}", points.reduced_pressure(k));
-        if (std::ranges::find(texts, text) == texts.end()) texts.push_back(text);  // replicates
+        const double pressure = points.reduced_pressure(k);
+        if (agree(std::exchange(last, pressure), pressure, reduced_pressure_tolerance))
+            continue;  // a replicate
+        texts.push_back(fmt::format("{:.3g}", pressure));
     }
     return fmt::format("{}", fmt::join(texts, ", "));
 }
@@ -200,7 +204,7 @@ void check_options(const CohesionOptions& options) {
 }
 
 bool CohesionOptions::fits(double reduced_pressure) const {
-    constexpr double rounding = 1e-9;
+    constexpr double rounding = 1e-9;  // of the conversion between stresses and P*
     return reduced_pressure >= lowest_reduced_pressure * (1 - rounding);
 }
 

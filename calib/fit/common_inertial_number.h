@@ -23,25 +23,21 @@ struct ReadingsAtOneRate {
     double inertial_number = 0;  ///< the common inertial number [1]; 0: quasi-static limit
     /// Whether the readings were freed of what effects of the instrument add.
     bool ideal_instrument = false;
-    /// Readings in the order of `Calibration::readings`.
-    std::vector<Reading> readings;
-    /// Whether a reading was changed, for each reading.
-    std::vector<bool> moved;
-    LineValues measured;  ///< values of `readings`
-    /// Predictions of `readings`, with the errors of the fitted parameters where any reading was
-    /// moved.
+    std::vector<Reading> readings;  ///< in the order of `Calibration::readings`
+    std::vector<bool> moved;        ///< whether each reading was changed
+    LineValues measured;            ///< values of `readings`
+    /// Predictions of `readings`, with the errors of the parameters if any reading was moved.
     Prediction predicted;
 
-    /// Predictions as values of lines, with the weights of the readings.
+    /// Returns the predictions as values of lines, with the weights of the readings.
     LineValues simulated() const {
         return {"simulated", predicted.value, predicted.covariance, measured.weighting};
     }
 };
 
-/// Brings all readings to the inertial number `Calibration::cohesion` states. If it
-/// states none, the common inertial number is that of the wet readings if they agree within 20 %,
-/// and 0 otherwise. Readings that agree with it within 20 % are not changed, unless the model has
-/// effects of the instrument.
+/// Returns all readings at the inertial number that `Calibration::cohesion` states or, if it states
+/// none, at that of the wet readings if they agree within 20 %, and else at 0. Readings that agree
+/// with it within 20 % are not changed, unless the model has effects of the instrument.
 /// @param model model of the calibration
 ReadingsAtOneRate at_one_inertial_number(const Predictor& model, const Calibration& calibration);
 

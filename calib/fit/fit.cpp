@@ -230,6 +230,7 @@ void polish(const Model& model, const Measured& measured, const Whitening& white
         const Scaled scaled(whitening.apply(prediction.jacobian));
         const Eigen::VectorXd step = step_within(scaled, residuals, range, at);
         const double length = (scaled.jacobian * step).norm();
+        // Near the minimum, chi2 rises by no more than rounding errors.
         if (!(chi2 <= minimum.chi2 * (1 + 1e-9)) || !(length < shortest)) {
             return;
         }
@@ -522,6 +523,7 @@ std::pair<double, double> profile_interval(const Model& model, const Measured& m
         if (chi2_at(outside) < limit) {
             return outside;
         }
+        // 2^-50 of the distance is its rounding error.
         for (int halving = 0; halving < 50; ++halving) {
             const double middle = 0.5 * (inside + outside);
             (chi2_at(middle) < limit ? inside : outside) = middle;

@@ -8,15 +8,13 @@ namespace pendular {
 
 /// Fits a model's parameters to measured values, like `fit` but with fewer evaluations of the
 /// model, from a start near the minimum of chi2. Within about a thousandth of a standard error, the
-/// result agrees with the result of two successive calls of `fit`. The second call uses the
-/// simulation errors at the result of the first call.
-/// @param start starting values, in the order and units of the parameters
+/// result agrees with that of two successive calls of `fit`, the second with the simulation errors
+/// at the result of the first.
 /// @param simulation covariance of the simulation errors in the first fit, such as the covariance
 ///        of a model with fewer effects; null: the covariance of the model at `start`
 /// @throws std::logic_error if the sum of the covariances of measurement and simulation is not
 ///         positive definite
-/// @throws std::domain_error if the readings are impossible at `start`: no true state of the cell
-///         gives the condition that the instrument shows
+/// @throws std::domain_error if no true state of the cell gives the conditions shown at `start`
 Fit nearby_fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start,
                const Eigen::MatrixXd* simulation = nullptr);
 

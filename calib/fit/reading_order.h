@@ -10,8 +10,8 @@
 
 namespace pendular {
 
-/// Returns the readings of a study in the order that a calibration uses. First come the dry
-/// readings, then the wet readings, each in the order of `Measurements::readings`.
+/// Returns the readings of a study in the order of a calibration: dry readings, then wet readings,
+/// each in the order of `Measurements::readings`.
 std::vector<Reading> dry_first(const Measurements& measurements);
 
 /// Largest number of readings that a fit treats one by one. The time of a fit grows with the cube
@@ -27,10 +27,10 @@ std::vector<Reading> readings_to_fit(const Measurements& measurements);
 /// the readings themselves are used.
 std::optional<std::string> note_on_means(std::size_t used, std::size_t measured);
 
-/// Returns the number of dry readings (liquid content 0) among `readings`.
+/// Returns the number of dry readings.
 std::size_t dry_count(const std::vector<Reading>& readings);
 
-/// Returns the readings with indices `from` to `to` - 1 of the list `readings`.
+/// Returns the readings with indices `from` to `to` - 1.
 std::vector<Reading> part(const std::vector<Reading>& readings, std::size_t from, std::size_t to);
 
 }  // namespace pendular

@@ -15,24 +15,15 @@ namespace pendular {
 ///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)]                       (level strength3)
 ///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)] - a^2 s12cap/(F0 P*)  (level strength2)
 ///     mu* = mu*_dry(mu, I) [1 - s22cap/s22] - s12cap/s22                (level strength1)
-///     Z = Z_c + 0.5 Z_d,  Z* = Z_c + Z_d F_d/F0,  P* = a^2 s22/F0.
-/// Here mu*_dry is the simulated stress ratio of dry grains of friction coefficient mu at inertial
-/// number I. The other symbols are the solid fraction Phi_S, the reduced pressure P*, the grain
-/// diameter a, the normal stress s22, and the pull-off force F0 of a liquid bridge. Each grain has
-/// Z_c contacts and Z_d bridges without contact, which have the mean force F_d. The capillary
-/// forces have the normal stress s22cap and the shear stress s12cap.
+///     Z = Z_c + 0.5 Z_d,  Z* = Z_c + Z_d F_d/F0,  P* = a^2 s22/F0,
+/// with the simulated stress ratio mu*_dry of dry grains of friction coefficient mu.
 ///
-/// `EmulatedSimulation` predicts the shear stresses of dry grains and all solid fractions. The
-/// covariance of a prediction omits the errors of Z, Z*, s22cap and s12cap, which are a few per
-/// mille.
+/// `EmulatedSimulation` predicts the shear stresses of dry grains and all solid fractions.
+/// Covariances omit the errors of Z, Z*, s22cap and s12cap, which are a few per mille.
 /// Source: Badetti et al. (2018), Eq. (24) after Rumpf, Eq. (19) to Eq. (23).
 class ClosureModel : public FlowPredictor {
   public:
-    /// @param simulation predictor that uses an emulator (Gaussian processes trained on
-    ///        simulations)
-    /// @param study study with the grains, the liquid and the settings of the model
-    /// @param level level that selects the formula: `rumpf`, `strength3`, `strength2` or
-    ///        `strength1`
+    /// @param level `rumpf`, `strength3`, `strength2` or `strength1`
     ClosureModel(std::shared_ptr<const EmulatedSimulation> simulation, const Study& study,
                  closures::Level level)
         : simulation_(std::move(simulation)), study_(study), level_(level) {}
@@ -53,9 +44,7 @@ class ClosureModel : public FlowPredictor {
 };
 
 /// Returns `conditions`, followed by a dry copy of each wet condition, in the order of the wet
-/// conditions. The stress ratio of the grains without liquid can be predicted at the dry copies. A
-/// dry copy has liquid content 0 and lacks the effects on grains that need liquid, but otherwise
-/// equals the wet condition.
+/// conditions. A dry copy has liquid content 0 and lacks the effects on grains that need liquid.
 std::vector<EffectiveCondition> with_dry_twins(const std::vector<EffectiveCondition>& conditions);
 
 }  // namespace pendular

@@ -9,24 +9,21 @@
 namespace pendular {
 
 /// Returns the correlation coefficient [1] between the errors of a model's predictions at two
-/// conditions a and b. The errors are assumed to vary smoothly with the condition:
+/// conditions. The errors are assumed to vary smoothly with the condition:
 ///     exp(-[ln(s22_a/s22_b)^2/L_s^2 + (sqrt I_a - sqrt I_b)^2/L_I^2
 ///           + (sqrt w_a - sqrt w_b)^2/L_w^2]/2),
-/// with the normal stress s22, the inertial number I, the liquid content w, L_s = ln 10 and L_I =
-/// L_w = 0.1. The correlation is 0.61 between normal stresses that differ by a factor of 10,
-/// between inertial numbers 0 and 0.01, and between liquid contents 0 and 0.01.
+/// with the liquid content w, L_s = ln 10 and L_I = L_w = 0.1. It is 0.61 between normal stresses
+/// that differ by a factor of 10, inertial numbers 0 and 0.01, and liquid contents 0 and 0.01.
 /// Source: squared exponential as in Kennedy and O'Hagan, J. R. Stat. Soc. B 63 (2001) 425.
 double discrepancy_correlation(const Condition& a, const Condition& b);
 
-/// Returns the covariance matrix of a model's discrepancy, with a row and a column for each of
-/// `values`, in products of the units of `values`. The discrepancy is the error that the user
-/// expects of the model's predictions. The error varies smoothly with the condition. Two entries i
-/// and k of `values` that are both shear stresses or both solid fractions have the covariance
+/// Returns the covariance of a model's discrepancy, the error that the user expects of the model's
+/// predictions, in products of the units of `values`. Two entries i and k that are both shear
+/// stresses or both solid fractions have the covariance
 ///     discrepancy^2 x discrepancy_correlation x values(i) values(k).
 /// The errors of shear stress and solid fraction are uncorrelated.
 /// @param values predicted shear stress [Pa] and solid fraction [1] of each condition in turn
-/// @param discrepancy expected relative errors [1] of the shear stress (first) and of the solid
-///        fraction (second)
+/// @param discrepancy relative errors [1] of shear stress and solid fraction
 Eigen::MatrixXd discrepancy_covariance(const std::vector<Condition>& conditions,
                                        const Eigen::VectorXd& values,
                                        const std::array<double, 2>& discrepancy);

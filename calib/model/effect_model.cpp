@@ -15,10 +15,12 @@ namespace {
 /// Starting value of an effect's parameter in a fit: distance from neutral, where some effects have
 /// no slope, over the smallest effect of interest [1].
 constexpr double start_share = 0.3;
-/// Step of the difference quotients over the smallest effect of interest [1].
+/// Step of the central difference quotients, whose error goes as its square, over the smallest
+/// effect of interest [1].
 constexpr double step_share = 1e-3;
 
-/// Solid fraction and stress ratio assumed for readings without a height [1].
+/// Solid fraction and stress ratio assumed for the cell as shown [1]: the fraction for readings
+/// without a height, the ratio for the torque.
 constexpr double typical_solid_fraction = 0.6, typical_stress_ratio = 0.3;
 
 double start_of(const Effect& effect, const EffectParameter& p, const Study& study) {
@@ -137,7 +139,7 @@ Eigen::SparseMatrix<double> EffectModel::shown_by_predicted(
     // once.
     const Eigen::Index n = predicted.size();
     std::vector<Eigen::Triplet<double>> slopes;
-    constexpr double step = 1e-5;
+    constexpr double step = 1e-5;  // about the cube root of rounding errors: best for this quotient
     for (const Eigen::Index of : {0, 1}) {
         Eigen::VectorXd above = predicted, below = predicted;
         for (Eigen::Index k = of; k < n; k += 2) {
@@ -205,6 +207,7 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
         return Eigen::VectorXd((values_at(above, of_instrument) - values_at(below, of_instrument)) /
                                (above(k) - below(k)));
     };
+    // At least 0.1 * step_share, since a friction of 0 needs a step too.
     for (Eigen::Index k = 0; changes_grains() && k < inside; ++k) {
         result.jacobian.col(k) = quotient(k, step_share * std::max(0.1, parameters(k)), false);
     }

@@ -21,7 +21,8 @@ constexpr std::array inputs = {Input::friction, Input::log_inertial_number, Inpu
 /// Inputs that matter to a dry state come first among `inputs`.
 constexpr std::size_t dry_inputs = 2;
 
-/// Step of the difference quotient of the responses to effects in ln V0 [1].
+/// Step of the central difference quotient of the responses to effects in ln V0 [1], whose error is
+/// of the order of its square.
 constexpr double log_volume_step = 1e-4;
 
 /// Calls `use` with the index and the name of each quantity that a state has.

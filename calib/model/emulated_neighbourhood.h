@@ -8,17 +8,15 @@
 
 namespace pendular {
 
-/// Fast predictions of an `EmulatedSimulation` near given conditions, from which derivatives are
-/// computed as difference quotients over short steps. About each condition, the predictions without
-/// effects on grains, such as rolling resistance, are expanded to first order in the friction
-/// coefficient, ln I, 1/P* and ln V0, with the inertial number I, the reduced pressure P* and the
-/// bridge volume V0. Changes by effects on grains and by the stiffness number are expanded only in
-/// ln V0. The difference quotients are as exact as difference quotients of the full predictions.
+/// Fast predictions of an `EmulatedSimulation` near given conditions, for difference quotients over
+/// short steps. About each condition, the predictions without effects on grains are expanded to
+/// first order in the friction coefficient, ln I, 1/P* and ln V0. Changes by effects on grains and
+/// by the stiffness number are expanded only in ln V0, and emulated anew at other friction, I and
+/// P*. The difference quotients are as exact as those of the full predictions.
 class EmulatedNeighbourhood : public FlowNeighbourhood {
   public:
-    /// @param simulation emulated simulation, which must outlive the object
+    /// @param simulation must outlive the object
     /// @param friction friction coefficient about which the predictions are expanded [1]
-    /// @param conditions conditions about which the predictions are expanded
     EmulatedNeighbourhood(const EmulatedSimulation& simulation, double friction,
                           const std::vector<EffectiveCondition>& conditions);
 
@@ -27,47 +25,35 @@ class EmulatedNeighbourhood : public FlowNeighbourhood {
                            const std::vector<std::size_t>& places) const override;
 
   private:
-    /// Number of emulated quantities: stress ratio, solid fraction, overlap and, for wet grains,
-    /// the number of contacts per grain and the number of bridges without contact per grain.
+    /// Emulated quantities: stress ratio, solid fraction, overlap and, for wet grains, contacts and
+    /// bridges without contact per grain.
     static constexpr Eigen::Index quantities = 5;
     using Quantities = Eigen::Vector<double, quantities>;
-    /// First-order expansion of the emulated quantities (stress ratio, solid fraction, overlap, and
-    /// numbers of contacts and bridges per grain) about one condition.
+    /// First-order expansion of the quantities about one condition.
     struct Place {
         FlowState state;
-        /// Liquid content [1] at the condition: volume of liquid divided by volume of grains.
-        double liquid_content = 0;
+        double liquid_content = 0;  ///< liquid content [1]
         Quantities value = Quantities::Zero();
-        /// Contribution of effects on grains and of the grains' stiffness number to the emulated
-        /// quantities `value`.
+        /// Part of `value` due to effects on grains and stiffness.
         Quantities by_effects = Quantities::Zero();
-        /// Derivatives of the emulated quantities `value` with respect to the friction coefficient,
-        /// ln I, 1/P* and ln V0, in this order, with the inertial number I, the reduced pressure P*
-        /// and the bridge volume V0. The first three derivatives omit the contribution
-        /// `by_effects`.
+        /// Derivatives of `value` with respect to friction, ln I, 1/P* and ln V0. The first three
+        /// omit `by_effects`.
         Eigen::Matrix<double, quantities, 4> slopes = Eigen::Matrix<double, quantities, 4>::Zero();
 
         double coordination() const { return value(3) + value(4); }
     };
 
     void expand();
-    /// Sets, for each condition about which predictions are expanded, the contribution `by_effects`
-    /// of effects on grains and of the stiffness number to the emulated quantities (`quantities`).
-    /// Adds the derivative of the contribution with respect to ln V0, with the bridge volume V0, to
-    /// `slopes`.
+    /// Sets `by_effects` of each place and adds its derivative with respect to ln V0 to `slopes`.
     void expand_effects();
-    /// Returns the contributions of effects on grains and of the stiffness number to the five
-    /// emulated quantities (`quantities`) at each state, in the order of `states`.
+    /// Returns the changes of the quantities by effects on grains and by stiffness, for each state.
     std::vector<Quantities> effects_at(const std::vector<FlowState>& states) const;
-    /// Whether the expansion about the condition of `place` can predict the state `state`. The
-    /// condition and the state must both be wet or both be dry. Their inertial numbers must either
-    /// both be positive or be equal. If `place` is wet, its coordination number must be above 1.
+    /// Whether the expansion about `place` can predict `state`: both wet or both dry, and inertial
+    /// numbers both positive or equal. A wet place needs coordination() > 1 (`bridge_volume_of`).
     static bool reaches(const Place& place, const FlowState& state);
-    /// Returns the stress ratio [1], the solid fraction [1] and the overlap divided by the grain
-    /// diameter [1] at the state `state`, from the expansion about the nearby condition of `place`.
+    /// Returns stress ratio [1], solid fraction [1] and overlap over grain diameter [1] at `state`.
     /// @param liquid_content liquid content of the state [1]
-    /// @param by_effects contribution of effects on grains and of the stiffness number to the
-    ///        emulated quantities (`quantities`) at the state
+    /// @param by_effects changes by effects on grains and stiffness at the state
     static Eigen::Vector3d flow_at(const Place& place, const FlowState& state,
                                    double liquid_content, const Quantities& by_effects);
 

@@ -9,39 +9,33 @@
 
 namespace pendular {
 
-/// Whether two states of steady shear are so similar that a simulation run at one state also
-/// represents the other state. The states must have the same effects on grains, and must agree
-/// within 5 % in friction coefficient, inertial number, reduced pressure, bridge volume and the
-/// parameter values of the effects. Stiffness numbers are not compared.
+/// Whether a run at one state also represents the other: both have the same effects on grains, and
+/// agree within 5 % in friction coefficient, inertial number, reduced pressure, bridge volume and
+/// the parameter values of the effects. Stiffness numbers are not compared.
 bool near(const FlowState& a, const FlowState& b);
 
-/// Task for the function `most_informative`: the predictions of the emulator to improve, and the
-/// states at which simulation runs may be made to reduce the errors of the predictions.
+/// Task for `most_informative`.
 struct RunChoice {
-    /// States of steady shear whose predicted stress ratios and solid fractions are to become more
-    /// precise.
+    /// States whose predicted stress ratios and solid fractions are to become more precise.
     std::vector<FlowState> targets;
-    /// Weights by which the variances of the predictions at `targets` are multiplied [1]. Each
-    /// target in turn has two weights, first for the stress ratio, then for the solid fraction.
+    /// Weights of the variances [1]: for each target in turn, of stress ratio and solid fraction.
     Eigen::VectorXd weights;
-    /// States of steady shear at which new runs may be made.
-    std::vector<FlowState> from;
-    /// Factor [1] by which new runs should reduce the root of the sum of squares of the weighted
-    /// variances of the predictions.
+    std::vector<FlowState> from;  ///< states at which new runs may be made
+    /// Factor [1] by which to reduce the root of the sum of squares of the weighted variances.
     double factor = 1;
-    /// Smallest (`fewest`) and largest (`most`) number of new runs that `most_informative` chooses.
+    /// Smallest and largest number of chosen runs.
     std::size_t fewest = 4, most = 16;
 };
 
-/// Returns the states among `choice.from` at which new simulation runs most reduce the errors of
-/// the emulator's predictions at `choice.targets`, the most useful state first. A state may occur
-/// several times. The measure of error is the sum of squares of the weighted variances of the
-/// predictions. The function chooses one state after another. Each chosen state most reduces the
-/// measure of error, relative to the computing time of its run (taken as inversely proportional to
-/// the inertial number). A run at state c reduces the covariance C of the predictions by
+/// Returns the states among `choice.from` at which new runs most reduce the errors of the
+/// predictions at `choice.targets`, the most useful state first. A state may occur several times.
+/// The measure of error is the sum of squares of the weighted variances. A greedy choice: each
+/// state most reduces the measure relative to the computing time of its run, taken as inversely
+/// proportional to the inertial number. A run at state c reduces the covariance C of the
+/// predictions by
 ///     C(., c) [C(c, c) + N]^-1 C(c, .),
 /// with the covariance N of the noise of a run with the settings `fidelity`. The choice ends when
-/// the root of the measure of error has decreased by the factor `choice.factor`, but not before
+/// the root of the measure has decreased by the factor `choice.factor`, but not before
 /// `choice.fewest` and not after `choice.most` states.
 std::vector<FlowState> most_informative(const Emulator& emulator, const Fidelity& fidelity,
                                         const RunChoice& choice);

@@ -12,26 +12,19 @@ namespace pendular {
 
 /// Predictor of the shear stress [Pa] and solid fraction [1] that an instrument shows at any
 /// conditions, whereas a `Model` predicts one given set of readings. A predictor never changes, so
-/// that several threads may use one predictor at once.
+/// that several threads may use one at once. Parameter values are in the order of parameters().
 class Predictor {
   public:
     virtual ~Predictor() = default;
 
     virtual const std::vector<Parameter>& parameters() const = 0;
 
-    /// Predicts the shear stress [Pa] and solid fraction [1] that the instrument shows at each
-    /// condition. For condition k (k = 0, 1, ...), entry 2 k of the predicted values is the shear
-    /// stress and entry 2 k + 1 the solid fraction.
-    /// @param parameters values of the parameters, in the order of parameters()
-    /// @param what extent of the prediction: only values, values and derivatives, or values,
-    ///        derivatives and covariances
+    /// Predicts shear stress [Pa] and solid fraction [1] at each condition in turn (`Prediction`).
     virtual Prediction predict(const Eigen::VectorXd& parameters,
                                const std::vector<Condition>& conditions,
                                PredictionPart what = PredictionPart::covariance) const = 0;
 
-    /// Returns the range of each parameter, in the parameter's unit, in which the predictor can
-    /// predict: for the friction coefficient, the range of the simulation runs, and for a parameter
-    /// of an effect, its allowed values.
+    /// Returns the ranges in which the predictor can predict (Model::bounds()).
     virtual ParameterBounds bounds() const = 0;
 
     /// Whether effects of the instrument change what it shows (`Condition::ideal_instrument`).
@@ -43,9 +36,7 @@ class Predictor {
         Eigen::Vector2d value;
         Eigen::Matrix2d covariance;
     };
-    /// Predicts the stress ratio [1] and the solid fraction [1] at one condition, such as a point
-    /// of a curve.
-    /// @param parameters values of the parameters, in the order of parameters()
+    /// Predicts stress ratio and solid fraction at one condition, such as a point of a curve.
     Point predict_at(const Eigen::VectorXd& parameters, const Condition& condition) const;
 };
 
@@ -55,8 +46,7 @@ class FlowNeighbourhood {
   public:
     virtual ~FlowNeighbourhood() = default;
     /// Predicts the true shear stress [Pa] and solid fraction [1] at each condition in turn.
-    /// Parameters and conditions must be close to the parameters and conditions for which the
-    /// object was made.
+    /// Parameters and conditions must be close to those for which the object was made.
     /// @param places for each condition, the index of the nearby condition in the list for which
     ///        the object was made
     virtual Eigen::VectorXd values(const Eigen::VectorXd& parameters,
@@ -72,30 +62,21 @@ class FlowPredictor : public Predictor {
                        PredictionPart what = PredictionPart::covariance) const final;
     /// Predicts the true shear stress [Pa] and solid fraction [1] at each condition in turn. The
     /// conditions may contain changes that effects make to grains and liquid.
-    /// @param parameters values of the parameters, in the order of parameters()
-    /// @param what extent of the prediction: only values, values and derivatives, or values,
-    ///        derivatives and covariances
     virtual Prediction predict_flow(const Eigen::VectorXd& parameters,
                                     const std::vector<EffectiveCondition>& conditions,
                                     PredictionPart what = PredictionPart::covariance) const = 0;
-    /// Returns an object that makes fast predictions near the parameter values `parameters` and
-    /// near `conditions`, for difference quotients. The predictor must outlive the returned object.
-    /// By default, the returned object calls `predict_flow`.
+    /// Returns an object for fast predictions near `parameters` and `conditions`. The predictor
+    /// must outlive it. By default, the object calls `predict_flow`.
     virtual std::unique_ptr<const FlowNeighbourhood> neighbourhood(
         const Eigen::VectorXd& parameters, const std::vector<EffectiveCondition>& conditions) const;
 };
 
-/// Returns the prediction `readings` of the readings, with the predicted value of each directly
-/// measured parameter in `direct` appended. The predicted value is the value of the parameter in
-/// `values`. If the model lacks the parameter, the predicted value is `DirectMeasurement::neutral`.
-/// The appended entries have no simulation error.
-/// @param parameters parameters of the model
-/// @param values values of the parameters, in the order of `parameters`
+/// Returns the prediction `readings` with the predicted value of each directly measured parameter
+/// appended (`predicted_value`), without simulation error.
 Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>& direct,
                        const std::vector<Parameter>& parameters, const Eigen::VectorXd& values);
 
-/// Model that predicts first the readings at given conditions, by means of a predictor, then given
-/// parameters of effects that were measured directly (without shearing grains).
+/// Model of readings at given conditions, by a predictor, and of directly measured parameters.
 class ModelOfReadings : public Model {
   public:
     ModelOfReadings(std::shared_ptr<const Predictor> predictor, std::vector<Condition> conditions,

@@ -30,8 +30,8 @@ constexpr double first_frictions[] = {0.02, 0.07, 0.15, 0.3, 0.6};
 /// at most `fastest_extrapolated`, above which flow becomes dilute.
 constexpr double extrapolation_factor = 10, fastest_extrapolated = 0.3;
 /// Half-widths of the region over which the first wet runs are spread: in ln(friction + 0.05) about
-/// the friction of a fit (`fitted_width`) or, before any fit, over the whole range (`whole_width`);
-/// and in ln V0 (`volume_width`).
+/// the friction of a fit (`fitted_width`) or, before any fit, over the whole range (`whole_width`:
+/// 0 to 0.76 about the start of fits, 0.15); and in ln V0 (`volume_width`).
 constexpr double fitted_width = 0.4, whole_width = 1.4, volume_width = 0.4;
 /// Smallest number of runs of the first wet design.
 constexpr std::size_t fewest_wet = 8;

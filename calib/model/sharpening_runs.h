@@ -11,24 +11,20 @@
 
 namespace pendular {
 
-/// Model of a study's readings, with the parameter values that were fitted to the readings.
+/// Model of a study's readings with its fitted parameters.
 struct FittedModel {
     std::shared_ptr<const EffectModel> model;
-    /// Fitted parameter values, in the order of EffectModel::parameters().
-    Eigen::VectorXd parameters;
-    /// Covariance matrix of the errors of the fitted `parameters`, in products of the parameters'
-    /// units.
-    Eigen::MatrixXd covariance;
+    Eigen::VectorXd parameters;  ///< in the order of EffectModel::parameters()
+    Eigen::MatrixXd covariance;  ///< of the fitted `parameters`
 };
 
-/// Returns the task with which `most_informative` chooses the simulation runs that most reduce the
-/// contribution of simulation noise to the chi2 of the models `fitted`. The targets are the states
-/// of steady shear at which each model predicts the readings: with the fitted parameters, and with
-/// parameters shifted by one standard error either way along their least certain direction. Runs
-/// may be made at the target states, with or without the model's effects on grains. The variance of
-/// each prediction has the weight 1/sigma^2, with the standard error sigma of the reading.
-/// @param lowest_inertial_number lowest inertial number of the runs [1]; slower readings are
-///        simulated at this inertial number
+/// Returns the choice of the runs that most reduce the contribution of simulation noise to the chi2
+/// of the models `fitted`. The targets are the states at which each model predicts the readings:
+/// with the fitted parameters, and with parameters shifted by one standard error either way along
+/// their least certain direction. Runs may be made at the target states, with or without the
+/// model's effects on grains. The variance of each prediction has the weight 1/sigma^2, with the
+/// standard error sigma of the reading.
+/// @param lowest_inertial_number [1]; slower readings are simulated at this inertial number
 RunChoice sharpening_choice(const EmulatedSimulation& simulation,
                             const std::vector<FittedModel>& fitted,
                             const std::vector<Reading>& readings, double lowest_inertial_number);

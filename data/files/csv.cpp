@@ -124,6 +124,7 @@ bool passed_over(std::string_view line) {
     return text.starts_with('#') || text.find_first_not_of(" \t,;") == std::string_view::npos;
 }
 
+/// Limit of header cells, which are compared in pairs: their time grows with the square.
 constexpr std::size_t most_columns = 1000;
 
 void check_header(const Table& table) {

@@ -5,18 +5,14 @@
 
 namespace pendular {
 
-/// Name and unit in a cell of the header of a table, such as "Torque_sd [mN m]".
+/// Parts of a header cell such as "Torque_sd [mN m]".
 struct HeaderCell {
-    /// Name in the header cell, such as "Torque", without a mark of standard deviations such as
-    /// "_sd".
-    std::string name;
-    std::string unit;  ///< unit in the header cell, such as "mN m"; empty if the cell gives none
-    /// Whether the column under the header cell contains standard deviations.
-    bool deviation = false;
+    std::string name;        ///< without a mark of standard deviations: "Torque"
+    std::string unit;        ///< "mN m"; empty if the cell gives none
+    bool deviation = false;  ///< whether there is a mark of standard deviations, such as "_sd"
 };
 
-/// Splits a cell in the header of a table into name and unit. The cell reads `name [unit]`, `name
-/// (unit)`, `name in unit` or `name`.
+/// Splits a header cell, which reads `name [unit]`, `name (unit)`, `name in unit` or `name`.
 HeaderCell parse_header_cell(std::string_view text);
 
 }  // namespace pendular

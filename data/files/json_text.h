@@ -7,21 +7,18 @@
 
 namespace pendular {
 
-/// Version of all JSON formats that the program writes. The version increases only if programs that
-/// read the earlier version would misread the new version. The schemas are in docs/reference.
+/// Version of all JSON formats that the program writes. It increases only if programs that read the
+/// earlier version would misread the new one. The schemas are in docs/reference.
 constexpr int json_format = 1;
 
-/// Returns the text of a file that contains a JSON object. The first key of the text, "format",
-/// states the version of the formats (`json_format`). A number that is not finite is written as
-/// null. Bytes that are not UTF-8 are written as U+FFFD.
-/// @param indent number of blanks per level of nesting
+/// Returns the text of a file with a JSON object. The first key, "format", states `json_format`. A
+/// number that is not finite becomes null, and bytes that are not UTF-8 become U+FFFD.
+/// @param indent blanks per level of nesting
 std::string json_text(const nlohmann::ordered_json& object, int indent = 2);
 
-/// Checks that a JSON file has the version of the formats that the program reads, `json_format`.
-/// Files without a key "format" are accepted.
-/// @param file path of the file, for the message
+/// Checks the version of a JSON file. Files without a key "format" are accepted.
 /// @param advice end of the message, which says what to do
-/// @throws InputError if the version of the formats in the file differs from `json_format`
+/// @throws InputError if the version differs from `json_format`
 void check_json_format(const nlohmann::ordered_json& object, const std::filesystem::path& file,
                        std::string_view advice);
 

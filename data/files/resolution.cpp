@@ -2,17 +2,28 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 
 namespace pendular {
 namespace {
 
+/// Exponent of ten behind the 'e' of a number; 0 where there is none.
+int exponent_of(std::string_view number) {
+    const std::size_t e = number.find_first_of("eE");
+    if (e == std::string_view::npos) return 0;
+    std::string_view digits = number.substr(e + 1);
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    int exponent = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    return exponent;
+}
+
 Digits digits_of(std::string_view cell) {
     Digits result;
     int digits = 0, since_point = 0;
     bool started = false, point = false;
-    for (const char c : cell) {
-        if (c == 'e' || c == 'E') break;
+    for (const char c : cell.substr(0, cell.find_first_of("eE"))) {
         if (c == '.' || c == ',') {
             point = true;
         } else if (std::isdigit(static_cast<unsigned char>(c))) {
@@ -25,6 +36,7 @@ Digits digits_of(std::string_view cell) {
             }
         }
     }
+    result.decimals = std::max(0, result.decimals - exponent_of(cell));
     return result;
 }
 

@@ -8,8 +8,7 @@
 
 namespace pendular {
 
-/// Converts a position that the TOML parser reports for a key or value to a position in a file.
-/// Columns count characters, not bytes.
+/// Converts a position that the TOML parser reports. Columns count characters, not bytes.
 Position position_in(const std::string& file, const toml::source_position& where);
 
 /// Parses a text in TOML.

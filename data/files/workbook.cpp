@@ -179,7 +179,8 @@ std::vector<std::string> shared_strings(Archive& archive, const Relations& relat
     return strings;
 }
 
-/// Column, from 0, of a reference such as "AB12"; the column after `before` if there is none.
+/// Column, from 0, of a reference such as "AB12"; `next` if there is none. Long references end
+/// before the number overflows, far beyond the columns that are read.
 std::size_t column_of(std::string_view reference, std::size_t next) {
     std::size_t column = 0;
     for (const char c : reference) {

@@ -6,7 +6,8 @@
 
 namespace pendular {
 
-/// Largest total size, after unpacking, of the parts of a workbook that are read [bytes].
+/// Largest total size, unpacked, of the parts of a workbook that are read [bytes]: as
+/// `largest_table`, since a small archive may unpack to any size.
 constexpr std::uintmax_t largest_unpacked = 256u << 20;
 
 /// Whether bytes are the beginning of a ZIP archive, such as a workbook (.xlsx).
@@ -15,12 +16,11 @@ bool is_archive(std::string_view bytes);
 /// Returns a sheet of a workbook (.xlsx) as text in UTF-8: one line per row, with cells separated
 /// by tabs. Each row with values has as many cells as the widest row, and each row without values
 /// is an empty line. Numbers have a decimal point and all digits that the workbook stores. A
-/// formula is replaced by its stored result. Tabs and line ends within a cell become blanks. Errors
-/// such as #DIV/0! become empty cells.
-/// @param bytes content of the file
+/// formula becomes its stored result, an error such as #DIV/0! an empty cell, and tabs and line
+/// ends within a cell become blanks.
 /// @param file path of the file, for error messages
-/// @param sheet name of the sheet; empty: the first sheet of the workbook
-/// @throws InputError if the bytes are no workbook, lack the sheet `sheet`, unpack to more than
+/// @param sheet empty: the first sheet of the workbook
+/// @throws InputError if the bytes are no workbook, lack the sheet, unpack to more than
 ///         `largest_unpacked`, or have more than `most_cells` cells
 /// Source: ECMA-376, Office Open XML File Formats, part 1, section 18 (SpreadsheetML).
 std::string sheet_text(const std::string& bytes, const std::string& file, const std::string& sheet);

@@ -18,8 +18,9 @@
 namespace pendular {
 namespace {
 
-constexpr double smallest_factor =
-    1e-30;  ///< least ratio of a unit to the SI unit, and its inverse
+/// Least ratio of a unit to the SI unit; its inverse is the greatest. Refuses units
+/// such as "1e308 kN m".
+constexpr double smallest_factor = 1e-30;
 
 /// Mutex to hold in every call of UDUNITS, which has global state.
 std::mutex& udunits_mutex() {

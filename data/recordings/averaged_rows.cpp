@@ -56,6 +56,7 @@ void AveragedRows::halve() {
     for (const auto member : columns_) {
         std::vector<double>& column = recording_.*member;
         for (std::size_t k = 0; k < first.size(); ++k) {
+            // A row alone is both the first and the last of its mean.
             const std::size_t next = k + 1 < first.size() ? first[k + 1] : rows;
             column[k] = (column[first[k]] + column[next - 1]) / 2;
         }

@@ -120,6 +120,7 @@ void judge(const ColumnPair& pair, const Recording& recording, bool aside, Measu
             pair.stated, factor, pair.measured, ratios.size(),
             100 - 100.0 * static_cast<double>(off.size()) / static_cast<double>(ratios.size()),
             cause_of(pair, factor));
+        // Instruments may state the rate at another radius than the mean, such as the rim.
         if (pair.quantity == "shear_rate" && factor > 0.5 && factor < 2) {
             result.notes.push_back(
                 fmt::format("{}: {}; the rate at the mean radius is used", recording.file, what));

@@ -15,7 +15,8 @@
 namespace pendular {
 namespace {
 
-/// Smallest number of distinct torques in a run of copied rows.
+/// Smallest number of distinct torques in a run of copied rows: rows of few torques, as in a coarse
+/// column, agree by chance.
 constexpr std::size_t fewest_torques = 5;
 /// Approximate number of rows from which the offset in time of a copy is estimated.
 constexpr std::size_t sampled_rows = 64;
@@ -95,6 +96,7 @@ KnownRows::Stretch KnownRows::stretch(const Recording& recording, const Step& ro
 double KnownRows::copy_tolerance(const Stretch::Range& a, const Stretch::Range& b) {
     const double largest =
         std::max({std::abs(a.least), std::abs(a.most), std::abs(b.least), std::abs(b.most)});
+    // A constant column does not show its resolution.
     if (a.resolution == 0 || b.resolution == 0) return 0.01 * largest;
     return 0.5 * std::max(a.resolution, b.resolution) * (1 + 1e-6) + 1e-9 * largest;
 }
@@ -135,6 +137,7 @@ KnownRows::Matches KnownRows::matches_at(const Stretch& later, const Stretch& ea
                  force = copy_tolerance(later.of_force, earlier.of_force),
                  height = copy_tolerance(later.of_height, earlier.of_height),
                  time = 0.25 * std::min(later.spacing, earlier.spacing);
+    // A window of +-`time` has one row at most where rows are evenly spaced.
     Matches matches(later.size());
     for (std::size_t i = 0; i < later.size(); ++i) {
         const double wanted = later.time[i] - offset;

@@ -10,30 +10,25 @@
 
 namespace pendular {
 
-/// Detects copied rows in the recordings of a study, so that no measurement counts twice. A
-/// KnownRows object keeps the rows of all recordings examined so far. A run of at least
-/// `shortest_step` rows with five different torques is a copy if torque, normal force and gap agree
-/// with earlier rows within half the resolution of the coarser column, and if all times differ from
-/// the earlier times by one constant. Copies may be rounded, incomplete, or within one recording.
+/// Rows of all recordings of a study so far, to detect copies, so that no measurement counts twice.
+/// A run of at least `shortest_step` rows with five different torques is a copy if torque, normal
+/// force and gap agree with earlier rows within half the resolution of the coarser column, and if
+/// all times differ by one constant. Copies may be rounded, incomplete, or within one recording.
 class KnownRows {
   public:
-    /// Removes copied rows from a recording. Lists the copied rows with the original rows in
-    /// `result.excluded`, and names the files in `result.notes`. If study.toml states different
-    /// liquid contents or volumes of grains for the copy and the original, adds a message to
-    /// `result.doubts`.
-    /// @param source entry of study.toml to which the recording belongs
+    /// Removes copied rows from a recording, lists them with their originals in `result.excluded`,
+    /// and names the files in `result.notes`. Adds a doubt if study.toml states different liquid
+    /// contents or volumes of grains for copy and original.
     void take_out_copies(Recording& recording, const Source& source, Measurements& result);
 
   private:
-    /// Rows of a recording between two restarts of its time column, in SI units, with the liquid
-    /// content [1] and the volume of grains [m^3] that study.toml states. What does not depend on
-    /// the stretch with which it is compared is computed once.
+    /// Rows of a recording between two restarts of its time, in SI units, with what study.toml
+    /// states. Whatever does not depend on the other stretch of a comparison is computed once.
     struct Stretch {
         std::string file;
         std::vector<int> line;
         std::vector<double> time, torque, normal_force, height;
         std::optional<double> liquid_content, bead_volume;
-        /// Range and resolution of one column, in the column's SI unit.
         struct Range {
             double least = 0, most = 0, resolution = 0;
         };
@@ -44,15 +39,13 @@ class KnownRows {
 
         std::size_t size() const { return time.size(); }
     };
-    /// For each row of a later stretch (rows between two restarts of the time column), index of the
-    /// row of an earlier stretch from which the row was copied; empty if the row is not a copy.
+    /// For each row of a later stretch, index of the earlier row of which it is a copy.
     using Matches = std::vector<std::optional<std::size_t>>;
 
-    /// Largest difference between two columns, in their unit, if one is a copy of the other,
-    /// perhaps rounded: half the resolution of the coarser column; 1 % of the largest value if a
-    /// column is constant.
+    /// Largest difference, in their unit, of two columns of which one is a copy, perhaps rounded:
+    /// half the coarser resolution; 1 % of the largest value if a column is constant.
     static double copy_tolerance(const Stretch::Range& a, const Stretch::Range& b);
-    /// Whether the ranges of all columns overlap.
+    /// Whether the ranges of all columns overlap: a quick test before rows are compared.
     static bool may_repeat(const Stretch& later, const Stretch& earlier);
     static Stretch stretch(const Recording& recording, const Step& rows, const Source& source);
     static Matches repeated_rows(const Stretch& later, const Stretch& earlier);
@@ -65,11 +58,11 @@ class KnownRows {
     std::vector<Stretch> known_;
 };
 
-/// Moves readings that repeat an earlier reading from `measurements.readings` to
-/// `measurements.excluded`, and adds notes to `measurements.notes`. A repetition agrees with the
-/// earlier reading in normal stress, inertial number, liquid content, volume of grains (if both are
-/// known), measured values, time and covariance. Readings of different files need not agree in time
-/// and covariance if shear stress and solid fraction have more than six digits.
+/// Moves readings that repeat an earlier one from `measurements.readings` to
+/// `measurements.excluded`, with notes. A repetition agrees in normal stress, inertial number,
+/// liquid content, volume of grains (if both are known), measured values, time and covariance.
+/// Readings of different files need not agree in time and covariance if shear stress and solid
+/// fraction have more than six digits, more than tables written by hand have.
 void count_readings_once(Measurements& measurements);
 
 }  // namespace pendular

@@ -130,7 +130,7 @@ void set_files_apart(ReplicateTable& table, std::size_t place, Eigen::Index o,
     if (difference <= largest_filling_difference(o))
         return note_unlike_files(table, cluster, o, result);
     const std::vector<std::size_t> far = far_files(cluster, o);
-    const double variance = 2 * difference * difference;
+    const double variance = 2 * difference * difference;  // of the distance between two files
     Doubt doubt = doubt_about(
         o,
         fmt::format("In {}, {} {} at all conditions, by {:.3g} %, while steps within a file agree; "

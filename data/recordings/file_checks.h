@@ -10,39 +10,33 @@
 
 namespace pendular {
 
-/// Constants with which an instrument converts torque and normal force to stresses in an annular
-/// cell, deduced from the columns of a file.
+/// Constants with which an instrument converts torque and normal force to stresses, deduced from
+/// the columns of a file.
 struct CellFromColumns {
-    /// Ratio of shear stress to torque in the columns of the file [Pa/(N m)]; 0: unknown.
-    double stress_per_torque = 0;
-    /// Ratio of normal stress to normal force in the columns of the file [1/m^2]; 0: unknown.
-    double stress_per_force = 0;
-    /// Inner and outer radius [m] of the commercial cup that has the file's ratios of stress to
-    /// torque and to normal force; empty if no known cup has the ratios.
+    double stress_per_torque = 0;  ///< [Pa/(N m)]; 0: unknown
+    double stress_per_force = 0;   ///< [1/m^2]; 0: unknown
+    /// Radii [m] of the commercial cup that has these ratios; empty if no known cup has them.
     std::optional<double> inner_radius, outer_radius;
 };
 
-/// Returns the constants of the cell: the most frequent ratios of shear stress to torque and of
-/// normal stress to normal force in the rows of a file. If the ratio for normal stress is that of a
-/// commercial cup, and if at least one row has the cup's ratio for shear stress, the result has the
-/// radii of the cup and the cup's ratio for shear stress. If the file has only one of the two
-/// ratios, this ratio must be that of the cup.
-/// @param series columns of each interval (step of constant set points) of the file
+/// Returns the constants of the cell: the most frequent ratios in the rows of a file. If the ratio
+/// for normal stress is that of a commercial cup, and at least one row has the cup's ratio for
+/// shear stress, the result has the radii of the cup and its ratio for shear stress. If the file
+/// has only one of the two ratios, it must be that of the cup.
 CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series);
 
-/// Checks a file of measurements for contradictions within the file, and returns findings on:
+/// Checks a file for contradictions within itself, and returns findings on:
 /// - ratio of shear stress to torque, or of normal stress to normal force, not constant to 5 %
 /// - headers of two columns exchanged
 /// - number of rows of an interval not as declared
 /// - time that goes back within an interval
+/// - normal force or stress negative in more than 90 % of the rows
 /// - rows that repeat the preceding row
 /// - several tests in one file
 /// - constants or radii in the header that contradict the columns
 /// - measured values that do not follow their set points
-/// @param series columns of each interval (step of constant set points) of the file, in the order
-///         of the file's blocks
-/// @param cell constants of the cell, from `cell_from_columns`; not used for a file with several
-///         tests
+/// @param series in the order of the file's blocks
+/// @param cell from `cell_from_columns`; not used for a file with several tests
 std::vector<FileFinding> check_file(const BlockFile& file,
                                     const std::vector<IntervalSeries>& series,
                                     const CellFromColumns& cell);

@@ -13,8 +13,8 @@ namespace {
 constexpr double heavy = 0.1;  // smallest weight to report, over the normal stress
 
 std::string range_of(double least, double greatest) {
-    return least == greatest ? fmt::format("{:.4g} Pa", least)
-                             : fmt::format("{:.4g} to {:.4g} Pa", least, greatest);
+    const std::string from = fmt::format("{:.4g}", least), to = fmt::format("{:.4g}", greatest);
+    return from == to ? from + " Pa" : from + " to " + to + " Pa";
 }
 
 }  // namespace

@@ -8,11 +8,10 @@
 
 namespace pendular {
 
-/// Returns notes for the user on recordings that probably lost their last rows, and on recordings
-/// of which no step gave a reading. A recording counts as cut off if a longer file of the same
-/// entry of study.toml begins with steps at the conditions (normal stress, inertial number and
-/// liquid content) of all steps of the recording, and if the recording either ends there or goes on
-/// with a step that gives no reading.
+/// Returns notes on recordings that probably lost their last rows, and on recordings of which no
+/// step gave a reading. A recording counts as cut off if a longer file of the same entry of
+/// study.toml begins with steps at the conditions of all its steps, and if it either ends there or
+/// goes on with a step that gives no reading.
 std::vector<std::string> notes_on_incomplete_files(const Study& study,
                                                    const Measurements& measurements);
 

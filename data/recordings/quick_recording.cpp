@@ -73,6 +73,8 @@ class QuickReader {
     Recording take() { return std::move(recording_); }
 
   private:
+    /// Bytes of a line from which on the file is left to the general reader, so that a file without
+    /// line ends is not kept in `rest_`.
     static constexpr std::size_t longest_line = 1 << 20;
 
     /// Takes the columns from the header, once the first lines show a plain table.

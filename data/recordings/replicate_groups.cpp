@@ -15,7 +15,7 @@ bool close(double a, double b) {
 }  // namespace
 
 bool are_replicates(const Reading& a, const Reading& b) {
-    constexpr double rounding = 1e-9;
+    constexpr double rounding = 1e-9;  // of the arithmetic: liquid contents are stated numbers
     const bool same_filling =
         a.condition.bead_volume && b.condition.bead_volume
             ? close(*a.condition.bead_volume, *b.condition.bead_volume)

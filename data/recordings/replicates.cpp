@@ -275,6 +275,7 @@ void Pooling::estimate_correlation() {
                            });
     if (!estimated) return;
     scatter.correlation_freedom = freedom;
+    // Shrunk by (freedom - 1)/(freedom + 1): one pair tells no correlation.
     const double correlation = std::clamp(
         product / std::sqrt(squares0 * squares1) * (freedom - 1) / (freedom + 1), -0.99, 0.99);
     for (auto& group : scatter.groups) {

@@ -15,7 +15,7 @@ double median(std::vector<double> values) {
 }
 
 double robust_deviation(std::span<const double> values) {
-    constexpr double normal = 1.4826;
+    constexpr double normal = 1.4826;  // 1/(quantile of the normal distribution at 3/4)
     std::vector<double> distances(values.begin(), values.end());
     const double centre = median(distances);
     for (double& value : distances)

@@ -7,7 +7,7 @@
 namespace pendular {
 
 double rounding_correlation(double scatter) {
-    double sum = 0, all = 0;
+    double sum = 0, all = 0;  // over the same terms, so that the result is 1 without scatter
     for (int k = 1; k <= 40; ++k) {
         sum += std::exp(-std::pow(2 * std::numbers::pi * k * scatter, 2)) / (k * k);
         all += 1.0 / (k * k);
@@ -61,6 +61,7 @@ bool is_rounded(const ReplicateTable& table, Eigen::Index o, const std::vector<R
 void weigh_rounding(ReplicateTable& table, const std::vector<Reading>& readings) {
     for (const Eigen::Index o : {0, 1}) {
         if (!is_rounded(table, o, readings)) continue;
+        // Bisection over relative standard deviations from 1e-5 to 1.
         double small = std::log(1e-10), large = std::log(1.0);
         constexpr double fine = 1e-3;
         while (large - small > fine) {

@@ -2,15 +2,12 @@
 
 namespace pendular {
 
-/// Converts the recorded times of successive recordings to times on the clock of the study's first
-/// recording [s]. Times that keep increasing from recording to recording are used as recorded. A
-/// recording in which the times restart is assumed to follow the preceding recording without a
-/// pause.
+/// Clock of the study's first recording [s]. Times that keep increasing from recording to recording
+/// are used as recorded; a recording in which they restart is assumed to follow without a pause.
 class RunClock {
   public:
-    /// Returns the offset [s] to add to the recorded times of the next step. The function must be
-    /// called once for each step, in the order of measurement.
-    /// @param first,last first and last recorded time of the step [s]
+    /// Returns the offset [s] to add to the recorded times of the next step, which run from `first`
+    /// to `last` [s]. To be called once for each step, in the order of measurement.
     double shift(double first, double last) {
         if (first < last_) shift_ += last_;
         last_ = last;

@@ -11,6 +11,8 @@
 namespace pendular {
 namespace {
 
+/// Prior of the load exponent, and its largest value, that of an error that is constant in Pa: its
+/// share of the stress is as 1/load [1].
 constexpr double exponent_prior = 0.5, largest_exponent = 1;
 constexpr double fewest_for_exponent = 10;
 

@@ -40,6 +40,7 @@ std::optional<SpeedRamp> speed_ramp(std::span<const double> speeds) {
     const std::size_t quarter = speeds.size() / 4;
     const auto last = speeds.last(quarter), before = speeds.last(2 * quarter).first(quarter);
     const double change = std::abs(middle(last) - middle(before));
+    // The difference of two medians of independent values scatters by 1.8 noise/sqrt(quarter).
     const double noise = std::max(sample_noise(last), sample_noise(before));
     const bool changes = change > 0.5 * settled * std::max(middle(last), middle(before)) &&
                          change > 5 * noise / std::sqrt(static_cast<double>(quarter));

@@ -6,14 +6,13 @@
 
 namespace pendular {
 
-/// Speeds at the beginning and at the end of a step in which the speed never settles [unit of the
-/// series].
+/// Speeds at the beginning and end of a step in which the speed never settles, in their unit.
 struct SpeedRamp {
     double first = 0;
     double last = 0;
-    /// Returns the ratio of the larger to the smaller speed [1]; infinite if the smaller is 0.
+    /// Returns the larger over the smaller speed [1]; infinite if the smaller is 0.
     double factor() const;
-    /// Returns words for the change: "by a factor of 200", or "from or to rest".
+    /// Returns "by a factor of 200", or "from or to rest".
     std::string change() const;
 };
 

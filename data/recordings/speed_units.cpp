@@ -44,7 +44,7 @@ double speed_of(const Reading& reading) {
 /// Quotient of the speeds of each step that two files took at equal normal stress and liquid
 /// content.
 std::vector<double> quotients(const Steps& first, const Steps& second) {
-    constexpr double same = 0.02;  // relative difference of equal normal stresses
+    constexpr double same = 0.02;  // relative, of normal stresses, as for `are_replicates`
     std::vector<double> found;
     for (const Reading* a : first) {
         const auto b = std::ranges::find(second, a->step, &Reading::step);

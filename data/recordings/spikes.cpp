@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::ptrdiff_t reach = 5;  // samples on each side of the median
 constexpr double noises = 20, least_share = 0.05, most_samples = 0.05;
-constexpr std::size_t longest = 3;  // samples
+constexpr std::size_t longest = 3;  // samples; too few of 11 to move their median far
 
 double local_median(std::span<const double> series, std::size_t at) {
     const auto place = static_cast<std::ptrdiff_t>(at);

@@ -140,6 +140,7 @@ void check_stated_cell(const StatedCell& stated, double stress_per_torque, doubl
         if (!all.stress_per_force)
             all.stress_per_force = {normal_stress(1, annulus), line, "the radii", text};
     }
+    // Ratios of columns are known to 5 % (`cell_from_columns`).
     compare(
         all,
         {{&StatedCell::stress_per_torque, "shear stress per torque", "Pa/(N m)", stress_per_torque,

@@ -10,42 +10,35 @@
 
 namespace pendular {
 
-/// Number in the header of a file, with the position and text of the number.
+/// Number in the header of a file.
 struct StatedValue {
-    double value = 0;  ///< the number in the header, converted to SI units
-    int line = 0;      ///< line of the number in the file, from 1
-    std::string key;   ///< name of the number in the header of the file, such as "Inner radius"
-    std::string text;  ///< number and unit with the spelling of the file, such as "21 mm"
+    double value = 0;  ///< in SI units
+    int line = 0;      ///< from 1
+    std::string key;   ///< as in the file, such as "Inner radius"
+    std::string text;  ///< number and unit as in the file, such as "21 mm"
 };
 
-/// Radii of the annular cell, and constants that convert torque and normal force to stresses, in
-/// the header of a file. A radius or constant that the header lacks is empty.
+/// Radii of the annular cell and ratios of stress to torque and force that the header of a file
+/// states; empty where it does not.
 struct StatedCell {
-    /// Inner and outer radius of the annular cell in the header of the file [m]. If the header
-    /// gives a diameter, the radius is half of the diameter.
-    std::optional<StatedValue> inner_radius, outer_radius;
-    /// Ratio of shear stress to torque in the header of the file [Pa/(N m)].
-    std::optional<StatedValue> stress_per_torque;
-    /// Ratio of normal stress to normal force in the header of the file [1/m^2].
-    std::optional<StatedValue> stress_per_force;
+    std::optional<StatedValue> inner_radius, outer_radius;  ///< [m]; half of a stated diameter
+    std::optional<StatedValue> stress_per_torque;           ///< [Pa/(N m)]
+    std::optional<StatedValue> stress_per_force;            ///< [1/m^2]
 };
 
-/// Returns the radii and constants of the cell in the header of a file. The keys of the header may
-/// be in English, French or German. Numbers that are not positive or have no unit are left out.
+/// Returns what the header states of the cell, with keys in English, French or German. Numbers that
+/// are not positive or have no unit are left out.
 StatedCell stated_cell(const BlockFile& file);
 
-/// Adds a finding for each ratio of stress to torque or to normal force in a file's header that
-/// differs by more than 5 % from the ratio in the columns of the file. If the header lacks a ratio,
-/// the radii in the header give the ratio.
-/// @param stated radii and ratios in the header
-/// @param stress_per_torque ratio of shear stress to torque in the columns [Pa/(N m)]; 0: unknown
-/// @param stress_per_force ratio of normal stress to normal force in the columns [1/m^2]; 0:
-///         unknown
+/// Adds a finding for each ratio of stress to torque or force in a header, from its radii if it
+/// lacks the ratio, that differs by more than 5 % from that in the columns of the file.
+/// @param stress_per_torque in the columns [Pa/(N m)]; 0: unknown
+/// @param stress_per_force in the columns [1/m^2]; 0: unknown
 void check_stated_cell(const StatedCell& stated, double stress_per_torque, double stress_per_force,
                        std::vector<FileFinding>& findings);
 
-/// Returns a finding for each radius or constant of the cell in a file's header that differs by
-/// more than 1 % from the cell in study.toml.
+/// Returns a finding for each radius or ratio in a header that differs by more than 1 % from the
+/// cell in study.toml.
 std::vector<FileFinding> compare_with_study(const BlockFile& file, const AnnularCell& cell);
 
 }  // namespace pendular

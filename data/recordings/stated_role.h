@@ -7,8 +7,8 @@
 
 namespace pendular {
 
-/// Returns the role that the user states for an interval by the interval's number, the interval's
-/// name or the name of the interval's test. The text is empty if the user states no role.
+/// Returns the role that the user states for an interval by its number, its name or the name of its
+/// test; empty if there is none.
 std::string stated_role(const Block& block, const FileFormat& format);
 
 }  // namespace pendular

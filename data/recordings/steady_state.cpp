@@ -103,6 +103,7 @@ Reason no_steady_turn(const StepSeries& series) {
     double angle = 0;
     for (std::size_t i = 1; i < series.size(); ++i)
         angle += std::abs(series.angular_velocity[i]) * (series.time[i] - series.time[i - 1]);
+    // Slow reversals spread far beyond the noise from row to row; noise about zero does not.
     const double noise = sample_noise(series.angular_velocity);
     const double usual = robust_deviation(series.angular_velocity);
     if (angle > back_and_forth && usual > 3 * noise)

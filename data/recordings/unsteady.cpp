@@ -34,6 +34,7 @@ double strain_of(const StepSeries& series, const AnnularCell& cell) {
 }
 
 std::string looks_like(const StepSeries& series) {
+    // Chosen: the limits decide words in a message alone.
     const double force = relative_change(series.normal_force);
     if (force < -0.2) return "unloading";
     if (force > 0.2) return "loading";

@@ -7,11 +7,10 @@
 
 namespace pendular {
 
-/// Returns the shear strain [1] of a step: magnitude of the mean shear rate times the time from the
-/// first to the last data point.
+/// Returns the shear strain [1] of a step: magnitude of the mean shear rate times the duration.
 double strain_of(const StepSeries& series, const AnnularCell& cell);
 
-/// Returns a few words for the user that describe a step that is too short for steady shear:
+/// Returns a few words for a step that is too short for steady shear:
 /// - unloading or loading: the normal force changes by more than 20 %
 /// - consolidation: the gap shrinks by more than 1 %
 /// - shear to failure: the torque peaks and drops

@@ -4,11 +4,10 @@
 
 namespace pendular {
 
-/// Whether a study may use files outside of its folder: value of the key allow_outside of
-/// study.toml, or false if the key is missing.
+/// Whether a study may use files outside of its folder: allow_outside of study.toml, by default
+/// false.
 /// @param study folder of the study, or path of its study.toml
-/// @throws InputError at file:line:column if study.toml cannot be read, has a syntax error or an
-///         unknown key of the top level, or if the value of allow_outside is neither true nor false
+/// @throws InputError if study.toml cannot be read, or has an error of syntax or of its top level
 bool allows_outside(const std::filesystem::path& study);
 
 }  // namespace pendular

@@ -27,8 +27,10 @@ std::string whole_pattern(const std::filesystem::path& folder, const std::string
     return absolute ? pattern : as_pattern(folder.string()) + "/" + pattern;
 }
 
-constexpr int most_folders = 10'000;  ///< largest number of folders that a pattern may open
-thread_local int folders_left = 0;    ///< folders that the present search may still open
+/// Largest number of folders that a pattern may open: the search of one that matches very many
+/// may not end.
+constexpr int most_folders = 10'000;
+thread_local int folders_left = 0;  ///< folders that the present search may still open
 
 /// Opens a folder for the search of glob(3); fails once the search has opened too many.
 void* open_folder(const char* name) {

@@ -7,17 +7,15 @@
 
 namespace pendular {
 
-/// Set points of an annular rheometer: normal force and angular velocity that the user sets to
-/// shear the grains at a given normal stress and inertial number.
+/// Set points of the lid of an annular rheometer.
 struct SetPoint {
-    double normal_force = 0;      ///< normal force on the lid [N]
-    double angular_velocity = 0;  ///< angular velocity of the lid [rad/s]
+    double normal_force = 0;      ///< [N]
+    double angular_velocity = 0;  ///< [rad/s]
 };
 
-/// Returns the set points of the rheometer that impose the normal stress and the inertial number of
-/// a condition. The result is empty if the study states no cell. The height of the sample is
-/// computed from a typical solid fraction of 0.6, so that the angular velocity is right within a
-/// few per cent.
+/// Returns the set points that impose the normal stress and the inertial number of a condition;
+/// empty if the study states no cell. The sample height is computed from a typical solid fraction
+/// of 0.6, so that the angular velocity is right within a few per cent.
 std::optional<SetPoint> set_point_of(const Condition& condition, const Study& study);
 
 }  // namespace pendular

@@ -23,17 +23,15 @@ struct Estimate {
     std::string name;  ///< name of the parameter, such as "friction" or "torque-offset.torque"
     std::string unit;  ///< SI unit of `value` and `standard_error`; "1": dimensionless
     double value = 0;  ///< fitted value [unit]
-    /// Standard error of `value`, from errors of measurement and simulation together [unit].
-    double standard_error = 0;
+    double standard_error = 0;  ///< from errors of measurement and simulation together [unit]
 };
 
 /// Shear stress and solid fraction of one state of the sample (steady shear or point of failure),
 /// as measured and as a fitted model predicts them.
 struct Reading {
-    std::string file;  ///< file of the recording or table that the reading comes from
-    /// Number of the step of constant set points in the recording, from 1; 0: unknown.
-    std::size_t step = 0;
-    double normal_stress = 0;         ///< normal stress on the sample [Pa]
+    std::string file;          ///< file of the recording or table that the reading comes from
+    std::size_t step = 0;      ///< step of constant set points in the recording, from 1; 0: unknown
+    double normal_stress = 0;  ///< normal stress on the sample [Pa]
     double inertial_number = 0;       ///< inertial number I, the reduced shear rate [1]
     double liquid_content = 0;        ///< volume of liquid divided by volume of grains [1]; 0: dry
     double shear_stress = 0;          ///< measured shear stress [Pa]
@@ -48,13 +46,12 @@ struct Reading {
 /// Fit of a study's model to the study's readings.
 struct Fit {
     std::vector<Estimate> parameters;  ///< fitted parameters, the intergranular friction first
-    /// Misfit chi2 of all readings and of the direct measurements of parameters [1]. The readings
-    /// to which the parameters were not fitted are included.
+    /// Misfit chi2 of all readings and of the direct measurements of parameters [1], the readings
+    /// included to which the parameters were not fitted.
     double chi2 = 0;
     int degrees_of_freedom = 0;  ///< degrees of freedom of `chi2`
     bool converged = false;      ///< whether the search for the best parameters converged
-    /// Reasons not to believe the fit, as sentences, the most serious first. The list is empty if
-    /// no reason was found.
+    /// Reasons not to believe the fit, as sentences, the most serious first; empty: none found.
     std::vector<std::string> doubts;
     std::vector<Reading> readings;  ///< all readings of the study with their predictions
 };
@@ -72,10 +69,9 @@ struct Verdict {
     /// - "unknown": the model does not fit, and no known effect explains the misfit;
     /// - "suspect-measurement": an error in one part of the measurement would explain the misfit.
     std::string verdict;
-    /// Names of effects. If the verdict is "missing", the model lacks all of the effects. If the
-    /// verdict is "indistinguishable", the effects are alternatives that explain the readings
-    /// equally well. If the verdict is "inconclusive", the readings cannot exclude that the effects
-    /// are large enough to matter. The list is empty for every other verdict.
+    /// Names of effects, all of which the model lacks ("missing"), which explain the readings
+    /// equally well ("indistinguishable"), or which may be large enough to matter ("inconclusive").
+    /// Empty for every other verdict.
     std::vector<std::string> effects;
     /// Whether the study's model fits the readings, alone, with further effects, or with an error
     /// of one part of the measurement. Always true if the verdict is "suspect-measurement".
@@ -83,34 +79,28 @@ struct Verdict {
     /// Parts of the measurement whose error alone would explain the misfit, such as "the readings
     /// of dry_1.csv".
     std::vector<std::string> suspects;
-    /// Misfit chi2 of the study's model as it is, without further effects [1].
-    double chi2 = 0;
+    double chi2 = 0;             ///< misfit chi2 of the study's model without further effects [1]
     int degrees_of_freedom = 0;  ///< degrees of freedom of `chi2`
-    /// Reasons not to believe the fit of the study's model, as sentences, the most serious first.
-    /// The list is empty if no reason was found.
+    /// Reasons not to believe the fit of the study's model, as in `Fit::doubts`.
     std::vector<std::string> doubts;
 };
 
-/// Fits of a study's model before and after an effect was added to the model or dropped from the
-/// model.
+/// Fits of a study's model before and after an effect was added or dropped.
 struct Change {
-    /// Fit of the model before the change. The list `doubts` of this fit is always empty.
-    Fit before;
-    Fit after;  ///< fit of the model after the change
-    /// Whether study.toml was changed; false if the new fit did not converge.
-    bool written = false;
+    Fit before;            ///< fit of the model before the change; its `doubts` are always empty
+    Fit after;             ///< fit of the model after the change
+    bool written = false;  ///< whether study.toml was changed; false: the new fit did not converge
 };
 
-/// Exception for a mistake in a file, key, value or option that the user gave. The text of the
-/// exception names the mistake and what to do. For a mistake in a file, the text begins with
-/// file:line:column.
+/// Exception for a mistake in a file, key, value or option that the user gave. The text names the
+/// mistake and what to do; for a file, it begins with file:line:column.
 class InputError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// Exception for a stop request (`Options::stop`) that ended long work early. The text of the
-/// exception says how to continue the work.
+/// Exception for a stop request (`Options::stop`) that ended long work early. The text says how to
+/// continue.
 class Interrupted : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -136,21 +126,18 @@ struct Prediction {
 /// without shearing the sample.
 struct NextReading {
     SetPoint at;  ///< set point at which to shear the sample; unused if `direct` is set
-    /// Name of the parameter to measure directly, such as "torque-offset.torque". The name is empty
-    /// if the sample is to be sheared at `at`.
+    /// Parameter to measure directly, such as "torque-offset.torque"; empty: shear the sample.
     std::string direct;
     int repeats = 1;  ///< number of readings, or of direct measurements, to take
 };
 
-/// Suggested next measurements. The measurements tell apart the models in `rivals`. If there is
-/// only one model, the measurements make its parameters more precise.
+/// Suggested next measurements. They tell apart the models in `rivals`, or make the parameters of a
+/// single model more precise.
 struct Suggestion {
-    /// Names of the models that the measurements should tell apart: the models that fit the
-    /// readings or, if no model fits, the models that come closest. The list has one entry if the
-    /// measurements should make the parameters of a single model more precise.
+    /// Models to tell apart: those that fit the readings or, if none fits, those that come closest.
+    /// One entry: the parameters of this model are to become more precise.
     std::vector<std::string> rivals;
-    /// Measurements to take. The list is empty if the instrument cannot tell any two of the
-    /// `rivals` apart.
+    /// Measurements to take; empty: the instrument cannot tell any two of the `rivals` apart.
     std::vector<NextReading> readings;
 };
 
@@ -161,11 +148,9 @@ struct Options {
     int threads = 1;                    ///< number of simulations or refits that run at a time
     std::filesystem::path store;        ///< SQLite file that keeps simulation runs; empty: no file
     std::filesystem::path results;      ///< folder for fit.json and other results; empty: STUDY/out
-    /// Whether new simulations at the fitted parameters check a fit.
-    bool confirm = false;
-    /// Token whose stop request ends long work by throwing `Interrupted`.
-    std::stop_token stop = {};
-    /// Function called with one line of text for each progress message; empty: no calls.
+    bool confirm = false;       ///< whether new simulations at the fitted parameters check a fit
+    std::stop_token stop = {};  ///< a stop request ends long work by throwing `Interrupted`
+    /// Called with one line of text for each progress message; empty: no calls.
     std::function<void(const std::string&)> listener = {};
 };
 
@@ -180,33 +165,30 @@ class Session {
     ///         would replace a file of the study
     explicit Session(const std::filesystem::path& study, Options options = {});
     ~Session();
-    /// Moves a session into a new object. Afterwards, the moved session is empty and must not be
-    /// used. Sessions cannot be copied.
+    /// Moves a session into a new object. The moved session must not be used.
     Session(Session&&) noexcept;
-    /// Moves a session into this object and ends the session that the object held before.
+    /// Moves a session into this object and ends the one that it held before.
     Session& operator=(Session&&) noexcept;
 
-    /// Returns the measured readings of the study, dry readings first. The predicted values of
-    /// these readings are 0.
+    /// Returns the measured readings of the study, dry readings first; their predicted values are
+    /// 0.
     std::vector<Reading> readings() const;
 
     /// Fits the parameters of the study's model, the intergranular friction among them, to the
     /// readings. An emulator, which interpolates between simulation runs, predicts the readings.
-    /// Writes fit.json and fit_runs.csv to the folder for results (`Options::results`).
+    /// Writes fit.json and fit_runs.csv to the folder for results.
     /// @throws InputError if there is nothing to fit, or if a reading cannot be simulated
-    /// @throws Interrupted if a stop request (`Options::stop`) ended the work
+    /// @throws Interrupted on a stop request
     /// @throws std::runtime_error if a file cannot be written
     Fit calibrate() const;
 
-    /// Reads the fit in fit.json of the folder for results, and compares the fit with the study's
-    /// readings.
+    /// Reads the fit in fit.json of the folder for results and compares it with the readings.
     /// @throws InputError if there is no readable fit.json, or if the study has changed since the
     ///         fit
     Fit compare() const;
 
-    /// Predicts the reading that the instrument would show at each set point, according to the fit
-    /// in fit.json of the folder for results. Returns one prediction per set point, in the order of
-    /// `at`.
+    /// Predicts the reading that the instrument would show at each set point, in the order of `at`,
+    /// from the fit in fit.json of the folder for results.
     /// @throws InputError if there is no readable fit.json, if the study has changed since the fit,
     ///         or if a set point cannot be simulated
     std::vector<Prediction> predict(const std::vector<SetPoint>& at) const;
@@ -217,15 +199,14 @@ class Session {
     /// @throws InputError if there are too few readings or too few earlier simulation runs, if a
     ///         reading is outside the range that can be simulated, or if ladder.json in the folder
     ///         for results cannot be read
-    /// @throws Interrupted if a stop request (`Options::stop`) ended the work
+    /// @throws Interrupted on a stop request
     Verdict diagnose() const;
 
     /// Diagnoses the study and plans its next measurement. Section [rig] of study.toml states the
-    /// possible settings of the instrument. Without this section, the settings lie in the range of
-    /// the readings.
+    /// possible settings of the instrument; without it, they lie in the range of the readings.
     /// @throws InputError if the study cannot be diagnosed (see `diagnose`), or if no earlier
     ///         simulation run is near any of the settings
-    /// @throws Interrupted if a stop request (`Options::stop`) ended the work
+    /// @throws Interrupted on a stop request
     Suggestion next() const;
 
     /// Fits the study's model without and with a further physical effect. If the fit with the
@@ -236,18 +217,15 @@ class Session {
     /// @throws InputError if the effect is unknown, is already in the model or does not apply to
     ///         the study, if ladder.json in the folder for results cannot be read, if a fit is
     ///         impossible, or if study.toml has changed since it was read
-    /// @throws Interrupted if a stop request (`Options::stop`) ended the work
+    /// @throws Interrupted on a stop request
     /// @throws std::runtime_error if a file cannot be written
     Change add(const std::string& effect) const;
     /// Fits the study's model with and without one of the effects that study.toml lists. If the fit
-    /// without the effect converges, removes the effect from study.toml and writes the fit to the
-    /// folder for results. This session keeps the study with the effect: open another session for
-    /// the changed study.
-    /// @param effect name of the effect, such as "torque-offset"
-    /// @throws InputError if the study does not list the effect, if ladder.json in the folder for
-    ///         results cannot be read, if a fit is impossible, or if study.toml has changed since
-    ///         it was read
-    /// @throws Interrupted if a stop request (`Options::stop`) ended the work
+    /// without the effect converges, removes the effect from study.toml and writes the fit, as
+    /// `add` does. This session keeps the study with the effect.
+    /// @param effect name of the effect
+    /// @throws InputError if the study does not list the effect; else as for `add`
+    /// @throws Interrupted on a stop request
     /// @throws std::runtime_error if a file cannot be written
     Change drop(const std::string& effect) const;
 

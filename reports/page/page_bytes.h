@@ -6,7 +6,7 @@
 
 namespace pendular {
 
-/// Buffer of numbers in binary form (little-endian), which an HTML page embeds as base64 text.
+/// Buffer of little-endian numbers, which an HTML page embeds as base64 text.
 class Bytes {
   public:
     void add(float value) { append(&value, sizeof value); }
@@ -15,12 +15,11 @@ class Bytes {
     void add_unsigned(std::uint32_t value, int width) {
         append(&value, static_cast<std::size_t>(width));
     }
-    /// Adds each of the values as a 32-bit float.
+    /// Adds the values as 32-bit floats.
     void add_floats(const Eigen::VectorXd& values);
-    /// Adds the largest magnitude of the values (the scale) as a 32-bit float. Then adds each value
-    /// as a 16-bit integer: 32767 value/scale, rounded.
+    /// Adds the scale, the largest magnitude of the values, as a 32-bit float, then each value as
+    /// the 16-bit integer 32767 value/scale, rounded.
     void add_scaled(const Eigen::VectorXd& values);
-    /// Returns all bytes added so far as base64 text.
     std::string base64() const;
 
   private:

@@ -104,6 +104,8 @@ PageRecording page_recording(const FileView& view, const std::vector<Reading>& r
 }
 
 std::size_t points_of_recordings(std::size_t recordings) {
+    // A point has 3 to 6 bytes, 4 to 8 characters of base64: all points take at most 96 kB, unless
+    // there are more than 300 recordings.
     constexpr std::size_t of_one = 400, of_all = 12'000, courses = 2;
     return std::clamp<std::size_t>(of_all / (courses * std::max<std::size_t>(1, recordings)), 20,
                                    of_one);

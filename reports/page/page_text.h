@@ -4,7 +4,7 @@
 
 namespace pendular {
 
-/// Returns a text for an HTML page, with each "+-" replaced by a plus-minus sign.
+/// Returns a text for an HTML page, with a plus-minus sign for each "+-".
 std::string page_text(std::string text);
 
 }  // namespace pendular

@@ -8,37 +8,32 @@
 
 namespace pendular {
 
-/// Error of a formula that cannot be read. The message states the mistake, its position in the text
-/// and a remedy.
+/// Error of a formula that cannot be read. The message states the mistake, its position and a
+/// remedy.
 class FormulaError : public std::runtime_error {
     using runtime_error::runtime_error;
 };
 
-/// Formula with named variables, such as "torque + drag*angular_velocity", compiled once. The
-/// formula may contain the operators + - * / ^, ( ), comparisons, && ||, CONDITION ? A : B, the
-/// constant pi and functions such as sin, exp, ln, sqrt, abs and min. Copies share the compiled
-/// formula.
+/// Formula with named variables, such as "torque + drag*angular_velocity", compiled once. It may
+/// contain + - * / ^, ( ), comparisons, && ||, CONDITION ? A : B, the constant pi and functions
+/// such as sin, exp, ln, sqrt, abs and min. Copies share the compiled formula.
 class CompiledFormula {
   public:
-    /// Compiles a formula.
-    /// @param text text of the formula
-    /// @param variables names of the variables that the formula may contain
+    /// Compiles a formula that may contain the given variables.
     /// @throws FormulaError for a syntax error, an assignment, or an unknown variable (the message
     ///         suggests the nearest known variable)
     CompiledFormula(const std::string& text, const std::vector<std::string>& variables);
 
-    /// Returns the value of the formula, which may be infinite or NaN. Several threads may call
-    /// this function at once.
-    /// @param values values of the variables, in the order of the constructor's list
+    /// Returns the value of the formula, which may be infinite or NaN. Thread-safe.
+    /// @param values of the variables, in the order of the constructor's list
     double operator()(std::span<const double> values) const;
 
-    /// Returns the names of the variables that occur in the formula, in alphabetical order.
+    /// Returns the variables that occur in the formula, in alphabetical order.
     const std::vector<std::string>& used() const;
-    /// Whether a variable with a given name occurs in the formula.
     bool uses(const std::string& variable) const;
 
-    /// Returns the names of the functions and constants that formulas can contain, such as "sin"
-    /// and "pi". No variable may have one of these names.
+    /// Returns the names of functions and constants, such as "sin" and "pi", which no variable may
+    /// have.
     static std::vector<std::string> reserved_words();
 
   private:

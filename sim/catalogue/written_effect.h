@@ -5,11 +5,10 @@
 
 namespace pendular {
 
-/// Compiles the effect that a user defines by formulas in a table [[effect]] of study.toml. Each
-/// formula computes a new value for the quantity that the key of the formula names. All variables
-/// have their values without the effect. Quantities without a formula do not change. The variables
-/// are the parameter of the effect and, in SI units, the quantities in one line of the following
-/// list. The line depends on what the effect changes:
+/// Returns the effect that a user defines by formulas in a table [[effect]] of study.toml. Each
+/// formula gives the new value of the quantity that its key names, from the values without the
+/// effect. Quantities without a formula do not change. Variables are the effect's parameter and, in
+/// SI units, those of one line, by what the effect changes:
 ///     the instrument  torque, normal_force, height, angular_velocity, liquid_content,
 ///                     bead_volume, time, inner_radius, outer_radius, density, diameter,
 ///                     normal_stress (normal_force divided by the annulus area)
@@ -17,21 +16,17 @@ namespace pendular {
 ///                     liquid_content, height, time
 ///     the condition   friction_difference, surface_tension (0 for dry grains), normal_stress,
 ///                     inertial_number, liquid_content, height, time
-/// The variable friction_difference is the friction coefficient between grains minus the fitted
-/// friction coefficient of the model. The variables density and diameter are properties of the
-/// grains.
+/// The friction_difference is the friction coefficient minus the fitted one of the model; density
+/// and diameter are those of the grains.
 ///
-/// The function tries the formulas on typical dry and wet states. If the formulas change only dry
-/// states, the effect acts on dry grains only. If the formulas change only wet states, the effect
-/// acts on wet grains only. The returned effect throws InputError if a formula gives no finite
-/// number.
+/// The formulas are tried on typical dry and wet states: if they change only dry or only wet ones,
+/// the effect acts on these grains only. The returned effect throws InputError if a formula gives
+/// no finite number.
 /// @throws InputError if a formula cannot be read, does not contain the parameter, changes a
-///         quantity at the neutral value of the parameter, or gives no finite number at a bound of
-///         the parameter
-/// @throws InputError if a formula does not have the unit of its quantity; the unit is checked if
-///         the parameter's unit is not 1 and if the formula contains no number that may have a
-///         dimension
-/// @throws InputError if the parameter has the name of a variable or function
+///         quantity at the parameter's neutral value, or gives no finite number at a bound of the
+///         parameter; if a formula lacks the unit of its quantity (checked unless the parameter's
+///         unit is 1 or the formula contains a number that may have a dimension); if the parameter
+///         has the name of a variable or function
 Effect effect_from(const WrittenEffect& written);
 
 }  // namespace pendular

@@ -6,58 +6,30 @@
 
 namespace pendular::closures {
 
-/// Dimensionless values of the closures (analytical formulas) of Badetti et al. (2018) for one
-/// state of wet grains.
+/// Values [1] of the closures of Badetti et al. (2018), whose equations the numbers name, for one
+/// state of wet grains. c is the cohesion, a the grain diameter, F0 the pull-off force.
 struct ClosureValues {
-    /// Stress ratio of dry grains that have the friction coefficient and the inertial number of the
-    /// wet grains.
-    double dry_stress_ratio = 0;
-    /// Stress ratio of the contact forces alone in wet grains: shear stress divided by normal
-    /// stress, after the contributions of the bridge forces are subtracted from both.
-    /// Source: Badetti et al. (2018), Eq. (18).
-    double contact_stress_ratio = 0;
-    /// Effective coordination number Z* = Z_c + Z_d F_d/F0. Z_c is the number of contacts per
-    /// grain, Z_d the number of distant bridges per grain (bridges between grains that do not
-    /// touch), F_d the mean force of distant bridges, and F0 the pull-off force.
-    /// Source: Badetti et al. (2018), Eq. (21).
-    double effective_coordination = 0;
-    /// Approximate effective coordination number: contacts per grain plus half the number of
-    /// bridges per grain between grains that do not touch.
-    double approximate_coordination = 0;
-    /// Reduced cohesion a^2 c/F0 from the approximate coordination number, with cohesion c, grain
-    /// diameter a and pull-off force F0.
-    /// Source: Badetti et al. (2018), Eq. (24).
-    double rumpf_cohesion = 0;
-    /// Reduced cohesion a^2 c/F0 with the capillary shear stress included, with cohesion c, grain
-    /// diameter a and pull-off force F0.
-    /// Source: Badetti et al. (2018), Eq. (25).
-    double generalised_cohesion = 0;
-    /// Stress ratio of wet grains, computed from the normal stress and the shear stress of the
-    /// bridge forces and from the stress ratio of dry grains.
-    /// Source: Badetti et al. (2018), Eq. (19).
-    double strength1 = 0;
-    /// Stress ratio of wet grains, computed from the effective coordination number, the shear
-    /// stress of the bridge forces and the stress ratio of dry grains.
-    /// Source: Badetti et al. (2018), Eq. (22).
-    double strength2 = 0;
-    /// Stress ratio of wet grains, computed from the effective coordination number and the stress
-    /// ratio of dry grains. The shear stress of the bridge forces is neglected.
-    /// Source: Badetti et al. (2018), Eq. (23).
-    double strength3 = 0;
-    double saturation = 0;  ///< share of the pore volume between the grains that liquid fills [1]
+    double dry_stress_ratio = 0;          ///< of dry grains of equal friction and inertial number
+    double contact_stress_ratio = 0;      ///< of the contact forces alone, Eq. (18)
+    double effective_coordination = 0;    ///< Z* = Z_c + Z_d F_d/F0, Eq. (21)
+    double approximate_coordination = 0;  ///< Z_c + Z_d/2
+    double rumpf_cohesion = 0;  ///< a^2 c/F0 from the approximate coordination number, Eq. (24)
+    double generalised_cohesion = 0;  ///< a^2 c/F0 with the capillary shear stress, Eq. (25)
+    double strength1 = 0;             ///< stress ratio from the capillary stresses, Eq. (19)
+    double strength2 = 0;   ///< stress ratio from Z* and the capillary shear stress, Eq. (22)
+    double strength3 = 0;   ///< stress ratio from Z* alone, Eq. (23)
+    double saturation = 0;  ///< share of the pore volume that liquid fills
 };
 
-/// Key, name and axis label of one member of `ClosureValues` (values of analytical formulas for wet
-/// grains), with a pointer to the member.
+/// Member of `ClosureValues` with its names.
 struct ClosureQuantity {
-    const char* name;   ///< key of the value in JSON and CSV
-    const char* text;   ///< name of the value in printed tables
-    const char* label;  ///< label of the value on the axis of a figure
+    const char* name;   ///< in JSON and CSV
+    const char* text;   ///< in printed tables
+    const char* label;  ///< on the axis of a figure
     double ClosureValues::*value;
 };
 
-/// Keys, names and axis labels of all members of `ClosureValues` (values of analytical formulas for
-/// wet grains), in the order in which the members are printed.
+/// All members of `ClosureValues` in the order in which they are printed.
 inline constexpr std::array<ClosureQuantity, 10> closure_quantities = {{
     {"dry_stress_ratio", "stress ratio of dry grains, predicted", "stress ratio μ*_0 of dry grains",
      &ClosureValues::dry_stress_ratio},
@@ -82,20 +54,15 @@ inline constexpr std::array<ClosureQuantity, 10> closure_quantities = {{
      &ClosureValues::saturation},
 }};
 
-/// Returns the values of all closures (analytical formulas) for one state of wet grains.
-/// @param capillary stresses of the bridge forces in units of F0/a^2 [1], with pull-off force F0
-///         and grain diameter a
-/// @param stress_ratio stress ratio of the wet grains [1]
-/// @param dry_stress_ratio stress ratio [1] of dry grains that have the friction coefficient and
-///         the inertial number of the wet grains
-/// @param liquid_content liquid volume divided by grain volume [1]
+/// Returns the closures for one state of wet grains.
+/// @param stress_ratio of the wet grains [1]
+/// @param dry_stress_ratio stress ratio [1] of dry grains of equal friction coefficient and
+///         inertial number
+/// @param liquid_content liquid volume over grain volume [1]
 ClosureValues closure_values(const State& state, const CapillaryStress& capillary,
                              double stress_ratio, double dry_stress_ratio, double liquid_content);
 
-/// Returns the values of all closures (analytical formulas for strength, cohesion and coordination
-/// number) for the averages of the observables in a simulation of wet grains.
-/// @param dry_stress_ratio stress ratio [1] of dry grains that have the friction coefficient and
-///         the inertial number of the wet grains
+/// Returns the closures for the averages of a simulation of wet grains.
 ClosureValues closure_values(const dem::RunResult& run, double dry_stress_ratio);
 
 }  // namespace pendular::closures

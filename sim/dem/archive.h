@@ -23,10 +23,9 @@ void load(Archive& archive, Vector& v) {
     archive(cereal::binary_data(&v, sizeof v));
 }
 
-/// Reader of the bytes that `cereal::BinaryOutputArchive` of the serialisation library cereal
-/// wrote. If the bytes state that a container has more elements than the remaining bytes can
-/// contain, the reader throws cereal::Exception. `cereal::BinaryInputArchive` would instead
-/// allocate memory for all stated elements.
+/// Reader of the bytes that `cereal::BinaryOutputArchive` wrote. It throws cereal::Exception if the
+/// bytes state that a container has more elements than the remaining bytes can contain;
+/// `cereal::BinaryInputArchive` would instead allocate memory for all stated elements.
 class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyClassElision> {
   public:
     explicit ByteReader(std::string_view bytes) : InputArchive(this), bytes_(bytes) {}
@@ -42,7 +41,7 @@ class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyCla
     }
 
   private:
-    std::string_view bytes_;  ///< bytes that have not been read yet
+    std::string_view bytes_;  ///< not read yet
 };
 
 template <typename Number, std::enable_if_t<std::is_arithmetic_v<Number>, int> = 0>
@@ -87,10 +86,9 @@ void load(ByteReader& reader, std::vector<T, Allocator>& elements) {
     }
 }
 
-/// Returns an object, such as the state of a simulation run, as bytes. The serialisation library
-/// cereal must be able to save the object, for example by a member function `serialize`. The
-/// function `restore` can read the bytes only if the byte order of the machine and the memory
-/// layout of the saved types are unchanged.
+/// Returns an object, such as the state of a run, as bytes. cereal must be able to save the object,
+/// for example by a member function `serialize`. `restore` can read the bytes only if the machine's
+/// byte order and the memory layout of the saved types are unchanged.
 template <typename State>
 std::string archived(const State& state) {
     std::ostringstream stream(std::ios::binary);
@@ -99,8 +97,7 @@ std::string archived(const State& state) {
     return std::move(stream).str();
 }
 
-/// Restores an object, such as the state of a simulation run, from the bytes that `archived`
-/// returned.
+/// Restores an object from the bytes of `archived`.
 /// @return false if the bytes are too few, too many or invalid for the object, which may then be
 ///         changed in part
 template <typename State>
@@ -116,8 +113,7 @@ bool restore(std::string_view bytes, State& state) {
 
 }  // namespace pendular::dem
 
-/// Trait that tells the serialisation library cereal that `ByteReader` reads the bytes that
-/// `cereal::BinaryOutputArchive` writes.
+/// Tells cereal that `ByteReader` reads what `cereal::BinaryOutputArchive` writes.
 template <>
 struct cereal::traits::detail::get_output_from_input<pendular::dem::ByteReader> {
     using type = cereal::BinaryOutputArchive;

@@ -6,11 +6,10 @@
 
 namespace pendular::dem {
 
-/// Periodic cell of a sheared sample (Lees-Edwards boundary conditions). Lengths are in grain
-/// diameters. The lattice vectors of the cell are (length, 0, 0), (offset, height, 0) and (0, 0,
-/// width). Direction 1 is the flow, 2 the velocity gradient, 3 the vorticity. The offset grows with
-/// the shear. When the list of neighbouring grains is rebuilt, the offset is reduced by whole cell
-/// lengths.
+/// Periodic cell of a sheared sample (Lees-Edwards boundary conditions), in grain diameters, with
+/// the lattice vectors (length, 0, 0), (offset, height, 0) and (0, 0, width). Direction 1 is the
+/// flow, 2 the velocity gradient, 3 the vorticity. The offset grows with the shear; it is reduced
+/// by whole cell lengths when the list of neighbouring grains is rebuilt.
 struct Cell {
     double length = 0;
     double height = 0;
@@ -24,18 +23,16 @@ struct Cell {
 
     double volume() const { return length * height * width; }
 
-    /// Reduces the offset by whole cell lengths to the range from -length/2 to length/2 [grain
-    /// diameters]. The periodic lattice stays the same.
+    /// Reduces the offset to the range from -length/2 to length/2. The periodic lattice stays the
+    /// same.
     void reduce_offset() { offset -= length * std::floor(offset / length + 0.5); }
 
-    /// Returns the coordinates of a position in multiples of the three lattice vectors [1]. The
-    /// coordinates are between 0 and 1 inside the cell.
+    /// Returns a position in multiples of the lattice vectors [1]: from 0 to 1 inside the cell.
     Vector fractions(const Vector& r) const {
         const double up = r[1] / height;
         return {(r[0] - up * offset) / length, up, r[2] / width};
     }
-    /// Returns the point inside the cell [grain diameters] to which whole lattice vectors shift a
-    /// position [grain diameters].
+    /// Returns the point inside the cell to which whole lattice vectors shift a position.
     Vector wrapped(const Vector& r) const {
         const Vector at = fractions(r);
         const double n1 = std::floor(at[0]), n2 = std::floor(at[1]), n3 = std::floor(at[2]);
@@ -43,8 +40,7 @@ struct Cell {
     }
 };
 
-/// Periodic image of the cell, which is the cell shifted by n1, n2 and n3 times its three lattice
-/// vectors.
+/// Periodic image of the cell, shifted by n1, n2 and n3 times its lattice vectors.
 struct Image {
     int n1 = 0, n2 = 0, n3 = 0;
 
@@ -53,16 +49,14 @@ struct Image {
     }
 };
 
-/// Codes of periodic images of the cell. A code is a number from 0 to 124, or 125 for placeholder
-/// pairs (`nowhere`). A neighbour list thus needs one byte per pair of grains for the image of the
-/// second grain.
+/// Codes of periodic images from 0 to 124, so that a neighbour list needs one byte per pair of
+/// grains for the image of the second grain.
 namespace image_code {
 constexpr int reach = 2;
 constexpr int per_direction = 2 * reach + 1;
 constexpr int count = per_direction * per_direction * per_direction;
-/// Image code of placeholder pairs, which fill up the last batch of a neighbour list. The code
-/// stands for a position far outside the cell, so that the two grains of a placeholder pair never
-/// touch.
+/// Code of placeholder pairs, which fill up the last batch of a neighbour list. It stands for a
+/// position far outside the cell, so that their grains never touch.
 constexpr int nowhere = count;
 
 constexpr int of(Image image) {

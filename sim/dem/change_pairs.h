@@ -10,106 +10,75 @@
 
 namespace pendular::dem {
 
-/// Batch of pairs of grains that the solver passes to a physical effect, in reduced units (grain
-/// diameter, grain mass and imposed normal stress are 1). Each pointer points to an array of `size`
-/// elements, one element per pair.
+/// Batch of pairs of grains that the solver passes to an effect, in reduced units (grain diameter,
+/// grain mass and imposed normal stress are 1). Each pointer points to `size` elements, one per
+/// pair. Motion is that of the second grain relative to the first. Forces and torques act on the
+/// second grain, the opposite ones on the first.
 struct PairBatch {
     std::size_t size = 0;
     double time_step = 0;
-    /// Components [1] of the unit vector from the first to the second centre of each pair.
-    const double *nx, *ny, *nz;
-    /// Gap between the surfaces of each pair [grain diameters]. An overlap is a negative gap.
-    const double* gap;
-    /// Harmonic mean 2 d1 d2/(d1 + d2) of the diameters d1 and d2 of the two grains of each pair,
-    /// divided by the mean grain diameter [1].
-    const double* diameter;
-    const double* normal_speed;  ///< rate at which the gap of each pair grows, in reduced units
-    /// Components of the angular velocity of the second grain of each pair minus the angular
-    /// velocity of the first grain, in reduced units.
-    const double *rolling_x, *rolling_y, *rolling_z;
-    /// Components of the angular velocity with which each pair of grains rotates as a whole, in
-    /// reduced units.
+    const double *nx, *ny, *nz;  ///< unit vector from the first to the second centre
+    const double* gap;           ///< between the surfaces; an overlap is a negative gap
+    const double* diameter;      ///< harmonic mean 2 d1 d2/(d1 + d2), over the mean diameter
+    const double* normal_speed;  ///< rate at which the gap grows
+    const double *rolling_x, *rolling_y, *rolling_z;  ///< difference of the angular velocities
+    /// Angular velocity with which the pair rotates as a whole.
     const double *pair_rotation_x, *pair_rotation_y, *pair_rotation_z;
-    const double* elastic;    ///< elastic normal force of each pair's contact, in reduced units
-    const double* stiffness;  ///< tangential stiffness of each pair's contact, in reduced units
-    /// State of the liquid bridge of each pair of grains: 1 if a bridge joins the grains, else 0.
-    /// The function `bridge` of an effect may change 1 to 0, which breaks the bridge.
-    double* joined;
-    /// Attraction of each pair by its liquid bridge, in reduced units; 0 without bridge. An effect
-    /// may change the attraction, which initially has the value without the effect.
+    const double* elastic;    ///< elastic normal force
+    const double* stiffness;  ///< tangential stiffness
+    double* joined;  ///< 1 if a bridge joins the grains, else 0; `bridge` may change 1 to 0
+    /// Attraction by the bridge, 0 without one. `bridge` may change it.
     double* capillary;
-    /// Largest tangential force of each pair's contact, in reduced units. An effect may change this
-    /// force, which initially is the friction coefficient times `elastic`.
+    /// Largest tangential force of the contact: friction coefficient times `elastic`, before
+    /// `limit` changes it.
     double* coulomb_limit;
-    /// Components of the total force on the second grain of each pair, in reduced units. The
-    /// opposite force acts on the first grain. The function `add` of an effect may change the
-    /// force, which initially has the value without the effect.
-    double *fx, *fy, *fz;
-    /// Components of the torque that effects exert on the second grain of each pair, in reduced
-    /// units. The opposite torque acts on the first grain. The torque of the tangential contact
-    /// force is not included.
+    double *fx, *fy, *fz;  ///< total force, to which `add` may add
+    /// Torque of effects, without that of the tangential contact force.
     double *tx, *ty, *tz;
-    /// Values that the effect stores for each pair from one time step to the next, such as a
-    /// tangential displacement. The element contact_history[v][k] is value v of pair k.
+    /// Values that the effect keeps for each pair from step to step: contact_history[v][k] is value
+    /// v of pair k.
     double* const* contact_history = nullptr;
 };
 
-/// Material of the grains, bridge law and parameter values of a physical effect, which are equal
-/// for all pairs of grains in a run. The functions of the effect receive these data with each batch
-/// of pairs (`PairBatch`).
+/// Data of an effect's functions that are equal for all pairs of a run.
 struct PairContext {
     const Material& material;
     const BridgeLaw& bridges;
-    /// Parameter values of the effect, in reduced units (grain diameter, grain mass and imposed
-    /// normal stress are 1).
-    const Values& values;
+    const Values& values;  ///< parameters of the effect, in reduced units
 };
 
-/// Physical effect on the forces between grains. In each time step, the solver calls the functions
-/// `bridge`, `limit` and `add` of the effect once for each batch of pairs (`PairBatch`), in this
-/// order. A null function changes nothing.
+/// Effect on the forces between grains. In each time step, the solver calls `bridge`, `limit` and
+/// `add` once for each batch of pairs, in this order. A null function changes nothing.
 struct ChangePairs {
     using Stage = void (*)(const PairBatch&, const PairContext&);
 
-    /// Number of values that the effect stores for each pair of grains
-    /// (`PairBatch::contact_history`), such as a tangential displacement. The values are kept while
-    /// the pair is in the neighbour lists. If the first and the second grain of the pair exchange
-    /// places, the values change sign, like the components of the force on the second grain.
+    /// Number of values that the effect keeps for each pair (`PairBatch::contact_history`), such as
+    /// a tangential displacement, while the pair is in the neighbour lists. If the first and the
+    /// second grain exchange places, the values change sign, like a force on the second grain.
     std::size_t contact_history = 0;
-    /// Whether the first value that the effect stores for a pair (`contact_history`) is the volume
-    /// of the pair's bridge, divided by the mean volume V0 of newly formed bridges. The sign of the
-    /// value is ignored. If this member is true for an effect of a run, the liquid content follows
-    /// from the sum of the bridge volumes. Otherwise each bridge has the volume V0.
+    /// Whether the first value of `contact_history` is the volume of the pair's bridge over the
+    /// mean volume V0 of newly formed bridges; its sign is ignored. The liquid content then follows
+    /// from the sum of the volumes. Otherwise each bridge has the volume V0.
     bool volume_in_history = false;
-    /// Function that returns the rate [1 per unit of shear strain] at which the volumes of the
-    /// bridges on a grain become equal by flow of liquid (`LiquidExchange`). If the function is
-    /// null, bridges exchange no liquid.
+    /// Rate [1 per unit of shear strain] at which the volumes of the bridges on a grain become
+    /// equal by flow of liquid (`LiquidExchange`).
     double (*exchange_rate)(const Values&) = nullptr;
-    /// Whether the effect lets bridges form between grains that do not touch, at any gap below the
-    /// rupture distance.
+    /// Whether bridges form between grains that do not touch, at any gap below the rupture
+    /// distance.
     bool bridges_without_contact = false;
-    /// Function that receives the law of the liquid bridges without the effect and returns the law
-    /// with the effect. The function is called before a run. If the function is null, the effect
-    /// does not change the law.
-    BridgeLaw (*bridge_law)(BridgeLaw, const Values&) = nullptr;
-    /// Function that changes `PairBatch::capillary`, the attraction of pairs with a bridge. The
-    /// function may also break bridges (`PairBatch::joined`).
-    Stage bridge = nullptr;
-    /// Function that changes `PairBatch::coulomb_limit`, the largest tangential force of contacts.
-    Stage limit = nullptr;
-    /// Function that adds the forces and torques of the effect between grains. The added forces
-    /// count as contact forces, not as capillary forces.
+    BridgeLaw (*bridge_law)(BridgeLaw, const Values&) = nullptr;  ///< changes the law before a run
+    Stage bridge = nullptr;  ///< changes `capillary` and may break bridges
+    Stage limit = nullptr;   ///< changes `coulomb_limit`
+    /// Adds forces and torques of the effect. They count as contact forces, not as capillary
+    /// forces.
     Stage add = nullptr;
-    /// Function that returns the largest damping coefficient (force divided by relative velocity)
-    /// of the forces that `add` adds, divided by the mass of a grain, in reduced units (grain
-    /// diameter, grain mass and imposed normal stress are 1). The coefficient limits the time step.
-    /// If the function is null, the coefficient is 0.
+    /// Largest damping coefficient (force over relative velocity) of the forces of `add`, over the
+    /// mass of a grain, in reduced units. It limits the time step.
     double (*damping_rate)(const BridgeLaw&, const Values&) = nullptr;
 };
 
-/// Physical effect on the sizes of the grains. Before a run, the function `diameters` sets the
-/// diameters of all grains from random numbers and the effect's parameter values. The solver then
-/// rescales the mean diameter to 1.
+/// Effect on the sizes of the grains: `diameters` sets all diameters before a run, from random
+/// numbers and the effect's parameters. The solver then rescales the mean diameter to 1.
 struct ChangeSample {
     void (*diameters)(std::span<double>, std::mt19937_64&, const Values&) = nullptr;
 };

@@ -17,8 +17,8 @@ namespace pendular::dem {
 /// parameters of the run (one per line), and an empty line. The state of the run follows in binary.
 class Checkpoint {
   public:
-    /// Locks the checkpoint file `file`, which need not exist yet. The lock is a second file with
-    /// the additional extension .lock.
+    /// Locks the file, which need not exist yet, by a second file with the additional extension
+    /// .lock.
     /// @param every time after which the next checkpoint is due (`due`)
     /// @throws InputError if another process uses the file, if the path exists but is not a regular
     ///         file, or if the folder of the file cannot be written
@@ -27,27 +27,23 @@ class Checkpoint {
     Checkpoint(const Checkpoint&) = delete;
     Checkpoint& operator=(const Checkpoint&) = delete;
 
-    /// Returns the state of a run that the checkpoint file contains, as bytes; empty if the
-    /// checkpoint file does not exist.
+    /// Returns the state of a run as bytes; empty if the file does not exist.
     /// @param run parameters of the run as lines "name = value"
     /// @throws InputError if the file belongs to a run with other parameters, has a format other
     ///         than `format`, or is truncated or corrupt; the file is left unchanged
     std::optional<std::string> read(const std::string& run) const;
-    /// Saves the state of a run. The checkpoint file is replaced.
-    /// @param run parameters of the run as lines "name = value"
-    /// @param state state of the run as bytes
+    /// Replaces the file by a new state of the run.
     /// @throws std::runtime_error if the file cannot be written; the previous file is then kept
     void write(const std::string& run, const std::string& state);
-    /// Deletes the checkpoint file if it exists. The caller must first save the results of the
-    /// complete run.
+    /// Deletes the file if it exists. The caller must first save the results of the complete run.
     void remove();
 
     bool due() const { return std::chrono::steady_clock::now() - written_ >= every_; }
     bool exists() const { return std::filesystem::exists(file_); }
     const std::filesystem::path& file() const { return file_; }
 
-    /// Version of the format of checkpoint files, which increases whenever the layout of the saved
-    /// state changes.
+    /// Version of the file format, which must increase whenever the layout of the saved state
+    /// changes. Every member that a step reads must be part of the state.
     static constexpr int format = 4;
 
   private:

@@ -6,12 +6,10 @@
 
 namespace pendular::dem {
 
-/// Adds the attraction by liquid bridges, between grains that do not touch, to the net force on
-/// each grain. Breaks bridges whose gap exceeds the rupture distance. Returns the sums of virials
-/// and energies over the pairs of grains.
-/// @param distant pairs of grains that do not touch but may be joined by a bridge
-/// @param stretch range of indices in `distant`, in whole batches (`PairList::batch` pairs each)
-/// @param net_force net force and torque on each grain
+/// Adds the attraction by bridges between grains that do not touch to the net force on each grain,
+/// and breaks bridges whose gap exceeds the rupture distance. Returns the sums over these pairs.
+/// @param distant pairs of the distant neighbour list
+/// @param stretch indices in `distant`
 PairSums distant_forces(const Grains& grains, Pairs& distant, Stretch stretch, const PairLaws& laws,
                         std::vector<Grains::ForceAndTorque>& net_force);
 

@@ -14,13 +14,10 @@
 
 namespace pendular::dem {
 
-/// Coordinate on which a field depends. A field is a quantity that a simulation run averages as a
-/// function of one coordinate, such as a velocity profile. The array `coordinates` lists the name,
-/// unit and meaning of each coordinate.
+/// Coordinate on which a field depends.
 enum class Coordinate { height, angle, relative_force, gap };
 
-/// Field: quantity that a simulation run averages as a function of one coordinate, such as a
-/// velocity profile. The array `fields` lists the name, unit and meaning of each field.
+/// Quantity that a run averages as a function of one coordinate, such as a velocity profile.
 enum class Field {
     velocity,
     solid_fraction,
@@ -33,11 +30,10 @@ enum class Field {
 };
 
 struct CoordinateAbout {
-    std::string_view name;     ///< name of the coordinate in JSON and in headers of CSV files
-    std::string_view unit;     ///< unit of the coordinate, "1" if dimensionless
-    std::string_view meaning;  ///< description of the coordinate in one line
-    /// Name of the CSV file with all fields that depend on the coordinate, without extension.
-    std::string_view table;
+    std::string_view name;  ///< in JSON and in headers of CSV files
+    std::string_view unit;  ///< "1" if dimensionless
+    std::string_view meaning;
+    std::string_view table;  ///< CSV file of all its fields, without extension
 };
 constexpr std::array coordinates = std::to_array<CoordinateAbout>(
     {{"height", "1", "position along the velocity gradient over the sample's height", "profiles"},
@@ -50,10 +46,10 @@ constexpr std::array coordinates = std::to_array<CoordinateAbout>(
      {"gap", "1", "gap of a bridge without contact over the grain diameter", "gaps"}});
 
 struct FieldAbout {
-    std::string_view name;  ///< name of the field in JSON and in headers of CSV files
+    std::string_view name;  ///< in JSON and in headers of CSV files
     Coordinate coordinate;
-    std::string_view unit;     ///< unit of the field, "1" if dimensionless
-    std::string_view meaning;  ///< description of the field in one line, with its normalisation
+    std::string_view unit;     ///< "1" if dimensionless
+    std::string_view meaning;  ///< with its normalisation
     bool needs_bridges = false;
 };
 constexpr std::array fields = std::to_array<FieldAbout>(
@@ -83,22 +79,20 @@ constexpr const FieldAbout& about(Field which) {
 constexpr const CoordinateAbout& about(Coordinate which) {
     return coordinates[static_cast<std::size_t>(which)];
 }
-/// Whether a field is a profile along the height of the sample, such as a velocity profile, rather
-/// than a distribution over pairs of grains.
+/// Whether a field is a profile along the height rather than a distribution over pairs of grains.
 constexpr bool is_profile(Field which) {
     return about(which).coordinate == Coordinate::height;
 }
 
-/// Bins of equal width that divide the range of a coordinate from 0 to `end`. All values are in the
-/// unit of the coordinate.
+/// Bins of equal width from 0 to `end`, in the unit of the coordinate.
 struct Bins1d {
     std::size_t count = 0;
     double end = 1;
 
     double width() const { return end / static_cast<double>(count); }
     double middle(std::size_t bin) const { return (static_cast<double>(bin) + 0.5) * width(); }
-    /// Returns the index, from 0, of the bin that contains a value of the coordinate. The index is
-    /// 0 for negative values and `count` for values beyond the last bin.
+    /// Returns the index of the bin that contains a value: 0 for negative values and `count` for
+    /// values beyond the last bin.
     std::size_t of(double value) const {
         const double bin = value < 0 ? 0 : value / width();
         return bin < static_cast<double>(count) ? static_cast<std::size_t>(bin) : count;
@@ -114,17 +108,14 @@ struct Bins1d {
 /// @param rupture_distance gap at which bridges break [grain diameters]
 Bins1d bins_of(Coordinate coordinate, int grains, double rupture_distance);
 
-/// Time averages of a field (quantity as a function of one coordinate) over a simulation run.
-/// `means` has one mean, with its standard error, for each bin of the coordinate. The mean is NaN
-/// for a bin without data.
+/// Time averages of a field over a run, one for each bin; NaN for a bin without data.
 struct BinnedMeans {
-    std::vector<double> at;  ///< middle of each bin of the coordinate, in the coordinate's unit
+    std::vector<double> at;  ///< middle of each bin, in the coordinate's unit
     std::vector<Mean> means;
 };
 
-/// Sums, over several states of a sample, from which one field (quantity as a function of one
-/// coordinate) follows. Both arrays have one element per bin of the coordinate. The value of the
-/// field in bin k is sum[k]/weight[k].
+/// Sums over several states of a sample, one element per bin. The value of the field in bin k is
+/// sum[k]/weight[k].
 struct BinnedSums {
     std::vector<double> sum, weight;
 
@@ -136,34 +127,28 @@ struct BinnedSums {
 };
 using FieldSums = std::array<BinnedSums, field_count>;
 
-/// Velocities of the grains as a function of the height in the sample, summed over several states
-/// of the sample.
+/// Velocities of the grains as a function of the height in the sample, summed over several states.
+/// Reduced units: grain diameter, grain mass and imposed normal stress are 1, so that the shear
+/// rate equals the inertial number. `height` is that of the cell.
 class MotionProfile {
   public:
     explicit MotionProfile(std::size_t bins = 0) : bins_(bins) {}
 
-    /// Adds the velocities of all grains in one state of the sample, without the imposed flow, to
-    /// the sums.
-    /// @param height height of the cell [grain diameters]
+    /// Adds the velocities of all grains, without the imposed flow.
     void add(const Grains& grains, double height);
     /// Returns the localization of the shear [1], which is 0 for uniform shear and 1 for an
     /// infinitely thin shear band.
     ///     Delta = 12/(H^3 rate^2) int [v1 - rate x2]^2 dx2
     /// H is the height of the cell, rate the shear rate, and v1 the mean velocity along the flow at
-    /// the height x2. All quantities are in reduced units (grain diameter, grain mass and imposed
-    /// normal stress are 1).
+    /// the height x2.
     /// Source: Badetti et al. (2018), Eq. (17).
     double localization(double height, double shear_rate) const;
-    /// Returns the profile of the mean velocity of the grains along the flow, including the imposed
-    /// flow, divided by (shear rate times height of the cell) [1]. The profile has one value per
-    /// bin of height.
-    /// @param height height of the cell [grain diameters]
-    /// @param shear_rate shear rate in reduced units, equal to the inertial number
+    /// Returns the profile of the mean velocity along the flow, with the imposed flow, over (shear
+    /// rate times height) [1].
     BinnedSums velocity(double height, double shear_rate) const;
     /// Returns the profile of the granular temperature [1]: variance of one velocity component
-    /// about the mean in the bin of height, averaged over the three components, divided by the
-    /// squared product of grain diameter and shear rate.
-    /// @param shear_rate shear rate in reduced units, equal to the inertial number
+    /// about the mean in the bin, averaged over the three components, over (grain diameter times
+    /// shear rate)^2.
     BinnedSums temperature(double shear_rate) const;
 
     template <typename Archive>
@@ -184,14 +169,12 @@ class MotionProfile {
     std::vector<Bin> bins_;
 };
 
-/// Adds the profile of the solid fraction along the height of the sample, in one state of the
-/// sample, to `sums`. A grain that extends over several bins of height adds to each bin the part of
-/// its volume that is inside the bin.
+/// Adds the profile of the solid fraction to `sums`. A grain that extends over several bins adds to
+/// each the part of its volume that is inside the bin.
 void add_solid_fraction(const Grains& grains, const Cell& cell, BinnedSums& sums);
 
-/// Adds the distributions over the pairs of grains in one state of a sample to `sums`: directions
-/// and forces of contacts, and directions and gaps of bridges between grains that do not touch.
-/// Profiles along the height, the remaining elements of `sums`, are not changed.
+/// Adds the distributions over pairs to `sums`: directions and forces of contacts, and directions
+/// and gaps of bridges between grains that do not touch. Profiles are not changed.
 /// @param near pairs of the narrow neighbour list, which contains all contacts
 /// @param distant pairs outside of `near` that a bridge may join
 void add_distributions(const Grains& grains, const Cell& cell, const Pairs& near,

@@ -14,42 +14,35 @@
 
 namespace pendular::dem {
 
-/// Physical effect on the forces between grains or on the grain sizes, with its parameter values in
-/// a run. The objects to which `change` and `parameters` refer must outlive the run.
+/// Effect on the forces between grains or on the grain sizes, with its parameter values in a run.
+/// The objects to which `change` and `parameters` refer must outlive the run.
 struct GrainEffect {
     std::variant<const ChangePairs*, const ChangeSample*> change;
     std::span<const EffectParameter> parameters;
-    /// Value of each parameter of the effect, in reduced units (grain diameter, grain mass and
-    /// imposed normal stress are 1).
-    std::vector<double> values;
+    std::vector<double> values;  ///< in reduced units (diameter, mass and normal stress 1)
 };
 
-/// All physical effects on the forces between grains and on the grain sizes that act in a
-/// simulation run, with the functions by which the solver applies the effects.
+/// All effects on forces and sizes of grains that act in a run, as the solver applies them.
 class GrainEffects {
   public:
     GrainEffects() = default;
     explicit GrainEffects(const std::vector<GrainEffect>& on);
 
-    /// Whether any effect of the run changes or adds a force between two grains, or lets bridges
-    /// form between grains that do not touch. An effect that changes only the law of the bridges
-    /// (`ChangePairs::bridge_law`) does not count.
+    /// Whether any effect changes or adds a force between two grains, or lets bridges form between
+    /// grains that do not touch. An effect that changes only the law of the bridges does not count.
     bool changes_forces() const { return changes_forces_; }
-    /// Whether any effect of the run changes the grain sizes or the forces between grains
-    /// (`changes_forces`).
+    /// Whether any effect changes the grain sizes or the forces.
     bool changes_pairs() const { return changes_forces_ || !samples_.empty(); }
-    /// Returns the number of values that all effects together store for each pair of grains from
-    /// one time step to the next, such as a tangential displacement.
+    /// Returns the number of values that all effects together keep for each pair from step to step.
     std::size_t contact_history() const { return contact_history_; }
     bool bridges_without_contact() const { return bridges_without_contact_; }
     BridgeLaw changed(BridgeLaw law) const;
     double damping_rate(const BridgeLaw& law) const;
     /// Returns the rate [1 per unit of shear strain] at which the volumes of the bridges on a grain
-    /// become equal by flow of liquid. The rate is 0 if bridges exchange no liquid.
+    /// become equal by flow of liquid; 0 if bridges exchange no liquid.
     double exchange_rate() const;
-    /// Returns random diameters of `count` grains, divided by the mean diameter [1]; empty if no
-    /// effect changes the grain sizes.
-    /// @param seed seed of the random numbers
+    /// Returns random diameters of `count` grains over their mean [1]; empty if no effect changes
+    /// sizes.
     std::vector<double> diameters(std::size_t count, std::uint64_t seed) const;
 
     void bridge(const PairBatch& batch, const Material& material, const BridgeLaw& bridges) const {
@@ -62,17 +55,15 @@ class GrainEffects {
         stage(&ChangePairs::add, batch, material, bridges);
     }
     bool changes_bridges() const { return changes_bridges_; }
-    /// Returns the index of the bridge volume in the contact history (values that effects store for
-    /// each pair of grains); empty if all bridges have the volume V0. The stored bridge volume is
-    /// divided by the mean volume V0 of newly formed bridges.
+    /// Returns the index, in the contact history, of the bridge volume over the mean volume V0 of
+    /// newly formed bridges; empty if all bridges have the volume V0.
     std::optional<std::size_t> volume_in_history() const { return volume_in_history_; }
-    /// Returns the attraction of two grains at rest by a liquid bridge, with all effects of the
-    /// run, in units of a^2 s22, with grain diameter a and imposed normal stress s22.
-    /// @param gap gap between the surfaces [grain diameters]; negative for an overlap
-    /// @param diameter 2 d1 d2/(d1 + d2), with the grain diameters d1 and d2 divided by the mean
-    ///         grain diameter [1]
-    /// @param history values that the effects store for the pair (`contact_history`); if empty, the
-    ///         bridge has the mean volume of newly formed bridges
+    /// Returns the attraction of two grains at rest by a bridge, with all effects, in units of a^2
+    /// s22 (a: grain diameter, s22: imposed normal stress).
+    /// @param gap between the surfaces [grain diameters]; negative for an overlap
+    /// @param diameter 2 d1 d2/(d1 + d2) of the diameters, over the mean grain diameter [1]
+    /// @param history values that the effects keep for the pair; if empty, the bridge has the
+    ///         volume V0
     double attraction(double gap, double diameter, const Material& material,
                       const BridgeLaw& bridges, std::vector<double> history = {}) const;
 

@@ -9,26 +9,19 @@
 
 namespace pendular::dem {
 
-/// Sums of squared velocities over a range of grains after one time step, and the largest
-/// displacement, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
-/// Kinetic stress, kinetic energy and the validity of the neighbour lists follow from these data.
+/// Sums over a range of grains after one time step, in reduced units (grain diameter, grain mass
+/// and imposed normal stress are 1). m is the mass of a grain, d its diameter, v its velocity
+/// without the imposed flow, omega its angular velocity. Kinetic stress, kinetic energy and the
+/// validity of the neighbour lists follow from them.
 struct MotionSums {
-    /// Sums of m v1^2, m v2^2 and m v3^2 over the grains, in reduced units, with mass m and
-    /// velocity v without the imposed flow. The kinetic normal stresses follow from these sums.
-    Vector squares;
-    /// Sum of m v1 v2 over the grains, in reduced units, with mass m and velocity v without the
-    /// imposed flow. The kinetic shear stress follows from this sum.
-    double shear = 0;
-    /// Sum of m d^2 omega^2 over the grains, in reduced units, with mass m, diameter d and angular
-    /// velocity omega. The kinetic energy of the rotation follows from this sum.
-    double angular_velocity = 0;
-    /// Largest squared displacement of a grain, without the imposed flow, since the list of pairs
-    /// that touch or may touch soon (narrow neighbour list) was made [squared grain diameters].
+    Vector squares;               ///< sums of m v1^2, m v2^2 and m v3^2
+    double shear = 0;             ///< sum of m v1 v2
+    double angular_velocity = 0;  ///< sum of m d^2 omega^2
+    /// Largest squared displacement of a grain, without the imposed flow, since the narrow
+    /// neighbour list was made.
     double largest_squared = 0;
     MotionSums& operator+=(const MotionSums& other);
-    /// Returns the kinetic energy of the grains over which the sums were taken, in units of a^3
-    /// s22, with grain diameter a and imposed normal stress s22. The energy follows from the
-    /// velocities without the imposed flow and from the angular velocities.
+    /// Returns the kinetic energy, without the imposed flow.
     double energy() const;
 
     template <typename Archive>
@@ -37,16 +30,12 @@ struct MotionSums {
     }
 };
 
-/// Advances velocities, angular velocities and positions of a range of grains by one leapfrog step.
-/// Sets the net forces and torques on the grains of the range to zero. Returns the sums of squared
-/// velocities over the grains of the range (`MotionSums`).
+/// Advances velocities, angular velocities and positions of a range of grains by one leapfrog step,
+/// and sets the net forces and torques on them to zero. Returns the sums over the range.
 ///     dv/dt = f/m - L v,   dx/dt = v + L x
-/// The vector x is the position of a grain, v the velocity without the imposed flow, f the net
-/// force on the grain, m the mass of the grain, t the time, and L the imposed velocity gradient.
-/// @param range first the index of the first grain, second the index after the last grain
-/// @param net_forces net force and torque on each grain
-/// @param time_step length of the time step in reduced units (grain diameter, grain mass and
-///         imposed normal stress are 1)
+/// x is the position of a grain, f the net force on it and L the imposed velocity gradient. Since
+/// v excludes the imposed flow, it changes by -L v where the grain moves across that flow.
+/// @param range index of the first grain, and index after the last
 MotionSums advance(Grains& grains, std::pair<std::size_t, std::size_t> range,
                    std::vector<Grains::ForceAndTorque>& net_forces, const Flow& flow,
                    double time_step);

@@ -7,10 +7,11 @@
 #include "sim/dem/flow.h"
 #include "sim/dem/pair_sizes.h"
 
-// Laws of contact and bridge for one pair of grains, in reduced units (grain diameter, grain mass
-// and imposed normal stress are 1). The loops over pairs (pair_forces.cpp, viscous_loss.cpp) inline
-// these functions and process many pairs at once in vector lanes. Functions here must therefore not
-// branch, nor call a function that has no vector instruction.
+// Laws of contact and bridge for one pair of grains, in reduced units: grain diameter a, grain mass
+// and imposed normal stress s22 are 1, forces are in a^2 s22, energies and torques in a^3 s22. The
+// loops over pairs (pair_forces.cpp, viscous_loss.cpp) inline these functions and process many
+// pairs at once in vector lanes. Functions here must therefore not branch, nor call a function that
+// has no vector instruction.
 namespace pendular::dem {
 
 /// Vector of three numbers. In a loop over pairs of grains, the compiler keeps the vectors of
@@ -36,33 +37,23 @@ struct Xyz {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Relative position and velocities of two grains in reduced units (grain diameter, grain mass and
-/// imposed normal stress are 1).
+/// Relative position and velocities of two grains: second minus first.
 struct PairMotion {
-    /// Vector from the centre of the first grain to the centre of the second grain [grain
-    /// diameters].
-    Xyz separation;
-    /// Velocity of the second grain minus the velocity of the first grain, without the imposed
-    /// flow, in reduced units.
-    Xyz velocity;
-    /// Sum of the angular velocities of the two grains, in reduced units. For unequal grains, the
-    /// angular velocity of each grain is weighted with the distance from the grain's centre to the
-    /// contact point, divided by half the distance between the centres.
+    Xyz separation;  ///< from the first to the second centre
+    Xyz velocity;    ///< without the imposed flow
+    /// Sum of the angular velocities. For unequal grains, each is weighted with the distance from
+    /// the grain's centre to the contact point, over half the distance between the centres.
     Xyz angular_velocity;
 };
 
-/// Distance, direction and relative velocities of two grains, including the imposed flow, in
-/// reduced units (grain diameter, grain mass and imposed normal stress are 1).
+/// Distance, direction and relative velocities of two grains, with the imposed flow.
 struct ContactKinematics {
-    double distance;  ///< distance between the centres of the two grains [grain diameters]
-    Xyz normal;       ///< unit vector from the first to the second grain's centre [1]
-    /// Rate at which the distance between the grains' centres grows, in reduced units.
-    double normal_speed;
-    /// Tangential velocity, at the contact point, of the second grain's surface relative to the
-    /// first grain's surface, in reduced units.
-    Xyz sliding_velocity;
-    /// Angular velocity with which the pair of grains rotates as a whole, including the rotation
-    /// about the line of centres, in reduced units.
+    double distance;       ///< of the centres
+    Xyz normal;            ///< from the first to the second centre
+    double normal_speed;   ///< rate at which the distance grows
+    Xyz sliding_velocity;  ///< of the second surface relative to the first, at the contact point
+    /// Angular velocity with which the pair rotates as a whole, including the rotation about the
+    /// line of centres.
     Xyz rotation_rate;
 
     [[gnu::always_inline]] static ContactKinematics of(const PairMotion& motion, const Flow& flow) {
@@ -80,63 +71,47 @@ struct ContactKinematics {
     }
 };
 
-/// Returns the elastic normal force and the normal stiffness of a Hertz contact between two grains
-/// of any sizes, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
-/// Grains of the diameters d1 and d2 have the stiffness of two equal grains of the diameter 2 d1
-/// d2/(d1 + d2).
-/// @param overlap overlap of the grains [grain diameters]
-/// @param modulus E/(1 - nu^2) divided by the imposed normal stress [1], with Young's modulus E and
-///         Poisson ratio nu
+/// Returns the Hertz contact of two grains of any sizes. Grains of the diameters d1 and d2 have the
+/// stiffness of two equal grains of the diameter 2 d1 d2/(d1 + d2).
 [[gnu::always_inline]] inline Hertz hertz_contact(double overlap, const PairSizes& sizes,
                                                   double modulus) {
     return Hertz::at(overlap, modulus * std::sqrt(sizes.diameter));
 }
 
-/// Returns the tangential stiffness of a contact (tangential force divided by tangential
-/// displacement), in units of a s22, with grain diameter a and imposed normal stress s22.
-/// @param root square root of (overlap divided by grain diameter) [1]
+/// Returns the tangential stiffness of a contact, in units of a s22.
+/// @param root square root of the overlap
 [[gnu::always_inline]] inline double tangential_stiffness(double root, const PairSizes& sizes,
                                                           const Material& material) {
     const double modulus = material.modulus * std::sqrt(sizes.diameter);
     return tangential_ratio(material.poisson_ratio) * (modulus / 2 * root);
 }
 
-/// Returns the viscous normal force of a contact in units of a^2 s22, with grain diameter a and
-/// imposed normal stress s22. The force is positive while the grains approach each other.
-/// @param normal_speed rate at which the distance between the centres grows, in reduced units
-///         (grain diameter, grain mass and imposed normal stress are 1)
+/// Returns the viscous normal force of a contact, positive while the grains approach each other.
+/// @param normal_speed rate at which the distance between the centres grows
 /// @param damping fraction of critical damping [1]
 [[gnu::always_inline]] inline double viscous_force(const Hertz& hertz, double normal_speed,
                                                    const PairSizes& sizes, double damping) {
     return hertz.viscous(-normal_speed, damping) * std::sqrt(sizes.mass);
 }
 
-/// Normal forces of a pair of grains, and the quantities on which the tangential force of the pair
-/// depends, in reduced units (grain diameter, grain mass and imposed normal stress are 1). All
+/// Normal forces of a pair of grains, and the quantities on which its tangential force depends. All
 /// forces are zero for a pair with neither contact nor bridge.
 struct NormalForces {
-    double overlap;  ///< overlap of the two grains [grain diameters], 0 without contact
-    double gap;      ///< gap between the surfaces of the two grains [grain diameters], 0 in contact
-    double root;     ///< square root of (`overlap` divided by the grain diameter) [1]
-    double elastic;  ///< elastic normal force of the contact, a repulsion, in reduced units
-    /// Viscous normal force of the contact, positive for repulsion, in reduced units.
-    double viscous;
-    double joined = 0;  ///< 1 if a liquid bridge joins the grains, else 0
-    /// Attraction of the two grains by the liquid bridge, in reduced units; 0 without bridge.
-    double capillary = 0;
-    double stiffness;  ///< tangential stiffness of the contact, in reduced units
-    /// Largest tangential force of the contact, at which the contact slides, in reduced units.
-    double coulomb_limit;
+    double overlap;        ///< 0 without contact
+    double gap;            ///< between the surfaces, 0 in contact
+    double root;           ///< square root of `overlap`
+    double elastic;        ///< normal force of the contact, a repulsion
+    double viscous;        ///< normal force of the contact, positive for repulsion
+    double joined = 0;     ///< 1 if a bridge joins the grains, else 0
+    double capillary = 0;  ///< attraction by the bridge, 0 without one
+    double stiffness;      ///< tangential
+    double coulomb_limit;  ///< tangential force at which the contact slides
 
-    /// Returns the total normal force of the pair, positive for repulsion, in units of a^2 s22,
-    /// with grain diameter a and imposed normal stress s22.
+    /// Returns the total normal force, positive for repulsion.
     double total() const { return elastic + viscous - capillary; }
 };
 
-/// Returns the forces of a contact between two grains, without the force of a bridge. The forces
-/// are the elastic normal force, the viscous normal force and the Coulomb limit, together with the
-/// tangential stiffness, in reduced units (grain diameter, grain mass and imposed normal stress are
-/// 1). All these quantities are zero if the grains do not touch.
+/// Returns the forces of a contact without those of a bridge; all zero if the grains do not touch.
 [[gnu::always_inline]] inline NormalForces contact_forces(const ContactKinematics& kinematics,
                                                           const PairSizes& sizes,
                                                           const Material& material) {
@@ -153,9 +128,7 @@ struct NormalForces {
             .coulomb_limit = material.friction * hertz.elastic};
 }
 
-/// Adds the liquid bridge between two grains to the forces of the pair. Sets `forces.joined` to 1
-/// if a bridge joins the grains, else to 0. Sets `forces.capillary` to the attraction by the bridge
-/// in units of a^2 s22, with grain diameter a and imposed normal stress s22.
+/// Adds the bridge between two grains: sets `joined` and `capillary`.
 /// @param before 1 if a bridge joined the grains before the time step, else 0
 [[gnu::always_inline]] inline void add_bridge(NormalForces& forces, double before,
                                               const PairSizes& sizes, const BridgeLaw& bridges) {
@@ -163,10 +136,9 @@ struct NormalForces {
     forces.capillary = forces.joined * bridges.of(sizes.diameter).attraction(forces.gap);
 }
 
-/// Returns the potential energy of a bridge between two grains, in units of a^3 s22, with grain
-/// diameter a and imposed normal stress s22. The energy is zero at the gap at which the bridge
-/// breaks. While the grains touch, the energy decreases linearly with the overlap, since the
-/// attraction is then the constant pull-off force.
+/// Returns the potential energy of a bridge, zero at the gap at which the bridge breaks. While the
+/// grains touch, it decreases linearly with the overlap, since the attraction is then the constant
+/// pull-off force.
 [[gnu::always_inline]] inline double bridge_energy(const NormalForces& forces,
                                                    const PairSizes& sizes,
                                                    const BridgeLaw& bridges) {
@@ -174,29 +146,20 @@ struct NormalForces {
     return law.potential(forces.gap) - law.pull_off_force * forces.overlap;
 }
 
-/// Tangential force of a contact after one time step, and energies of the contact in this time
-/// step, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
+/// Tangential force of a contact after one time step, and its energies in this step.
 struct TangentialStep {
-    /// Tangential force on the second grain of the pair after the time step, in reduced units.
-    Xyz force;
-    /// Energy stored in the tangential spring of the contact after the time step, in reduced units.
-    double stored;
-    /// Energy that the contact loses in the time step by sliding at the Coulomb limit, in reduced
-    /// units.
-    double sliding;
-    /// Energy that the tangential spring of the contact loses in the time step without sliding, in
-    /// reduced units (`PairEnergy::unloading`).
-    double unloading;
+    Xyz force;         ///< on the second grain
+    double stored;     ///< in the tangential spring
+    double sliding;    ///< lost by sliding at the Coulomb limit
+    double unloading;  ///< lost without sliding (`PairEnergy::unloading`)
 
-    /// Returns the tangential force of a contact after one time step, with the energies of the
-    /// contact. The function rotates the force with the pair of grains, projects the force onto the
-    /// plane of contact, and multiplies the force by `unloading_factor`. The function then
-    /// subtracts the tangential stiffness times the tangential displacement in the step. Finally,
+    /// Returns the tangential force after a time step: the force turns with the pair of grains, is
+    /// projected onto the plane of contact and multiplied by `unloading_factor`; then the
+    /// tangential stiffness times the tangential displacement of the step is subtracted; finally,
     /// Coulomb's law limits the force.
-    /// @param force tangential force on the second grain before the time step, in reduced units
-    /// @param old_root square root of (overlap divided by grain diameter) before the time step [1]
-    /// @param old_stiffness tangential stiffness before the time step, in reduced units
-    /// @param dt length of the time step, in reduced units
+    /// @param force on the second grain before the step
+    /// @param old_root,old_stiffness square root of the overlap and tangential stiffness before the
+    ///         step
     [[gnu::always_inline]] static TangentialStep of(const Xyz& force,
                                                     const ContactKinematics& kinematics,
                                                     const NormalForces& normal, double old_root,
@@ -218,11 +181,8 @@ struct TangentialStep {
     }
 };
 
-/// Returns the torque that the tangential contact force of two equal grains exerts on each grain,
-/// in units of a^3 s22, with grain diameter a and imposed normal stress s22. The torques on the two
-/// grains are equal.
-/// @param tangential tangential force on the second grain; the opposite force acts on the first
-///         grain
+/// Returns the torque of the tangential contact force of two equal grains, the same on both.
+/// @param tangential force on the second grain
 [[gnu::always_inline]] inline Xyz contact_torque(const ContactKinematics& kinematics,
                                                  const Xyz& tangential) {
     return -(kinematics.distance * 0.5) * cross(kinematics.normal, tangential);

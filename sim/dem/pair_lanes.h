@@ -10,14 +10,13 @@
 
 // Memory access of the loops over pairs: functions that read the grains of one batch of pairs into
 // vector lanes and add the forces of the batch to the grains. All of them are inlined into loops
-// that are compiled once per instruction set.
+// that are compiled once per instruction set. `begin` is the index of the batch's first pair.
 namespace pendular::dem {
 
 constexpr std::size_t lanes = PairList::batch;
 using Lane = std::array<double, lanes>;
 
-/// Vectors of a batch of pairs of grains, one vector per pair, stored as three arrays of
-/// components.
+/// Vectors of a batch of pairs, as three arrays of components.
 struct alignas(64) XyzLanes {
     Lane x, y, z;
 
@@ -27,26 +26,20 @@ struct alignas(64) XyzLanes {
     }
 };
 
-/// Relative positions and velocities of the grains in a batch of pairs (`PairList::batch` pairs for
-/// which forces are computed at once), and the forces and torques on the grains, in reduced units
-/// (grain diameter, grain mass and imposed normal stress are 1).
+/// Relative positions and velocities of the grains in a batch, and the forces and torques on them,
+/// in reduced units (grain diameter, grain mass and imposed normal stress are 1).
 struct Batch {
-    /// Vector from the first to the second grain, relative velocity, and weighted sum of the
-    /// angular velocities of each pair (see `PairMotion`), in reduced units.
-    XyzLanes separation, velocity, angular_velocity;
-    XyzLanes force;   ///< force on the second grain of each pair, in reduced units
-    XyzLanes torque;  ///< torque on the second grain of each pair, in reduced units
-    /// Torque on the first grain of each pair, in reduced units. This torque is used only if it
-    /// differs from the torque on the second grain, `torque` (`Torques::separate`).
-    XyzLanes first_torque;
+    XyzLanes separation, velocity, angular_velocity;  ///< as `PairMotion`
+    XyzLanes force;                                   ///< on the second grain
+    XyzLanes torque;                                  ///< on the second grain
+    XyzLanes first_torque;  ///< on the first grain, if `Torques::separate`
 
     [[gnu::always_inline]] PairMotion motion(std::size_t k) const {
         return {separation[k], velocity[k], angular_velocity[k]};
     }
 };
 
-/// Mean diameters, mean masses and distances (`PairSizes`) [1] of the pairs of grains in a batch.
-/// Each member is an array with one element per pair.
+/// `PairSizes` of a batch.
 struct alignas(64) SizeLanes {
     Lane contact_distance, diameter, mass, second_arm;
 
@@ -62,14 +55,12 @@ struct alignas(64) SizeLanes {
     }
 };
 
-/// Sums of virials and energies over pairs of grains, and the largest overlap of the pairs (see
-/// `PairSums`). Each lane (position of a pair in its batch) has a sum of its own. The order of
-/// summation, and therefore the rounding, does not depend on the width of the vector unit.
+/// `PairSums` in the making. Each lane (position of a pair in its batch) has a sum of its own, so
+/// that the order of summation, and with it the rounding, does not depend on the width of the
+/// vector unit.
 struct alignas(64) LaneSums {
     Lane virial_11{}, virial_22{}, virial_33{}, virial_12{}, largest_overlap{};
-    /// Sums of the stored energies and of the lost energies of the pairs (see `PairEnergy`), in
-    /// units of a^3 s22, with grain diameter a and imposed normal stress s22.
-    Lane elastic{}, capillary{}, friction{}, bridges{}, unloading{};
+    Lane elastic{}, capillary{}, friction{}, bridges{}, unloading{};  ///< as `PairEnergy`
 
     [[gnu::always_inline]] void add_virial(std::size_t k, const Xyz& force, const Xyz& separation) {
         virial_11[k] += force.x * separation.x;
@@ -80,8 +71,8 @@ struct alignas(64) LaneSums {
     PairSums total(EnergyAccounting accounting) const;
 };
 
-/// Displacement [grain diameters] from the periodic cell to each of its periodic images, indexed by
-/// the code of the image (`image_code`). The last element is for placeholder pairs.
+/// Displacement [grain diameters] from the cell to each of its periodic images, by `image_code`.
+/// The last element is for placeholder pairs.
 using Shifts = std::array<Vector, image_code::count + 1>;
 
 inline Shifts image_shifts(const Cell& cell) {
@@ -93,8 +84,7 @@ inline Shifts image_shifts(const Cell& cell) {
     return shifts;
 }
 
-/// Transposes four vectors of four components: component k of input vector i becomes component i of
-/// output vector k.
+/// Transposes four vectors: component k of input i becomes component i of output k.
 [[gnu::always_inline]] inline void transpose(const Vector::Lanes (&in)[4],
                                              Vector::Lanes (&out)[4]) {
     const auto even01 = __builtin_shufflevector(in[0], in[1], 0, 4, 2, 6);
@@ -107,8 +97,7 @@ inline Shifts image_shifts(const Cell& cell) {
     out[3] = __builtin_shufflevector(odd01, odd23, 2, 3, 6, 7);
 }
 
-/// Writes the components of four vectors to elements k to k + 3 of the arrays `to.x`, `to.y`,
-/// `to.z`.
+/// Writes four vectors to elements k to k + 3 of `to`.
 [[gnu::always_inline]] inline void to_lanes(const Vector::Lanes (&in)[4], std::size_t k,
                                             XyzLanes& to) {
     Vector::Lanes out[4];
@@ -118,7 +107,7 @@ inline Shifts image_shifts(const Cell& cell) {
     *reinterpret_cast<Vector::Lanes*>(&to.z[k]) = out[2];
 }
 
-/// Reads four vectors from elements k to k + 3 of the arrays `from.x`, `from.y` and `from.z`.
+/// Reads four vectors from elements k to k + 3 of `from`.
 [[gnu::always_inline]] inline void from_lanes(const XyzLanes& from, std::size_t k,
                                               Vector::Lanes (&out)[4]) {
     const Vector::Lanes in[4] = {*reinterpret_cast<const Vector::Lanes*>(&from.x[k]),
@@ -128,10 +117,7 @@ inline Shifts image_shifts(const Cell& cell) {
     transpose(in, out);
 }
 
-/// Computes, from the grain diameters, the mean diameters, mean masses and distances (`PairSizes`)
-/// [1] of the pairs in a batch.
-/// @param begin index in `pairs` of the first pair of the batch
-/// @param sizes receives the result, one element for each pair
+/// Computes the `PairSizes` of the pairs in a batch.
 [[gnu::always_inline]] inline void gather_sizes(const Grains& grains, const Pairs& pairs,
                                                 std::size_t begin, SizeLanes& sizes) {
     const std::int32_t* first = pairs.first.data() + begin;
@@ -143,20 +129,16 @@ inline Shifts image_shifts(const Cell& cell) {
     }
 }
 
-/// Quantities of the relative motion of two grains that the function `gather` reads.
+/// Relative motion that `gather` reads.
 enum class Gathered {
-    separation,  ///< positions only, for pairs that cannot touch
-    motion,      ///< positions and velocities of pairs of equal grains
-    /// Positions and velocities of pairs of unequal grains, with angular velocities weighted by the
-    /// distances to the contact point (`PairSizes`).
+    separation,  ///< for pairs that cannot touch
+    motion,      ///< positions and velocities, for equal grains
+    /// Positions and velocities, with angular velocities weighted by the distances to the contact
+    /// point, for unequal grains.
     weighted_motion,
 };
 
-/// Reads the relative positions and, unless `part` is `separation`, the relative velocities of the
-/// two grains of each pair in a batch, and writes positions and velocities to the members
-/// `separation`, `velocity` and `angular_velocity` of `b`.
-/// @param begin index in `pairs` of the first pair of the batch
-/// @param shifts displacement from the cell to each periodic image [grain diameters]
+/// Reads the relative motion of the pairs in a batch into `b`.
 template <Gathered part>
 [[gnu::always_inline]] inline void gather(const Grains::Motion* motion, const Pairs& pairs,
                                           std::size_t begin, const Shifts& shifts,
@@ -188,17 +170,14 @@ template <Gathered part>
     }
 }
 
-/// Kind of the torques in a batch of pairs: no torques, equal torques or different torques on the
-/// two grains of a pair.
+/// Torques in a batch of pairs.
 enum class Torques {
-    none,      ///< no torques, for pairs of grains that cannot touch
-    shared,    ///< equal torques on both grains of a pair, in `Batch::torque`
-    separate,  ///< different torques on the two grains of a pair, in `first_torque` and `torque`
+    none,      ///< for pairs that cannot touch
+    shared,    ///< equal on both grains, in `Batch::torque`
+    separate,  ///< in `first_torque` and `torque`
 };
 
-/// Adds the forces and torques of the pairs in a batch to the net force and torque on each grain.
-/// @param begin index in `pairs` of the first pair of the batch
-/// @param net_force net force and torque on each grain
+/// Adds the forces and torques of a batch to the net force and torque on each grain.
 template <Torques torques>
 [[gnu::always_inline]] inline void scatter(const Batch& b, const Pairs& pairs, std::size_t begin,
                                            Grains::ForceAndTorque* net_force) {

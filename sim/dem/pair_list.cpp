@@ -11,7 +11,8 @@
 namespace pendular::dem {
 namespace {
 
-/// Affine strain after which the grains of a sample are renumbered [1].
+/// Affine strain after which the grains of a sample are renumbered [1]: rows one diameter apart
+/// have then moved by one diameter against each other.
 constexpr double strain_between_numberings = 1;
 
 /// Periodic image of grain j nearest to grain i, in a sheared cell with a reduced offset

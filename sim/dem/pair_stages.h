@@ -9,21 +9,15 @@
 // and effects change the forces between the stages.
 namespace pendular::dem {
 
-/// Kinematics and forces of a batch of pairs in a run with physical effects on the forces, in
-/// reduced units (grain diameter, grain mass and imposed normal stress are 1). The solver first
-/// computes the normal forces, then the tangential forces. After each of the two stages, effects
-/// read and change the forces.
+/// Kinematics and forces of a batch of pairs, in reduced units (grain diameter, grain mass and
+/// imposed normal stress are 1). The solver first computes the normal forces, then the tangential
+/// forces; after each of the two stages, effects read and change the forces.
 struct alignas(64) Stages {
     XyzLanes normal, sliding_velocity;
-    /// Angular velocity with which each pair of grains rotates as a whole, in reduced units.
-    XyzLanes rotation_rate;
-    /// Angular velocity of the second grain of each pair minus the angular velocity of the first
-    /// grain, in reduced units.
-    XyzLanes rolling;
-    /// Torque that effects exert on the second grain of each pair, in reduced units. The opposite
-    /// torque acts on the first grain.
-    XyzLanes own_torque;
-    Lane gap;  ///< gap between the surfaces of each pair [grain diameters], negative for an overlap
+    XyzLanes rotation_rate;  ///< of the pair as a whole
+    XyzLanes rolling;        ///< difference of the angular velocities, second minus first
+    XyzLanes own_torque;     ///< of effects on the second grain; the opposite on the first
+    Lane gap;                ///< between the surfaces; negative for an overlap
     Lane distance, normal_speed, root, elastic, viscous, joined, capillary, stiffness,
         coulomb_limit;
 
@@ -55,11 +49,7 @@ struct alignas(64) Stages {
     }
 };
 
-/// Computes, for each pair of a batch, the angular velocity of the second grain minus the angular
-/// velocity of the first grain, in reduced units (grain diameter, grain mass and imposed normal
-/// stress are 1).
-/// @param begin index in `pairs` of the first pair of the batch
-/// @param rolling receives the differences of the angular velocities, one vector for each pair
+/// Reads the differences of the angular velocities, second minus first, of the pairs in a batch.
 [[gnu::always_inline]] inline void gather_rolling(const Grains::Motion* motion, const Pairs& pairs,
                                                   std::size_t begin, XyzLanes& rolling) {
     const std::int32_t* first = pairs.first.data() + begin;
@@ -74,10 +64,8 @@ struct alignas(64) Stages {
     }
 }
 
-/// Returns a `PairBatch`, with which physical effects read and change the data of a batch of pairs.
-/// The data are not copied.
-/// @param contact_history for each value that effects store per pair, a pointer to the values of
-///         the pairs of the batch
+/// Returns a `PairBatch` that refers to the data of a batch, without copies.
+/// @param contact_history for each value that effects keep, a pointer to the values of the batch
 inline PairBatch batch_for_effects(Batch& b, Stages& s, const SizeLanes& sizes, double time_step,
                                    double* const* contact_history) {
     return {.size = lanes,

@@ -21,10 +21,9 @@ void in_parts(int parts, const Work& work) {
     }
 }
 
-/// Divides `count` items into `parts` ranges of nearly equal size, and returns range number `part`,
-/// counted from 0. In the returned pair, `first` is the index of the first item and `second` the
-/// index after the last item. Each range begins at a multiple of `grain` items (this parameter has
-/// nothing to do with the grains of a sample).
+/// Returns range number `part`, counted from 0, of `count` items in `parts` ranges of nearly equal
+/// size: index of the first item, and index after the last. Each range begins at a multiple of
+/// `grain` items (not a grain of a sample).
 inline std::pair<std::size_t, std::size_t> range_of(int part, int parts, std::size_t count,
                                                     std::size_t grain = 1) {
     const std::size_t grains = (count + grain - 1) / grain;

@@ -10,9 +10,8 @@
 
 namespace pendular::dem {
 
-/// Calls visit(k, r) for each pair k of a neighbour list, except the placeholder pairs that fill up
-/// the last batch. The vector r points from the centre of the first grain to the centre of the
-/// periodic image of the second grain [grain diameters].
+/// Calls visit(k, r) for each pair k of a neighbour list, except placeholder pairs. r points from
+/// the first centre to the periodic image of the second [grain diameters].
 template <typename Visit>
 void for_each_pair(const Grains& grains, const Cell& cell, const Pairs& pairs, const Visit& visit) {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -26,19 +25,17 @@ void for_each_pair(const Grains& grains, const Cell& cell, const Pairs& pairs, c
     }
 }
 
-/// Returns the elastic normal force and the normal stiffness of the contact of pair number k, in
-/// reduced units (grain diameter, grain mass and imposed normal stress are 1). Force and stiffness
-/// follow from the overlap in the last time step. Without contact, force and stiffness are zero.
-/// @param modulus E/(1 - nu^2) divided by the imposed normal stress [1], with Young's modulus E and
-///         Poisson ratio nu
+/// Returns the Hertz contact of pair number k from the overlap in the last time step, in reduced
+/// units (grain diameter, grain mass and imposed normal stress are 1); zero without contact.
+/// @param modulus `Material::modulus`
 inline Hertz contact_of(const Grains& grains, const Pairs& pairs, std::size_t k, double modulus) {
     const PairSizes sizes = grains.sizes(static_cast<std::size_t>(pairs.first[k]),
                                          static_cast<std::size_t>(pairs.second[k]));
     return hertz_contact(pairs.root[k] * pairs.root[k], sizes, modulus);
 }
 
-/// Returns the gap between the surfaces of the two grains of pair number k [grain diameters]. An
-/// overlap is a negative gap.
+/// Returns the gap between the surfaces of pair number k [grain diameters]; negative for an
+/// overlap.
 /// @param r vector from the first to the second centre [grain diameters]
 inline double gap_of(const Grains& grains, const Pairs& pairs, std::size_t k, const Vector& r) {
     return std::sqrt(dot(r, r)) -

@@ -13,20 +13,20 @@
 
 namespace pendular::dem {
 
-/// Shear strain of one block of a run [1]. The averages over one block are one element of the time
-/// series of the run.
+/// Shear strain of one block [1]. The averages over one block are one element of the time series. A
+/// block is shorter than the strain over which the stress ratio decorrelates, 0.03.
 constexpr double block_strain = 0.02;
 
-/// Averages of a simulation over one block (shear strain of `block_strain`). Stresses are divided
-/// by the imposed normal stress [1]. Compression is positive.
+/// Averages over one block. Stresses are divided by the imposed normal stress [1]. Compression is
+/// positive.
 struct Block {
     double strain = 0;
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0, solid_fraction = 0, localization = 0;
-    /// Mean volume of a liquid bridge divided by the mean volume V0 of newly formed bridges [1];
-    /// the value is 1 without bridges.
+    /// Mean volume of a bridge over the mean volume V0 of newly formed bridges [1]; 1 without
+    /// bridges.
     double bridge_volume = 0;
-    /// Power per volume that each mechanism dissipates in the block, divided by the shear rate and
-    /// the imposed normal stress [1]. The members for stored energies are 0.
+    /// Power per volume that each mechanism dissipates, over shear rate and imposed normal stress
+    /// [1]. The members for stored energies are 0.
     PairEnergy dissipation;
     Structure structure;
     FieldSums fields;
@@ -39,9 +39,8 @@ struct Block {
     }
 };
 
-/// Block (shear strain of `block_strain`) of a run that is not complete yet. The quantities to be
-/// averaged are summed step by step, so that the run can be stopped and resumed between any two
-/// time steps.
+/// Block that is not complete yet. Quantities are summed step by step, so that the run can be
+/// stopped and resumed between any two time steps.
 class OpenBlock {
   public:
     OpenBlock() = default;
@@ -50,17 +49,16 @@ class OpenBlock {
     bool full(const ShearCell& sample) const { return sample.strain() >= begin_ + block_strain; }
     /// Returns the shear strain of the sample when the block began [1].
     double begin() const { return begin_; }
-    /// Advances the sample by one time step and adds the stress and the solid fraction of the
-    /// sample to the sums of the block. Dissipation, velocities, and observables of contacts and
-    /// bridges are added only after some of the time steps.
+    /// Advances the sample by one time step and adds stress and solid fraction to the sums.
+    /// Dissipation, velocities, and observables of contacts and bridges are added only after some
+    /// of the time steps.
     void step(ShearCell& sample);
     /// Whether a run should check now for stop requests and due checkpoints: every 16 time steps,
-    /// right after the velocities of all grains were added to the sums of the block.
+    /// right after the velocities of all grains were added to the sums.
     static bool pauses(const ShearCell& sample);
-    /// Ends the block and returns its averages. Stresses and solid fraction are averages over all
-    /// time steps of the block. Profiles of solid fraction and distributions over pairs of grains
-    /// come from the last state only. All other quantities are averages over some time steps of the
-    /// block.
+    /// Returns the averages of the block. Stresses and solid fraction are averages over all time
+    /// steps, profiles of solid fraction and distributions over pairs come from the last state
+    /// only, all other quantities are averages over some time steps.
     /// @param sample state at the end of the block
     Block close(const ShearCell& sample);
 
@@ -81,15 +79,14 @@ class OpenBlock {
     int structures_ = 0;
 };
 
-/// Time series of a run: averages over successive blocks (shear strains of `block_strain`).
-/// Averages of the run and the end of the transient are computed from the time series.
+/// Time series of a run, block by block, from which its averages and the end of the transient are
+/// computed. Blocks are counted from 0.
 class Series {
   public:
     void add(Block block) { blocks_.push_back(std::move(block)); }
     std::size_t size() const { return blocks_.size(); }
 
-    /// Returns the total shear strain [1] of the blocks from number `from` to number `to` - 1,
-    /// counted from 0.
+    /// Returns the total shear strain [1] of the blocks from number `from` to number `to` - 1.
     double strain(std::size_t from, std::size_t to) const {
         double sum = 0;
         for (std::size_t k = from; k < to; ++k) {
@@ -106,10 +103,9 @@ class Series {
         }
         return result;
     }
-    /// Returns a time series of the ratio of two quantities, with one value per block, from block
-    /// number `from` on, counted from 0. Each value is numerator(block)/denominator(block),
-    /// linearised about the means of numerator and denominator. The mean of the values is therefore
-    /// the mean numerator divided by the mean denominator.
+    /// Returns a time series of the ratio of two quantities, from block number `from` on. Each
+    /// value is numerator(block)/denominator(block), linearised about the means of both, so that
+    /// the mean of the values is the mean numerator over the mean denominator.
     template <typename Numerator, typename Denominator>
     std::vector<double> ratio(std::size_t from, Numerator numerator,
                               Denominator denominator) const {
@@ -134,15 +130,13 @@ class Series {
     std::vector<double> structure(std::size_t from, double Structure::*which) const {
         return values(from, [&](const Block& b) { return b.structure.*which; });
     }
-    /// Returns the average of the field `which` (quantity as a function of one coordinate) in each
-    /// bin, with its standard error. The average is over the blocks from number `from` on, counted
-    /// from 0: the mean of `BinnedSums::sum` divided by the mean of `BinnedSums::weight`. If a bin
-    /// has no data, the average is NaN.
+    /// Returns the average of a field in each bin, with its standard error, over the blocks from
+    /// number `from` on: the mean of `BinnedSums::sum` over the mean of `BinnedSums::weight`; NaN
+    /// for a bin without data.
     BinnedMeans field(std::size_t from, Field which, const Bins1d& bins) const;
-    /// Returns the number of blocks at the start of a run in which the flow is not yet steady;
-    /// empty if the flow has not become steady so far. Averages must exclude these blocks. The
-    /// function examines the stress ratio and the solid fraction. If `wet` is true, the function
-    /// also examines the number of bridges on a grain to grains that it does not touch.
+    /// Returns the number of blocks at the start of a run in which the flow is not yet steady,
+    /// which averages must exclude; empty if it has not become steady so far. Stress ratio and
+    /// solid fraction decide and, if `wet`, the number of bridges without contact on a grain.
     std::optional<std::size_t> transient(bool wet) const;
     Trace trace() const;
 

@@ -8,15 +8,13 @@
 
 namespace pendular::dem {
 
-/// Final state of a simulation run in single precision, from which a new run can start. The state
-/// does not contain the contact history (tangential forces and other values of each pair). Only a
-/// checkpoint can therefore continue a run bit for bit. If the grains differ in size, the state is
-/// not stored and `grains` is empty.
+/// Final state of a run in single precision, from which a new run can start. It lacks the contact
+/// history, so that only a checkpoint can continue a run bit for bit. If the grains differ in size,
+/// the state is not stored and `grains` is empty.
 struct StoredSample {
     Cell cell;
-    /// Position, velocity without the imposed flow, and angular velocity of each grain, three
-    /// components each, in reduced units (grain diameter, grain mass and imposed normal stress are
-    /// 1).
+    /// Position, velocity without the imposed flow, and angular velocity of each grain, in reduced
+    /// units (grain diameter, grain mass and imposed normal stress are 1).
     std::vector<std::array<float, 9>> grains;
 
     StoredSample() = default;

@@ -4,10 +4,10 @@
 
 namespace pendular::dem {
 
-/// Averages of a simulation run over one block (a shear strain of about 0.02), in single precision.
-/// Stresses are divided by the imposed normal stress [1].
+/// Averages over one block (a shear strain of about 0.02), in single precision. Stresses are
+/// divided by the imposed normal stress [1].
 struct TraceBlock {
-    float strain = 0;  ///< shear strain over which this block extends [1]
+    float strain = 0;  ///< of the block [1]
     float s11 = 0, s22 = 0, s33 = 0, s12 = 0;
     float solid_fraction = 0, contact_coordination = 0, distant_coordination = 0, localization = 0;
 
@@ -20,7 +20,7 @@ struct TraceBlock {
     }
 };
 
-/// Time series of a simulation run: averages over successive blocks (shear strains of about 0.02).
+/// Time series of a run, block by block.
 using Trace = std::vector<TraceBlock>;
 
 }  // namespace pendular::dem

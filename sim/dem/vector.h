@@ -4,9 +4,8 @@
 
 namespace pendular::dem {
 
-/// Vector of three components in a vector register of four lanes. The fourth lane is unused.
-/// Operators work component by component, so that every instruction set of the processor gives
-/// identical bits.
+/// Vector of three components in a register of four lanes, the fourth unused. Operators work
+/// component by component, so that every instruction set of the processor gives identical bits.
 struct alignas(32) Vector {
     using Lanes = double __attribute__((vector_size(32)));
     Lanes lanes{};
@@ -16,8 +15,8 @@ struct alignas(32) Vector {
     constexpr explicit Vector(Lanes all) : lanes(all) {}
 
     double operator[](std::size_t k) const { return lanes[k]; }
-    /// Returns a writable reference to component k, counted from 0. This operator moves the vector
-    /// from its register to memory; an assignment to `lanes` does not.
+    /// Returns a writable reference to component k. This moves the vector from its register to
+    /// memory; an assignment to `lanes` does not.
     double& operator[](std::size_t k) { return reinterpret_cast<double*>(&lanes)[k]; }
 
     Vector& operator+=(const Vector& other) {
@@ -32,7 +31,7 @@ struct alignas(32) Vector {
     friend Vector operator-(const Vector& a, const Vector& b) { return Vector(a.lanes - b.lanes); }
     friend Vector operator-(const Vector& a) { return Vector(-a.lanes); }
     friend Vector operator*(double factor, const Vector& a) { return Vector(factor * a.lanes); }
-    /// Returns the product of two vectors, component by component.
+    /// Returns the product component by component.
     friend Vector operator*(const Vector& a, const Vector& b) { return Vector(a.lanes * b.lanes); }
     friend bool operator==(const Vector& a, const Vector& b) {
         return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];

@@ -4,10 +4,9 @@
 
 namespace pendular {
 
-/// Checks that a plan can be simulated and recorded. Any two planned values of a quantity must
-/// differ by at least 5 %. The quantities are the normal stress of dry grains, the normal stress of
-/// wet grains, the liquid content and the inertial number.
-/// @throws InputError if the plan fails a check; the message names the mistake
+/// Checks that a plan can be simulated and recorded. Planned values of liquid content, inertial
+/// number, and normal stress of dry or of wet grains must differ by at least 5 %.
+/// @throws InputError that names the mistake
 void check_plan(const LabPlan& plan);
 
 }  // namespace pendular

@@ -10,9 +10,12 @@
 namespace pendular {
 namespace {
 
+/// Strain of the start-up that the steady part of a step leaves out: softening and dilation have
+/// then decayed to exp(-0.5/0.15) = 4 %.
 constexpr double transient_strain = 0.5;
 
-// Start-up: the torque rises elastically, overshoots and softens while the sample dilates.
+// Start-up: the torque rises elastically, overshoots and softens while the sample dilates. Since it
+// softens as it rises, it peaks at half of `overshoot`, 15 % above the steady torque.
 constexpr double elastic_strain = 0.02, softening_strain = 0.15;
 constexpr double overshoot = 0.3, dilation = 0.02;
 

@@ -7,10 +7,9 @@
 
 namespace pendular {
 
-/// Returns the files of the study that a virtual laboratory writes: study.toml and the recordings.
-/// The key of an element is the name of a file, the value is the text of the file. The files
-/// contain neither the true friction coefficient nor the true effects, which a calibration has to
-/// find.
+/// Returns the files that a virtual laboratory writes, text by name: study.toml and the recordings.
+/// They contain neither the true friction coefficient nor the true effects, which a calibration has
+/// to find.
 std::map<std::string, std::string> study_files(const LabResult& result);
 
 }  // namespace pendular

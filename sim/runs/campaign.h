@@ -8,9 +8,8 @@
 
 namespace pendular {
 
-/// Reads a campaign file (list of simulations to carry out, in TOML) and returns the parameters of
-/// the requested runs, without duplicates. The runs of the tables [[grid]] come first, then the
-/// runs of [[list]], then the runs of [[sobol]].
+/// Reads a campaign file (simulations to carry out, in TOML) and returns the parameters of its runs
+/// without duplicates: first those of the tables [[grid]], then of [[list]], then of [[sobol]].
 ///
 ///     seed = 1                            # from which the seed of every run follows
 ///     [[grid]]                            # every combination of the values
@@ -25,24 +24,21 @@ namespace pendular {
 ///     inertial_number = [1e-3, 0.1]
 ///     logarithmic = ["inertial_number"]
 ///
-/// Each table may contain parameters of a run, physical effects on grains, and the key `repeats`. A
-/// parameter of a run is a dimensionless number or an array of numbers. The parameter
-/// `reduced_pressure` makes the grains wet. An effect on grains is a table of the effect's
-/// parameters. The value of `repeats` is the number of runs that differ only in their seeds. The
-/// seed of a run follows from the file's seed, the parameters of the run and the number of the
-/// repeat.
+/// A parameter of a run is a dimensionless number or an array of numbers; `reduced_pressure` makes
+/// the grains wet. An effect on grains is a table of its parameters. `repeats` is the number of
+/// runs that differ only in their seeds. The seed of a run follows from the file's seed, the
+/// parameters of the run and the number of the repeat.
 /// @param fidelity settings for tables without `beads`, `stiffness_number`, `strain` or
-///        `inertial_number`, which is then the lowest inertial number of the fidelity
-/// @throws InputError if the file cannot be read, requests no run or too many runs, or contains a
-///         syntax error, an unknown key, a value out of range or a run that cannot be simulated;
-///         the error names the line
+///         `inertial_number`, which is then the lowest inertial number of the fidelity
+/// @throws InputError that names the line, if the file cannot be read, requests no run or too many
+///         runs, or contains a syntax error, an unknown key, a value out of range or a run that
+///         cannot be simulated
 std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file,
                                               const Fidelity& fidelity);
 
-/// Divides the runs of a campaign (list of simulations) into groups of about equal expected
-/// computing time, for example one group for each machine. Returns the parameters of the runs of
-/// one group, with the longest run first. The division does not depend on which runs were already
-/// carried out.
+/// Divides runs into groups of about equal expected computing time, for example one for each
+/// machine, and returns one group, the longest run first. The division does not depend on which
+/// runs were already carried out.
 /// @param share number of the group, from 1
 /// @param shares number of groups
 std::vector<dem::RunParameters> share_of(const std::vector<dem::RunParameters>& runs, int share,

@@ -4,18 +4,16 @@
 
 namespace pendular {
 
-/// Purpose for which random numbers are drawn: the runs of a calibration, the noise of a virtual
-/// instrument, the runs of a virtual laboratory, or the choice of parameters of calibration runs
-/// (`run_places`). Seeds for different purposes differ. A calibration can therefore be tested on a
-/// virtual measurement without using the initial samples of the virtual measurement.
+/// Purpose for which random numbers are drawn. Seeds for different purposes differ, so that a
+/// calibration can be tested on a virtual measurement without using its initial samples.
+/// `run_places` is the choice of the parameters of calibration runs.
 enum class SeedDomain : std::uint64_t { calibration, instrument, virtual_lab, run_places };
 
-/// Returns the seed of run number `run`, counted from 0: a hash of the user's seed, the number of
-/// the run and the purpose of the random numbers (`domain`).
+/// Returns the seed of run number `run`, counted from 0.
 ///     z = seed x A + (run + 1) x B + domain x 2^62 (mod 2^64),  A and B odd
-/// The finalizer of splitmix64 then maps different z to different seeds. For one value of `seed`,
-/// two runs of one purpose never have equal seeds. Two runs of different purposes can have equal
-/// seeds only if the numbers of the runs differ by a multiple of 2^62.
+/// The finalizer of splitmix64 then maps different z to different seeds. For one `seed`, two runs
+/// of one purpose never have equal seeds, and two runs of different purposes only if their numbers
+/// differ by a multiple of 2^62.
 /// Source: Steele, Lea and Flood, OOPSLA (2014) 453, "Fast splittable pseudorandom number
 /// generators".
 constexpr std::uint64_t seed_of_run(std::uint64_t seed, std::uint64_t run,

@@ -368,4 +368,15 @@ TEST_F(FamilyOfScores, DrawsTheLawOfItsStatistic) {
                 binomial_error(0.5, draws));
 }
 
+TEST(WeightedResiduals, TakePredictionsThatAllButDetermineNearlyExactReadings) {
+    // Whitening loses all digits of a covariance with one large common error.
+    constexpr Eigen::Index n = 12;
+    Measured measured{Eigen::VectorXd::Ones(n), 1e-14 * Eigen::MatrixXd::Identity(n, n), {}};
+    Prediction prediction{Eigen::VectorXd::Ones(n), Eigen::MatrixXd::Ones(n, 1), {}, {}};
+    prediction.covariance = Eigen::MatrixXd::Ones(n, n);
+    const WeightedResiduals residuals(measured, prediction);
+    EXPECT_TRUE(residuals.prediction_root().allFinite());
+    EXPECT_LE(residuals.prediction_root().norm(), std::sqrt(n) * 1.01);
+}
+
 }  // namespace pendular::analysis_score_statistic_test

@@ -54,6 +54,9 @@ E
 attack "paths: study.toml a link to itself" 2 "study.toml" <<'E'
 mkdir s; ln -s study.toml s/study.toml; run import s
 E
+attack "paths: a study that is a link to itself" 2 "check this path and its links" <<'E'
+ln -s s s; run import s
+E
 attack "paths: out/readings.csv a link out of the study" 2 "s/out/readings.csv" <<'E'
 study s; mkdir s/out; echo untouched >../outside/target; ln -s ../../../outside/target s/out/readings.csv; run import s; intact ../outside/target
 E

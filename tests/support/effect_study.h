@@ -11,8 +11,7 @@
 #include "calib/model/effect_model.h"
 #include "tests/support/emulator_support.h"
 
-// A study like the virtual laboratory's. Its model is the emulator of the atlas, the runs that come
-// with the program.
+// A study like the virtual laboratory's. Its model is the emulator of the atlas.
 namespace pendular {
 
 /// Friction coefficient from which tests predict readings, and which fits must find again [1].
@@ -67,7 +66,7 @@ inline std::vector<Condition> conditions_for(const std::vector<const Effect*>& e
 }
 
 /// Models of one study with any set of effects, predicted by an emulator that is trained on all
-/// runs of the atlas (the runs that come with the program).
+/// runs of the atlas.
 class Laboratory {
   public:
     explicit Laboratory(const std::string& base, closures::Level level = closures::Level::strength3)

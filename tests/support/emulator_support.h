@@ -14,8 +14,7 @@
 
 namespace pendular {
 
-/// Returns all runs of the atlas (the runs that come with the program), with and without effects on
-/// grains.
+/// Returns all runs of the atlas, with and without effects on grains.
 inline std::vector<dem::RunResult> all_shipped_runs() {
     std::vector<dem::RunResult> runs;
     for (const StoredRun& stored : read_runs(PENDULAR_SOURCE_DIR "/sim/atlas/atlas.csv")) {
@@ -24,16 +23,14 @@ inline std::vector<dem::RunResult> all_shipped_runs() {
     return runs;
 }
 
-/// Returns the runs of the atlas (the runs that come with the program) that have no effects on
-/// grains.
+/// Returns the runs of the atlas that have no effects on grains.
 inline std::vector<dem::RunResult> shipped_runs() {
     std::vector<dem::RunResult> runs = all_shipped_runs();
     std::erase_if(runs, [](const auto& run) { return !run.parameters.effects.empty(); });
     return runs;
 }
 
-/// Returns the hyperparameters of the emulator that come with the atlas: amplitudes and lengths of
-/// its Gaussian processes.
+/// Returns the emulator's hyperparameters that come with the atlas.
 inline EmulatorHyperparameters shipped_hyperparameters() {
     return read_hyperparameters(std::filesystem::path(PENDULAR_SOURCE_DIR "/sim/atlas") /
                                 hyperparameters_name);

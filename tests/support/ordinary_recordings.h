@@ -45,7 +45,6 @@ using Spoil = std::function<void(RowOfStep row, int step)>;
 /// rows, 0.2 s apart, and begins with a transient of 4 s. The lid turns at 0.18 to 0.35 turns per
 /// second.
 /// @param file name of the file that the recording states
-/// @param noise random errors of torque, force and gap
 /// @param spoil function that changes each row after the noise; empty: no row is changed
 inline Recording ordinary_recording(const std::string& file, std::uint64_t seed,
                                     const OrdinaryNoise& noise = {}, const Spoil& spoil = {}) {

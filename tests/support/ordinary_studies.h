@@ -13,7 +13,6 @@ namespace pendular {
 using SpoilFile = std::function<void(RowOfStep row, int step, int file)>;
 
 /// Imports a study of simulated recordings (`ordinary_recording`), and returns its measurements.
-/// @param files number of recordings
 /// @param seed seed of the study's noise; each recording of the study has different noise
 /// @param spoil function that changes rows of the recordings; empty: no row is changed
 /// @param import further text for the end of study.toml, such as a table [import]
@@ -38,7 +37,6 @@ inline Measurements study_of(int files, std::uint64_t seed, const OrdinaryNoise&
 
 /// Counts false alarms: studies of undisturbed recordings in which the import nevertheless finds an
 /// irregularity. Prints each irregularity.
-/// @param studies number of studies
 /// @param files number of recordings of each study
 /// @param first seed of the first study; further studies have the following seeds
 inline int alarms(int studies, int files, const OrdinaryNoise& noise, std::uint64_t first) {

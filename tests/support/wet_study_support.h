@@ -12,7 +12,8 @@
 
 /// Calibrated wet study whose runs and readings follow an invented flow law, so that no simulation
 /// is needed and the right result of every test is known. The values of the law are close to those
-/// of Badetti et al. (2018).
+/// of Badetti et al. (2018). `mu` is the friction [1], `u` is 1/P* [1] (0: dry), and `volume` is
+/// the bridge volume divided by the cubed grain diameter [1].
 namespace planted {
 
 using namespace pendular;
@@ -37,15 +38,11 @@ inline double distant_coordination(double volume) {
 }
 /// Effective coordination number Z* = Z_c + 0.5 Z_d [1] of the invented flow law, with the numbers
 /// of contacts Z_c and of distant bridges Z_d per grain.
-/// @param mu friction [1]
-/// @param volume bridge volume divided by the cubed grain diameter [1]
 inline double effective_coordination(double mu, double volume) {
     return contact_coordination(mu) + 0.5 * distant_coordination(volume);
 }
 /// Capillary shear stress of the invented flow law, multiplied by the squared grain diameter and
 /// divided by the pull-off force [1].
-/// @param mu friction [1]
-/// @param volume bridge volume divided by the cubed grain diameter [1]
 inline double capillary_shear_stress(double mu, double volume) {
     return 0.05 - 0.03 * std::log(volume / bridge_volume_unit) + 0.02 * friction_coordinate(mu);
 }
@@ -54,9 +51,6 @@ inline double solid_fraction(double mu, double u) {
 }
 /// Stress ratio of the invented flow law [1]. As a function of u, the stress ratio bends below a
 /// straight line, as the data of Badetti et al. (2018) do below P* = 2.3.
-/// @param mu friction [1]
-/// @param u inverse reduced pressure 1/P* [1]
-/// @param volume bridge volume divided by the cubed grain diameter [1]
 inline double stress_ratio(double mu, double u, double volume) {
     const double cohesion = 0.29 + 0.035 * std::log(volume / bridge_volume_unit);
     return dry_ratio(mu) + cohesion * u - 0.028 * u * u;
@@ -88,9 +82,6 @@ inline double normal_stress(double pressure) {
 }
 
 /// Returns a run whose averages follow the invented flow law exactly, with stated standard errors.
-/// @param mu friction [1]
-/// @param u inverse reduced pressure 1/P* [1]; 0: dry
-/// @param volume bridge volume divided by the cubed grain diameter [1]
 inline dem::RunResult run(double mu, double u, double volume) {
     dem::RunResult r;
     r.parameters.friction = mu;

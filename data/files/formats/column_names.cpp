@@ -44,7 +44,8 @@ const std::vector<VendorName>& vendor_names() {
     return all;
 }
 
-/// Name in lower case with single blanks, for comparison. Names of one letter keep their case.
+/// Name in lower case with single blanks, for comparison. Symbols of up to two bytes (M, t, τ, Fn)
+/// keep their case.
 std::string compared(std::string_view name) {
     if (name.size() <= 2) return std::string(name);
     std::string result;
@@ -86,7 +87,7 @@ ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit) {
         if (unit_fits(unit, each->second.quantity)) return each->second;
     const Quantity* const known = find_quantity(name);
     if (!known || known->unit.empty() || !unit_fits(unit, known->name)) return {};
-    return {known->name, 100};
+    return {known->name, 100};  // after all names of instruments
 }
 
 std::string_view set_point_of(std::string_view name, std::string_view unit) {

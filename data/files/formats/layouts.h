@@ -11,24 +11,23 @@ namespace pendular {
 
 /// Layout of the files of one instrument or program: arrangement of rows, headers and units.
 struct Layout {
-    std::string name;     ///< name of the layout in study.toml, such as "rheocompass"
-    std::string meaning;  ///< description of the layout in a few words, for the user
-    /// Function that returns whether the lines of a file have the layout.
+    std::string name;     ///< in study.toml, such as "rheocompass"
+    std::string meaning;  ///< description in a few words, for the user
     bool (*recognise)(const SourceLines&);
-    /// Function that reads the delimiter, the header and the intervals of a file with the layout
-    /// into `file`.
-    /// @throws InputError at file:line:column for text that the layout does not allow
+    /// Reads delimiter, facts and intervals into `file`.
+    /// @throws InputError for text that the layout does not allow
     void (*read)(const SourceLines&, const FileFormat&, BlockFile& file);
 };
 
-/// Returns all known layouts, in the order in which `read_blocks` tries to recognise them.
+/// Returns all layouts, in the order in which `read_blocks` tries to recognise them. The last,
+/// plain, recognises every file.
 const std::vector<Layout>& layouts();
 
-/// Returns the names of all known layouts, which are the values of the key `layout` in study.toml.
+/// Returns the names of all layouts: values of the key `layout` in study.toml.
 std::vector<std::string> layout_names();
 
-/// Returns the names of the roles that an interval (step of constant set points) may have in a
-/// test: "filling", "preshear", "unloading", "failure", "reloading", "steady" and "other".
+/// Returns the roles that an interval may have in a test: "filling", "preshear", "unloading",
+/// "failure", "reloading", "steady" and "other".
 const std::vector<std::string>& interval_roles();
 
 /// Reads a file of measurements in any known layout. Layout, encoding, delimiter and decimal mark

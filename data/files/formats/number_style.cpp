@@ -94,6 +94,7 @@ void NumberStyleFinder::look_at(const Table& table) {
 
 void NumberStyleFinder::look_at(const Table& table, const Row& row, std::size_t cell) {
     const std::string& text = row.cells[cell].text;
+    // A number with a thousands separator, which may be a blank of several bytes, has at least 5.
     const bool marks = text.find_first_of(",.' ") != std::string::npos || text.size() > 4;
     if (!marks) return;
     const auto keep = [&](Example& example) {

@@ -9,9 +9,8 @@ namespace pendular {
 
 /// Style in which a file writes numbers.
 struct NumberStyle {
-    char decimal = '.';  ///< decimal mark of the file's numbers, '.' or ','
-    /// Whether the file's numbers have a decimal comma or thousands separators, so that they must
-    /// be rewritten before `parse_number` can read them.
+    char decimal = '.';  ///< decimal mark, '.' or ','
+    /// Whether a decimal comma or thousands separators must be rewritten for `parse_number`.
     bool rewrite = false;
 };
 
@@ -20,39 +19,32 @@ struct NumberStyle {
 /// have thousands separators.
 class NumberStyleFinder {
   public:
-    /// Examines the numbers in the cells of a table, to determine their decimal mark.
     void look_at(const Table& table);
 
-    /// Returns the style of the numbers in all tables examined so far.
+    /// Returns the style of the numbers in all tables looked at so far.
     /// @param decimal decimal mark that the user states; empty: to be determined
     /// @throws InputError at the first ambiguous cell, such as "2,800", if no cell determines the
-    ///         decimal mark; the message gives both interpretations
-    /// @throws InputError at a cell that contradicts other cells or the stated mark
+    ///         decimal mark, and at a cell that contradicts other cells or the stated mark
     NumberStyle style(const std::string& decimal) const;
 
   private:
-    /// First cell of a file that contains a number in a given style, such as a decimal comma.
+    /// First cell of a kind.
     struct Example {
         std::string text;
         Position at;
     };
     void look_at(const Table& table, const Row& row, std::size_t cell);
 
-    /// First cell in which '.' must be the decimal mark (`point_`), and first cell in which ','
-    /// must be the decimal mark (`comma_`).
-    Example point_, comma_;
-    Example grouped_;  ///< first cell of a number with thousands separators of any kind
-    /// First cell with a number such as "2,800", in which ',' may be a decimal mark or a thousands
-    /// separator.
-    Example open_;
+    Example point_, comma_;  ///< in which '.', or ',', must be the decimal mark
+    Example grouped_;        ///< with thousands separators of any kind
+    Example open_;           ///< such as "2,800", where ',' may be either
 };
 
-/// Returns the text of a number with a decimal point and without thousands separators. A text that
-/// is no number in the given style is returned unchanged.
+/// Returns the text of a number with a decimal point and without thousands separators; unchanged if
+/// it is no number in the given style.
 std::string rewritten(const std::string& text, const NumberStyle& style);
 
-/// Rewrites all numbers in the cells of a table with a decimal point and without thousands
-/// separators.
+/// Rewrites all cells of a table in this way (`rewritten`).
 void rewrite_numbers(Table& table, const NumberStyle& style);
 
 }  // namespace pendular

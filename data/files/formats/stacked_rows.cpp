@@ -25,7 +25,7 @@ Row headerless_first_row(const SourceLines& source, char& delimiter) {
     const std::size_t first = first_filled_line(source, 0);
     if (first == source.lines.size()) return {};
     delimiter = consistent_delimiter(source, first, source.lines.size());
-    if (source.lines.size() < 2)
+    if (source.lines.size() < 2)  // `consistent_delimiter` has no preceding line to compare with
         for (const char each : {'\t', ';', ','})
             if (source.lines[first].find(each) != std::string_view::npos) {
                 delimiter = each;

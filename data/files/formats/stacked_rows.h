@@ -8,23 +8,21 @@
 
 namespace pendular {
 
-/// Returns the index, from 0, of the first line of a file, at or after the line with index `from`,
-/// that contains more than blanks and delimiters. If every line from `from` on is blank, the result
-/// is the number of lines.
+/// Returns the index of the first line, from the index `from` on, that contains more than blanks
+/// and delimiters; the number of lines if there is none.
 std::size_t first_filled_line(const SourceLines& source, std::size_t from);
 
-/// Names and units of the columns of a table, one element per column.
+/// Names and units of columns, one element per column.
 struct NamesAndUnits {
     std::vector<std::string> names, units;
 };
 
-/// Returns the names and units of the columns in the user's settings (`FileFormat::columns`).
+/// Returns the names and units in `FileFormat::columns`.
 NamesAndUnits stated_columns(const FileFormat& format);
 
-/// Reads intervals (steps of a rheometer's test) that follow each other in one table, and adds the
-/// intervals to `file.blocks`. A row of two whole numbers (number of the interval, number of its
-/// points) announces an interval. An interval also begins at a row in which a counter of points in
-/// the first column restarts.
+/// Reads intervals that follow each other in one table into `file.blocks`. A row of two whole
+/// numbers (number of the interval, number of its points) announces an interval. One also begins
+/// where a counter of points in the first column restarts.
 /// @param begin index of the line of the first row, from 0
 /// @param header row whose cells have the positions of the columns in the file
 void read_stacked_rows(const SourceLines& source, std::size_t begin, const Row& header,
@@ -33,12 +31,11 @@ void read_stacked_rows(const SourceLines& source, std::size_t begin, const Row& 
 /// Whether all cells of a row are numbers, with decimal point or decimal comma.
 bool all_numbers(const Row& row);
 
-/// Returns the first line, not counting blank lines, of a file without header as a row, and sets
-/// `delimiter` to the delimiter of the file. The row has no cells if the file is blank.
+/// Returns the first line that is not blank of a file without header, and sets `delimiter` to that
+/// of the file. The row has no cells if the file is blank.
 Row headerless_first_row(const SourceLines& source, char& delimiter);
 
-/// Returns the header cells in the user's settings (`FileFormat::columns`) as a row.
-/// @param line line number that the row gets
+/// Returns `FileFormat::columns` as a row with a given line number.
 Row stated_header(const FileFormat& format, int line);
 
 }  // namespace pendular

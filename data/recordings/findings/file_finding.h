@@ -7,33 +7,25 @@
 
 namespace pendular {
 
-/// Fault that a check found in a file of measurements, with what the program does about the fault.
+/// Fault that a check found in a file of measurements.
 struct FileFinding {
-    std::string file = {};  ///< path of the faulty file
-    /// Ranges of the faulty lines of the file. Each pair is the first and the last line of a range,
-    /// from 1.
-    std::vector<std::pair<int, int>> lines = {};
-    /// Name of the check that found the fault, such as "torque-shear_stress", "declared-rows" or
-    /// "time".
-    std::string kind = {};
-    std::string what = {};  ///< sentence that says what is wrong with the file
-    std::string done = {};  ///< sentence that says what the program does about the fault
+    std::string file = {};
+    std::vector<std::pair<int, int>> lines = {};  ///< first and last line of each range, from 1
+    std::string kind = {};  ///< name of the check, such as "torque-shear_stress" or "time"
+    std::string what = {};  ///< sentence on what is wrong
+    std::string done = {};  ///< sentence on what the program does about it
 };
 
-/// Adds a line number to a list of ranges of lines. Each pair is the first and the last line of a
-/// range. A line that directly follows the last range extends the range. Lines must be added in
-/// ascending order.
+/// Adds a line to the last range if it follows directly, and otherwise as a new one. Lines must be
+/// added in ascending order.
 void add_line(std::vector<std::pair<int, int>>& lines, int line);
 
-/// Returns ranges of lines as text, such as "12-15, 20". Each pair is the first and the last line
-/// of a range.
-/// @param most maximum number of ranges in the text; if there are more ranges, the text ends with
-///         the number of ranges left out
+/// Returns ranges of lines as text, such as "12-15, 20", with at most `most` ranges and the number
+/// of those left out.
 std::string text_of_lines(const std::vector<std::pair<int, int>>& lines, std::size_t most = 8);
 
-/// Returns a finding as text with the faulty lines, with what is wrong and with what is done about
-/// the fault, such as "Lines 12-15, 20: the time goes back. The rows are left out."
-/// @param most maximum number of ranges of lines in the text
+/// Returns a finding as text with at most `most` ranges of lines, such as "Lines 12-15, 20: the
+/// time goes back. The rows are left out."
 std::string text_of(const FileFinding& finding, std::size_t most = 8);
 
 }  // namespace pendular

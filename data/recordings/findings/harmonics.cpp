@@ -15,6 +15,7 @@ namespace pendular {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
+/// Eight samples a turn are four for each period of the fastest harmonic.
 constexpr double least_turns = 1.5, least_samples_per_turn = 8;
 constexpr std::size_t least_samples = 40;
 constexpr int highest_per_turn = 2;
@@ -145,6 +146,7 @@ NoiseLevel noise_near(int q, const Eigen::VectorXd& residuals, std::span<const d
     double sum = 0;
     int count = 0;
     const auto add = [&](int k, const Eigen::ArrayXcd& at_k) {
+        // The highest frequency that n samples resolve is k = n/2.
         if (k < 1 || k > 0.45 * n || count >= most || of_harmonic(k / turns)) return;
         sum += n * squared_amplitude(residuals, at_k) / 4;
         ++count;

@@ -12,21 +12,17 @@
 namespace pendular {
 
 /// Searches the rows of all recordings of a study for faults that the means of steady shear do not
-/// reveal, such as a wobble of the lid. All recordings must be tested before the findings are
-/// requested, since the number of tests determines which findings are significant.
+/// reveal. All recordings must be tested before the findings are requested, since the number of
+/// tests determines which findings are significant.
 class InsideRecordings {
   public:
-    /// Tests the steps of one recording for wobble, stick-slip and an unfinished approach to the
-    /// steady state, and stores the trends of torque and gap for the test for drift. Steps with a
-    /// shear strain below `least_strain` [1], such as consolidation and shear to failure, are not
-    /// steady and are left out.
-    /// @param file path of the recording
+    /// Tests the steps of one recording for wobble, stick-slip and an unfinished run-in, and keeps
+    /// their trends for the test for drift. Steps with a shear strain below `least_strain` [1],
+    /// such as consolidation and shear to failure, are not steady and are left out.
     void look_at(const std::string& file, std::vector<RecordedStep> steps, const AnnularCell& cell,
                  double least_strain);
-    /// Returns the findings that remain significant after a correction for the number of tests
-    /// (`significant_findings`). The findings are grouped by kind.
+    /// Returns the `significant_findings`, grouped by kind.
     /// @param from_recordings readings of the study that were made from recordings
-    /// @param cell cell of the study, with which shear stresses are converted to torques
     std::vector<RecordingFinding> findings(const std::vector<Reading>& from_recordings,
                                            const AnnularCell& cell) const;
 

@@ -10,6 +10,8 @@
 namespace pendular {
 namespace {
 
+/// Limits of a sudden change, in robust deviations of all increments and in steps of the
+/// resolution: values that flicker between three levels change by up to two steps.
 constexpr double sudden = 3, resolved = 2.5;
 constexpr std::size_t least_slip_samples = 40, longest_mean = 8;
 

@@ -8,11 +8,8 @@
 
 namespace pendular {
 
-/// Tests torque, normal force and gap in each step for a wobble: a periodic variation with one or
-/// two periods per turn of the lid. The test uses the part of the step after the transient or, if
-/// the step never becomes steady, the second half of the step. Returns one entry for each test,
-/// significant or not.
-/// @param file path of the recording
+/// Tests torque, normal force and gap in the `level_part` of each step for one or two periods per
+/// turn of the lid. Returns one entry for each test, significant or not.
 std::vector<RecordingFinding> wobble_tests(const std::string& file,
                                            const std::vector<RecordedStep>& steps);
 

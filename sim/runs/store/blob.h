@@ -4,11 +4,9 @@
 
 namespace pendular {
 
-/// Compresses bytes with zlib and returns the compressed bytes. The function `expanded` restores
-/// the original bytes.
+/// Returns bytes compressed by zlib.
 std::string compressed(const std::string& bytes);
-/// Restores the original bytes from the compressed bytes that the function `compressed` returned
-/// (zlib).
+/// Returns the bytes that `compressed` compressed.
 /// @throws std::runtime_error if the bytes are not valid zlib data, or if n compressed bytes expand
 ///         to more than 100 n + 65536 bytes
 std::string expanded(const std::string& bytes);

@@ -13,32 +13,29 @@ class Exception;
 
 namespace pendular {
 
-/// Version of the file format of stores (SQLite files of simulation runs).
+/// Version of the file format of stores.
 constexpr int store_format = 1;
-/// Path that stands for a store (SQLite database of simulation runs) in memory, without a file.
+/// Path of a store in memory, without a file.
 constexpr const char* store_in_memory = ":memory:";
 
-/// Opens a store (SQLite file of simulation runs). Views, triggers and functions in the schema of
-/// the file are not executed, since the file may come from somebody else. If `must_exist` is false,
-/// a missing file is created, with its folder. If `must_exist` is true, a file that cannot be
-/// written is opened for reading only.
+/// Opens the SQLite file of a store. Views, triggers and functions in its schema are not executed,
+/// since the file may come from somebody else. If `must_exist` is false, a missing file is created,
+/// with its folder; if true, a file that cannot be written is opened for reading only.
 /// @param file absolute path, or `store_in_memory`
-/// @param must_exist whether a missing file is an error
 /// @throws InputError if the file is missing although `must_exist` is true, or if the file is a
 ///         folder, a database of another program or a store of a newer format
 /// @throws SQLite::Exception for other errors, such as a file that is not an SQLite database
 std::unique_ptr<SQLite::Database> open_store_file(const std::filesystem::path& file,
                                                   bool must_exist);
 
-/// Throws, in place of the error of SQLite, an error whose message names the file and advises the
-/// user.
+/// Throws, in place of the error of SQLite, one whose message names the file and advises the user.
 /// @throws InputError if the file cannot be opened or is not a valid store, or if a query exceeds a
 ///         limit of size or is forbidden
 /// @throws std::runtime_error for any other error
 [[noreturn]] void explain(const std::filesystem::path& file, const SQLite::Exception& error);
 
-/// Returns the device number and the inode number of a file. The numbers change if a new file
-/// replaces the file. Both numbers are zero if the file does not exist.
+/// Returns device number and inode number of a file, which change if a new file replaces it; zero
+/// if it does not exist.
 std::array<std::uint64_t, 2> identity_of(const std::filesystem::path& file);
 
 }  // namespace pendular
