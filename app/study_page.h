@@ -18,7 +18,7 @@ struct StudyPage {
     std::string answer;   ///< verdict in one to three sentences
     std::string verdict;  ///< as in JSON, such as "missing"
     std::string next;     ///< command to give next
-    /// First step after the diagnosis, such as a measurement or a check of a sensor.
+    /// First step after the diagnosis, such as a measurement or a check of a sensor; may be empty.
     std::string measure;
     std::vector<std::string> switches;  ///< effects that a reader of the page can switch on and off
     std::size_t models = 0;             ///< combinations of `switches` that could be fitted

@@ -119,8 +119,8 @@ Figure impact_figure(const ImpactTable& table) {
     figure.title = plain_text("Impact of effects and errors of measurement on the fitted " +
                               table.parameters.front().name);
     figure.panels = {shift_panel(table, rows), pull_panel(rows)};
-    // At a bound of the friction nothing shifts it, and the names of the rows are those of the
-    // other panel.
+    // At a bound of the friction nothing shifts it: the empty panel goes, and the other one takes
+    // its names of the rows.
     if (!(figure.panels.front().x_range->second > 0)) {
         figure.panels.back().y_names = figure.panels.front().y_names;
         figure.panels.erase(figure.panels.begin());

@@ -79,7 +79,7 @@ struct TestResults {
 /// Further evidence that has a say in a verdict beside the tests.
 struct Circumstances {
     std::vector<std::string> doubtful = {};  ///< such as "the unit of the torque"
-    /// Proposal of a change of unknown cause.
+    /// Part of a `Proposal` of changes of unknown cause that decides.
     struct Proposed {
         bool fits;              ///< whether the model with the changes fits
         std::size_t changes;    ///< number of changes

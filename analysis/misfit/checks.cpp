@@ -55,7 +55,7 @@ class Checking {
     Checking(const WeightedResiduals& residuals, const EntryKinds& kinds,
              const std::vector<Covariate>& covariates, const NullDraws& draws)
         : residuals_(residuals), kinds_(kinds), covariates_(covariates) {
-        // Also valid away from the optimum, as where only some readings were fitted.
+        // Projected, since the fit need not be the optimum of all readings (fit_to = "dry").
         own_residuals_ = residuals.project(residuals.residuals());
         drawn_residuals_ = residuals.project(draws.whitened(residuals));
     }

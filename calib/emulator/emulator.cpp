@@ -205,7 +205,7 @@ std::unique_ptr<const Emulator::LearnedResponse> Emulator::learned(const std::st
     for (const auto& run : runs()) {
         if (!trains(run, name, which)) continue;
         FlowState state = flow_state_of(run.parameters);
-        // An effect at another stiffness number has two causes, of which the effect is the first.
+        // An effect at another stiffness number has two causes, and this one is the effect's.
         if (name != stiffness_name) state.stiffness_number = 0;
         each_cause(state, which, [&](const std::string&, double size, const ResponsePlace& place) {
             places.push_back(place);

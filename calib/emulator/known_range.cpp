@@ -98,7 +98,7 @@ KnownRange::KnownRange(const Emulator& emulator) : emulator_(emulator) {
         least_(3) = greatest(3) = 0;
     }
     least_(1) = 0;  // the quasi-static limit
-    // Runs may share one value of a coordinate, whose range then must not be 0.
+    // Runs may share one value of a coordinate, whose range [its unit] then must not be 0.
     constexpr double point_like = 1e-3;
     range_ = (greatest - least_).cwiseMax(point_like);
 

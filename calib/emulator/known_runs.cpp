@@ -12,7 +12,7 @@ std::vector<dem::RunResult> runs_serving(const Study& study, const Fidelity& fid
                                          const std::vector<dem::RunResult>& runs) {
     // Changes the ratio of tangential to normal stiffness by less than a tenth.
     constexpr double largest_poisson_difference = 0.1;
-    // The periodic boundaries influence samples smaller than the fidelity's and the atlas's.
+    // As many as all runs of the atlas have. Smaller samples feel their periodic images more.
     constexpr int enough_grains = 1000;
     std::vector<dem::RunResult> result;
     std::ranges::copy_if(runs, std::back_inserter(result), [&](const dem::RunResult& run) {

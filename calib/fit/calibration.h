@@ -37,7 +37,7 @@ struct Calibration {
     /// Predictions of all `readings` at the fitted parameters. For readings that were not fitted,
     /// the covariance includes the error of the fit (`predict_unseen`).
     Prediction prediction;
-    CohesionOptions cohesion;
+    CohesionOptions cohesion;  ///< with which `cohesion_lines` were fitted
     /// Lines of the measured, then of the predicted stress ratios; empty in a dry study.
     std::vector<CohesionLine> cohesion_lines;
     /// Sentences for the user on groups of wet readings without a line, and on readings left out.

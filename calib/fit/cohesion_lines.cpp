@@ -124,8 +124,9 @@ std::vector<Overestimate> overestimates(const Points& all, const Split& which,
         slope(which.fitted) = at * estimator / value;
         slope(k) = -predicted / (value * value);
         const double variance = slope * all.covariance * slope.transpose();
-        result.push_back(
-            {all.reduced_pressure(k), {(predicted - value) / value, std::sqrt(variance)}});
+        // Where the model is itself a line, the variance is 0, and rounding may make it negative.
+        result.push_back({all.reduced_pressure(k),
+                          {(predicted - value) / value, std::sqrt(std::max(0.0, variance))}});
     }
     return result;
 }

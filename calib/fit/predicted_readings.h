@@ -22,8 +22,8 @@ Prediction predict_unseen(const Predictor& model, const Calibration& calibration
 /// readings, through the parameters.
 struct UnseenAndFitted {
     Prediction unseen;
-    /// Covariance J K S between the errors of the prediction (rows) and of the measured values of
-    /// the fitted readings (columns), whose covariance is S.
+    /// Covariance J K S_y between the errors of the prediction (rows) and of the measured values of
+    /// the fitted readings (columns), whose covariance is S_y.
     Eigen::MatrixXd with_fitted;
 };
 UnseenAndFitted predict_with_fitted(const Predictor& model, const Calibration& calibration,

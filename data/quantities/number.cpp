@@ -50,7 +50,8 @@ std::string short_text(double number) {
 
 std::string nominal_text(double mean) {
     if (mean == 0) return "0";
-    // Controllers hold a set point to 1 or 2 %, means over steps and replicates to a few tenths.
+    // Controllers hold a set point to 1 or 2 %, and means over steps and replicates
+    // are within a few tenths of a per cent.
     constexpr double near = 0.005;
     for (const int digits : {1, 2}) {
         const double unit = std::pow(10.0, std::floor(std::log10(std::abs(mean))) - (digits - 1));

@@ -191,8 +191,8 @@ void Pooling::estimate_fillings() {
             filling.steps /= filling.freedom_between;
             const bool seen = files_differ(filling);
             temper(filling);
-            // Widened, so that the shared error of fillings carries no more weight than few
-            // fillings justify.
+            // Widened as by Student's t: readings of few fillings would otherwise have too much
+            // weight in a fit.
             filling.variance = widened(filling.freedom_between) *
                                std::max(0.0, (filling.between - filling.within) / filling.steps);
             // The variance of filling errors that are not significant is treated as known: tests

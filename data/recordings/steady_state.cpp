@@ -98,7 +98,7 @@ std::optional<Reason> unusable(const Means& means) {
 
 /// Reason why a lid whose mean speed is not known to differ from zero gives no steady shear.
 Reason no_steady_turn(const StepSeries& series) {
-    // Turns by more than a rotation's tenth, though in both directions.
+    // Path of the lid [rad], in both directions, from which on it is not at rest: a tenth of a turn.
     constexpr double back_and_forth = 0.6;
     double angle = 0;
     for (std::size_t i = 1; i < series.size(); ++i)

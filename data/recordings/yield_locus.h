@@ -89,8 +89,8 @@ PreshearPoint preshear_point(const IntervalSeries& series);
 /// @throws std::bad_optional_access if the interval has no row with both stresses
 FailurePoint failure_point(const Block& block, const IntervalSeries& series);
 
-/// Returns the yield loci of a file. Normal stresses of preshears are equal within 5 %. Intervals
-/// without stresses are left out.
+/// Returns the yield loci of a file. Points of failure share a locus if the normal stresses of
+/// their preshears agree within 5 %. Intervals without stresses are left out.
 /// @param series,roles in the order of the file's blocks
 std::vector<YieldLocus> yield_loci(const BlockFile& file, const std::vector<IntervalSeries>& series,
                                    const std::vector<IntervalRole>& roles);

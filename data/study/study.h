@@ -84,7 +84,7 @@ struct Study {
     ModelSettings model;
     std::vector<WrittenEffect> written_effects;
     std::vector<StatedDirect> direct;
-    std::optional<Rig> rig;
+    std::optional<Rig> rig;  ///< empty: `next` stays within the range of the readings
 };
 
 /// Reads the file study.toml of a study and checks every key. Quantities are texts with a unit, or

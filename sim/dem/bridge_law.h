@@ -22,8 +22,8 @@ struct Wetting {
 constexpr double largest_pendular_volume = 8e-3;
 
 /// Typical number of bridges on a grain [1], with and without contact, to convert between bridge
-/// volume and liquid content before a simulation gives the true number. At a friction coefficient
-/// of 0.09, the liquid contents and bridge volumes of Badetti et al. (2018) give 7 to 8.
+/// volume and liquid content before a simulation gives the true number. Simulations at a friction
+/// coefficient of 0.09 and P* = 3 give 7.0 to 8.2 (docs/validation.md).
 constexpr double typical_coordination = 7.5;
 
 /// Returns the liquid content of a sample [1].

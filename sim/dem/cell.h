@@ -52,7 +52,7 @@ struct Image {
 /// Codes of periodic images from 0 to 124, so that a neighbour list needs one byte per pair of
 /// grains for the image of the second grain.
 namespace image_code {
-constexpr int reach = 2;
+constexpr int reach = 2;  ///< the offset of the sheared images adds one to that of a neighbour
 constexpr int per_direction = 2 * reach + 1;
 constexpr int count = per_direction * per_direction * per_direction;
 /// Code of placeholder pairs, which fill up the last batch of a neighbour list. It stands for a

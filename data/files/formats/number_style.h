@@ -23,8 +23,9 @@ class NumberStyleFinder {
 
     /// Returns the style of the numbers in all tables looked at so far.
     /// @param decimal decimal mark that the user states; empty: to be determined
-    /// @throws InputError at the first ambiguous cell, such as "2,800", if no cell determines the
-    ///         decimal mark, and at a cell that contradicts other cells or the stated mark
+    /// @throws InputError at the first cell such as "2,800" if no cell determines the decimal mark
+    ///         ("2.800" counts as a decimal point), and at a cell that contradicts other cells or
+    ///         the stated mark
     NumberStyle style(const std::string& decimal) const;
 
   private:
@@ -44,7 +45,7 @@ class NumberStyleFinder {
 /// it is no number in the given style.
 std::string rewritten(const std::string& text, const NumberStyle& style);
 
-/// Rewrites all cells of a table in this way (`rewritten`).
+/// Applies `rewritten` to all cells below the header, if `style.rewrite`.
 void rewrite_numbers(Table& table, const NumberStyle& style);
 
 }  // namespace pendular

@@ -19,7 +19,8 @@ constexpr double finding_significance = 0.005;
 std::vector<RecordingFinding> significant_findings(std::vector<RecordingFinding> tested);
 
 /// Returns the probability [1] that Student's t is farther from zero than z, an estimate over its
-/// standard error of `freedom` degrees of freedom, at least one; 1 if z is not a number.
+/// standard error of `freedom` degrees of freedom (fewer than 1 count as 1); 1 if z is not a
+/// number.
 double two_sided_p(double z, double freedom);
 
 }  // namespace pendular

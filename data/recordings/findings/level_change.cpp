@@ -161,7 +161,8 @@ FileComparison by_smooth_trend(const std::vector<Reading>& readings) {
     Eigen::MatrixXd of_files(result.count(), columns.cols());
     for (Eigen::Index c = 0; c < columns.cols(); ++c)
         of_files.col(c) = result.averages(columns.col(c));
-    // Set points scatter by a few thousandths: directions that vary less are no trend.
+    // Set points scatter by a few thousandths: directions that vary less, relative to the largest,
+    // are no trend.
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> trend(of_files);
     trend.setThreshold(0.02);
     const Eigen::Index rank = trend.rank();
@@ -258,8 +259,8 @@ std::vector<RecordingFinding> level_change_tests(const std::vector<Reading>& rea
         // One degree more, since no function of the conditions is exact.
         if (files.freedom < least_freedom + 1) return {};
     }
-    // Repeated conditions have the stress ratio in common: set points scatter, and torque with
-    // them.
+    // Stress ratios rather than torques: at a repeated condition, the torque follows the scatter
+    // of the normal stress.
     const Eigen::VectorXd ratios = of_each(compared, &Reading::stress_ratio);
     const Eigen::VectorXd torques =
         of_each(compared, [&](const Reading& r) { return torque(r.value(0), cell); });

@@ -129,7 +129,8 @@ std::optional<Saturation> in_several_steps(const std::vector<RecordedStep>& step
            levels[count - 1].force > growing_force * levels[count].force)
         ++count;
     if (count < 3) return std::nullopt;
-    // Torques that differ at random by up to the growth of the force agree this rarely.
+    // Chance that all agree if each differed from the first at random, by up to the growth of the
+    // force.
     const double p =
         std::pow(equal_torques / std::log(growing_force), static_cast<double>(count - 1));
     Saturation found{.quantity = "torque", .limit = levels[0].torque, .p = p};
