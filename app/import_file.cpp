@@ -7,9 +7,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <system_error>
 
 #include "app/command.h"
-#include "data//files/write_whole.h"
+#include "data/files/write_whole.h"
 #include "data/files/formats/layouts.h"
 #include "data/quantities/nearest.h"
 #include "data/quantities/number.h"
@@ -129,7 +130,8 @@ void draw_all(const std::vector<Figure>& figures, const std::filesystem::path& f
 }
 
 bool is_bare_file(const std::filesystem::path& path) {
-    return std::filesystem::is_regular_file(path) && path.extension() != ".toml";
+    std::error_code error;  // set for a link to itself, which reading the study tells of
+    return std::filesystem::is_regular_file(path, error) && path.extension() != ".toml";
 }
 
 int import_file(const std::filesystem::path& path, const ImportFileOptions& options,

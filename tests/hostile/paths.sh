@@ -54,7 +54,7 @@ E
 attack "paths: study.toml a link to itself" 2 "study.toml" <<'E'
 mkdir s; ln -s study.toml s/study.toml; run import s
 E
-attack "paths: a study that is a link to itself" 2 "check this path and its links" <<'E'
+attack "paths: a study that is a link to itself" 2 "leads to itself" <<'E'
 ln -s s s; run import s
 E
 attack "paths: out/readings.csv a link out of the study" 2 "s/out/readings.csv" <<'E'
