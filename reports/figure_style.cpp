@@ -60,7 +60,7 @@ MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibrat
     for (const std::size_t k : places) {
         measured.push_back(shown(c.readings[k]));
     }
-    MeasuredAndModel means{};
+    MeasuredAndModel means{mean_of(measured), {}};
     for (std::size_t o = 0; o < 2; ++o) {
         const Eigen::VectorXd weights = weights_of(measured, o);
         Eigen::VectorXd share = Eigen::VectorXd::Zero(c.prediction.value.size());
@@ -69,8 +69,6 @@ MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibrat
             share(static_cast<Eigen::Index>(2 * places[m] + o)) =
                 weights(static_cast<Eigen::Index>(m)) / unit;
         }
-        for (std::size_t m = 0; m < places.size(); ++m)
-            means.measured.value[o] += weights(static_cast<Eigen::Index>(m)) * measured[m].value[o];
         means.measured.error[o] = std::sqrt(share.dot(covariance * share));
         means.model.value[o] = share.dot(c.prediction.value);
         means.model.error[o] = std::sqrt(share.dot(c.prediction.covariance * share));
