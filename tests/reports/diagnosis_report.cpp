@@ -48,6 +48,29 @@ TEST(EstimateOfAnEffect, IsThatOfTheRefitWhereOneConverged) {
     EXPECT_THAT(estimate(), testing::EndsWith(", not determined"));
 }
 
+TEST(ImplausibleOffsets, AreThoseAboveAFifthOfTheLargestReading) {
+    const LinearSpace space(
+        Eigen::MatrixXd::Ones(4, 1),
+        {{.name = "drag",
+          .values = Eigen::VectorXd::LinSpaced(4, 0, 1),
+          .parameter = {.name = "amplitude", .unit = "N", .lower = 0, .upper = 10}}});
+    Diagnosis diagnosis;
+    diagnosis.fit.parameters = Eigen::VectorXd::Ones(1);
+    diagnosis.scan.emplace_back();
+    diagnosis.effects = {"drag"};
+    diagnosis.tried = {refit(0.03, true)};  // 500 mN
+    const AnnularCell cell{.inner_radius = 0.01, .outer_radius = 0.02};
+    const auto notes_at = [&](double force) {
+        Reading reading;
+        reading.condition.normal_stress = normal_stress(force, cell);
+        return implausible_offsets(diagnosis, space, {reading}, cell);
+    };
+    EXPECT_THAT(notes_at(2), testing::ElementsAre(testing::HasSubstr("500 mN (drag)")));
+    EXPECT_THAT(notes_at(3), testing::IsEmpty());
+    diagnosis.effects.clear();
+    EXPECT_THAT(notes_at(2), testing::IsEmpty());
+}
+
 TEST(VerdictLine, NamesWhatCouldExplainALargeMisfitOfUntestedErrors) {
     const LinearSpace space(Eigen::MatrixXd::Ones(4, 1),
                             {{.name = "drag", .values = Eigen::VectorXd::LinSpaced(4, 0, 1)}});
