@@ -1,10 +1,9 @@
-// What the program says, whole: each file of tests/app/golden is the transcript of a user's
+// What the program says, whole: each file of tests/golden/terminal is the transcript of a user's
 // terminal. A line that begins with "$ " is a command, the lines below it are what it printed, and
 // [2] is an exit code other than 0. Commands run in a folder of their own that holds copies of the
 // examples.
 //
-// A change of wording is one difference to look at, and scripts/accept_golden.sh accepts it. A new
-// case is a line with its command. Where a simulation or a random number decides digits, the
+// A new case is a line with its command. Where a simulation or a random number decides digits, the
 // command replaces them with sed, as another processor may round otherwise.
 #include <gtest/gtest.h>
 
@@ -21,7 +20,7 @@ namespace app_golden_test {
 using pendular::TemporaryFolder;
 
 const std::filesystem::path source = PENDULAR_SOURCE_DIR;
-const std::filesystem::path transcripts = source / "tests/app/golden";
+const std::filesystem::path transcripts = pendular::golden_texts / "terminal";
 
 /// Copies of all examples, and a shell that finds the program and nobody's stored runs.
 class Terminal {
@@ -76,27 +75,12 @@ std::vector<std::string> names() {
     return all;
 }
 
-std::string difference(const std::filesystem::path& file, const std::string& now) {
-    const TemporaryFolder folder;
-    const auto out = folder.path() / "difference";
-    const std::string command = "diff -u --label before --label now " + file.string() + " " +
-                                folder.write("now", now).string() + " >" + out.string();
-    EXPECT_GE(std::system(command.c_str()), 0);
-    return content_of(out);
-}
-
 class Transcripts : public testing::TestWithParam<std::string> {};
 
 TEST_P(Transcripts, SayTheSame) {
     const auto file = transcripts / (GetParam() + ".txt");
     const std::string before = content_of(file), now = run_again(before);
-    if (before == now) return;
-    if (std::getenv("PENDULAR_ACCEPT_GOLDEN")) {
-        std::ofstream(file) << now;
-        return;
-    }
-    ADD_FAILURE() << difference(file, now)
-                  << "\nIf this is what the program is to say: scripts/accept_golden.sh";
+    pendular::expect_same_text(before, now, file, now);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Transcripts, testing::ValuesIn(names()), [](const auto& transcript) {

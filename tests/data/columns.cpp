@@ -6,12 +6,11 @@
 
 #include "data/files/header_cell.h"
 #include "data/quantities/units.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::data_columns_test {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 TEST(Quantities, HaveOneNameAndOneMeaningPerSpelling) {
     std::set<std::string_view> names;
@@ -103,23 +102,18 @@ TEST_F(ColumnsOf, CountTurnsInASpeedAndRadiansInAnAngularVelocity) {
     EXPECT_NEAR(read("Angular velocity [rad/min]\n60\n").value(row(), "angular_velocity"), 1,
                 1e-12);
     EXPECT_DOUBLE_EQ(read("omega [rad/s]\n2\n").value(row(), "angular_velocity"), 2);
-    EXPECT_THAT(error("x,Angular velocity [1/min]\n1,60\n", "angular_velocity"),
-                AllOf(HasSubstr("t.csv:1:3:"), HasSubstr("turns or radians"), HasSubstr("rpm")));
+    expect_told({error("x,Angular velocity [1/min]\n1,60\n", "angular_velocity")});
 }
 
 TEST_F(ColumnsOf, RefuseAWrongUnitAtItsHeader) {
-    EXPECT_THAT(error("Time [s],Torque [g cm]\n1,2\n", "torque"),
-                AllOf(HasSubstr("t.csv:1:10: column 'Torque [g cm]'"), HasSubstr("'gf cm'")));
-    EXPECT_THAT(error("Normal stress [pa]\n1\n", "normal_stress"),
-                AllOf(HasSubstr("t.csv:1:1:"), HasSubstr("'Pa'")));
-    EXPECT_THAT(error("Torque [bananas]\n1\n", "torque"), HasSubstr("'bananas' is not a unit"));
-    EXPECT_THAT(error("Torque\n1\n", "torque"), HasSubstr("has no unit; write 'Torque [N m]'"));
-    EXPECT_THAT(error("Shear rate [rpm]\n1\n", "shear_rate"), HasSubstr("measures"));
+    expect_told({error("Time [s],Torque [g cm]\n1,2\n", "torque"),
+                 error("Normal stress [pa]\n1\n", "normal_stress"),
+                 error("Torque [bananas]\n1\n", "torque"), error("Torque\n1\n", "torque"),
+                 error("Shear rate [rpm]\n1\n", "shear_rate")});
 }
 
 TEST_F(ColumnsOf, RefuseTwoColumnsOfOneQuantity) {
-    EXPECT_THAT(error("Gap [mm],Height [mm]\n1,2\n", "height"),
-                AllOf(HasSubstr("t.csv:1:10:"), HasSubstr("'Gap [mm]' and 'Height [mm]'")));
+    expect_told({error("Gap [mm],Height [mm]\n1,2\n", "height")});
 }
 
 TEST_F(ColumnsOf, LeaveColumnsAloneThatNobodyNeeds) {
@@ -129,13 +123,8 @@ TEST_F(ColumnsOf, LeaveColumnsAloneThatNobodyNeeds) {
 
 TEST_F(ColumnsOf, NameAMissingColumnAndThoseFound) {
     const Columns& columns = read("Time [s],Gap [mm]\n1,2\n");
-    EXPECT_THAT(input_error([&] { columns.require("torque"); }),
-                AllOf(HasSubstr("t.csv:1: column 'torque [N m]' is missing"),
-                      HasSubstr("'Time [s]', 'Gap [mm]'")));
-    EXPECT_THAT(error("Time [s]\n1\n", "height"),
-                AllOf(HasSubstr("'height [m]' (the gap;"), HasSubstr("[[readings]]) is missing")));
-    EXPECT_THAT(input_error([&] { columns.require_one_of("shear_stress", "stress_ratio"); }),
-                HasSubstr("'shear_stress [Pa]' or 'stress_ratio [1]' is missing"));
+    expect_told({input_error([&] { columns.require("torque"); }), error("Time [s]\n1\n", "height"),
+                 input_error([&] { columns.require_one_of("shear_stress", "stress_ratio"); })});
 }
 
 TEST_F(ColumnsOf, RefuseCellsThatAreNoNumbers) {
@@ -143,22 +132,13 @@ TEST_F(ColumnsOf, RefuseCellsThatAreNoNumbers) {
         const Columns& columns = read("Time [s];Gap [mm]\n1;" + text + "\n2,5;3,5\n4,5;1\n");
         return input_error([&] { columns.value(row(), "height"); });
     };
-    EXPECT_THAT(cell_error("abc"),
-                HasSubstr("t.csv:2:3: column 'Gap [mm]': \"abc\" is not a finite number; correct"));
-    EXPECT_THAT(cell_error("nan"), HasSubstr("\"nan\" is not a finite number"));
-    EXPECT_THAT(cell_error("inf"), HasSubstr("\"inf\" is not a finite number"));
-    EXPECT_THAT(cell_error("1e999"), HasSubstr("\"1e999\" is not a finite number"));
-    EXPECT_THAT(cell_error("2 mm"), HasSubstr("\"2 mm\" is not a finite number"));
-    EXPECT_THAT(cell_error(""), HasSubstr("t.csv:2:3: column 'Gap [mm]': the cell is empty"));
-    EXPECT_THAT(cell_error("1,25"),
-                HasSubstr("t.csv:2:3: column 'Gap [mm]': \"1,25\" is not a number with decimal "
-                          "point '.'; this file uses ',' in 3 other cells: export"));
+    expect_told({cell_error("abc"), cell_error("nan"), cell_error("inf"), cell_error("1e999"),
+                 cell_error("2 mm"), cell_error(""), cell_error("1,25")});
 }
 
 TEST_F(ColumnsOf, RefuseDeviationsThatAreNotPositive) {
     const Columns& columns = read("solid_fraction,solid_fraction_sd\n0.6,0\n");
-    EXPECT_THAT(input_error([&] { columns.deviation(row(), "solid_fraction"); }),
-                AllOf(HasSubstr("t.csv:2:5:"), HasSubstr("must be positive")));
+    expect_told({input_error([&] { columns.deviation(row(), "solid_fraction"); })});
 }
 
 }  // namespace pendular::data_columns_test

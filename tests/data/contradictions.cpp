@@ -7,12 +7,10 @@
 
 #include "data/quantities/number.h"
 #include "data/recordings/measurements.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::data_contradictions_test {
 
-using testing::AllOf;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 const AnnularCell cell{.inner_radius = 0.021, .outer_radius = 0.045, .bead_volume = 0.02 / 1050};
@@ -73,12 +71,8 @@ TEST(Contradictions, NameACommonFactor) {
         EXPECT_TRUE(outcome.said.doubts.at(0).set_aside);
         return outcome.said.doubts.at(0).what;
     };
-    EXPECT_THAT(said(2, &Recording::shear_stress),
-                AllOf(HasSubstr("run.csv"), HasSubstr("2 times"), HasSubstr("torque_formula")));
-    EXPECT_THAT(said(1000, &Recording::shear_stress), HasSubstr("10^3: check the units"));
-    EXPECT_THAT(said(1.3, &Recording::normal_stress),
-                AllOf(HasSubstr("1.3 times"), HasSubstr("inner_radius")));
-    EXPECT_THAT(said(2 * M_PI, &Recording::shear_rate), HasSubstr("turns per second"));
+    expect_told({said(2, &Recording::shear_stress), said(1000, &Recording::shear_stress),
+                 said(1.3, &Recording::normal_stress), said(2 * M_PI, &Recording::shear_rate)});
 }
 
 TEST(Contradictions, LeaveRatesAtOtherRadiiToANote) {
@@ -86,7 +80,7 @@ TEST(Contradictions, LeaveRatesAtOtherRadiiToANote) {
     scale(recording.shear_rate, 1.36);  // at the rim
     const Outcome outcome = compared(recording);
     EXPECT_THAT(outcome.said.doubts, IsEmpty());
-    EXPECT_THAT(outcome.said.notes.at(0), HasSubstr("1.36 times"));
+    expect_told({outcome.said.notes.at(0)});
 }
 
 TEST(Contradictions, OfSomeRowsTakeThemOut) {
@@ -98,9 +92,7 @@ TEST(Contradictions, OfSomeRowsTakeThemOut) {
     const Outcome outcome = compared(recording);
     ASSERT_EQ(outcome.said.doubts.size(), 1u);
     EXPECT_EQ(outcome.said.doubts[0].quantity, "shear_stress");
-    EXPECT_THAT(outcome.said.doubts[0].what,
-                AllOf(HasSubstr("in 40 of 200 rows"), HasSubstr("line 52"), HasSubstr("0.1 times"),
-                      HasSubstr("median ratio 1")));
+    expect_told({outcome.said.doubts[0].what});
     EXPECT_EQ(recording.size(), 160u);
     ASSERT_EQ(outcome.said.excluded.size(), 1u);
     EXPECT_EQ(outcome.said.excluded[0].origin.line, 52);
@@ -119,7 +111,7 @@ TEST(Contradictions, SpoilTheReadingsTheyAreIn) {
     set_aside_contradicted({.lines = {50, 51, 300}, .file = {}}, part);
     ASSERT_EQ(part.readings.size(), 2u);
     EXPECT_EQ(part.readings[0].origin.line, 102);
-    EXPECT_THAT(part.excluded.at(0).reason, HasSubstr("2 of 100 rows"));
+    expect_told({part.excluded.at(0).reason});
     set_aside_contradicted({.lines = {}, .file = "all wrong"}, part);
     EXPECT_THAT(part.readings, IsEmpty());
 }
@@ -177,10 +169,7 @@ TEST(PublishedRecordings, AreNotBelievedWhereTheFillingCannotBe) {
     if (!file) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
     const Measurements all = of_published(*file, "420 um");
     EXPECT_THAT(all.readings, IsEmpty());
-    EXPECT_THAT(all.doubts,
-                testing::Contains(testing::Field(
-                    &Doubt::what, AllOf(HasSubstr("solid fraction"), HasSubstr("above 0.74"),
-                                        HasSubstr("bead mass")))));
+    EXPECT_THAT(all.doubts, testing::Contains(testing::Field(&Doubt::quantity, "solid_fraction")));
 }
 
 TEST(PublishedRecordings, AreNotBelievedWhereTorquesAreCorrupt) {

@@ -6,12 +6,10 @@
 
 #include "data/files/write_tables.h"
 #include "data/recordings/measurements.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::data_copies_test {
 
-using testing::AllOf;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// Rows of a recording of 16 strains at 5 N with 1 % of noise in the torque.
@@ -61,13 +59,8 @@ class Copies : public testing::Test {
         const Measurements all = read();
         ASSERT_EQ(all.readings.size(), 1u);
         EXPECT_EQ(all.readings[0].replicates, 1);
-        EXPECT_THAT(all.readings[0].origin.file, HasSubstr("1_dry.csv"));
-        EXPECT_THAT(all.excluded.back().origin.file, HasSubstr("2_dry.csv"));
-        EXPECT_THAT(all.excluded.back().reason,
-                    AllOf(HasSubstr("repeats"), HasSubstr("1_dry.csv"), HasSubstr("counts once")));
-        EXPECT_THAT(all.notes,
-                    testing::Contains(AllOf(HasSubstr("1_dry.csv"), HasSubstr("2_dry.csv"),
-                                            HasSubstr("same measurement"))));
+        EXPECT_THAT(all.readings[0].origin.file, testing::EndsWith("1_dry.csv"));
+        expect_told(told_of(all));
     }
     TemporaryFolder folder_;
 };
@@ -159,7 +152,7 @@ TEST_F(Copies, ThatAreSaidToBeWetterAreDoubted) {
     EXPECT_EQ(all.readings.size(), 1u);
     ASSERT_EQ(all.doubts.size(), 1u);
     EXPECT_EQ(all.doubts[0].quantity, "liquid_content");
-    EXPECT_THAT(all.doubts[0].what, AllOf(HasSubstr("1_dry.csv"), HasSubstr("2_wet.csv")));
+    expect_told({all.doubts[0].what});
 }
 
 const std::string head = "normal_stress [Pa],stress_ratio,solid_fraction,inertial_number\n";
@@ -172,12 +165,7 @@ TEST_F(Copies, OfReadingsCountOnce) {
     const Measurements all = read();
     ASSERT_EQ(all.readings.size(), 3u);
     EXPECT_EQ(all.readings[0].replicates, 3);
-    ASSERT_EQ(all.excluded.size(), 2u);
-    EXPECT_THAT(all.excluded[0].reason, HasSubstr("repeats"));
-    EXPECT_EQ(all.excluded[0].origin.line, 4);
-    EXPECT_THAT(all.excluded[1].reason, HasSubstr("a_points.csv:3"));
-    EXPECT_THAT(all.notes, testing::Contains(AllOf(HasSubstr("a_points.csv and"),
-                                                   HasSubstr("b_points.csv hold the same"))));
+    expect_told(told_of(all));
 }
 
 TEST_F(Copies, OfRecordingsAsReadingsCountOnce) {

@@ -1,11 +1,9 @@
 #include "data/files/csv.h"
 
 #include "data/files/text_file.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::data_csv_test {
-
-using testing::HasSubstr;
 
 class ReadTable : public testing::Test {
   protected:
@@ -76,43 +74,33 @@ TEST_F(ReadTable, ReadsAnyLineEndAndEncoding) {
 }
 
 TEST_F(ReadTable, RefusesAnEmptyFile) {
-    EXPECT_EQ(error(""), at(": is empty; a header and rows of numbers are needed"));
-    EXPECT_EQ(error("\n# only a comment\n"),
-              at(": is empty; a header and rows of numbers are needed"));
+    expect_told({error(""), error("\n# only a comment\n")});
 }
 
 TEST_F(ReadTable, RefusesAHeaderWithoutRows) {
-    EXPECT_EQ(error("a,b\n\n"), at(":1: no rows follow the header; at least one is needed"));
+    expect_told({error("a,b\n\n")});
 }
 
 TEST_F(ReadTable, RefusesNumbersWithoutHeader) {
-    EXPECT_THAT(error("1.5,2\n3,4\n"), AllOf(HasSubstr(at(":1:1:")), HasSubstr("header")));
+    expect_told({error("1.5,2\n3,4\n")});
 }
 
 TEST_F(ReadTable, RefusesRaggedRows) {
-    EXPECT_THAT(
-        error("a;b\n1;2\n1;2;3\n4;5\n"),
-        AllOf(HasSubstr(at(":3:5: this row has 3 columns, the header 2")), HasSubstr("complete")));
-    EXPECT_THAT(error("a,b\n1\n"), AllOf(HasSubstr(at(":2:1: this row has 1 column, the header 2")),
-                                         HasSubstr("if the file was cut off")));
-    EXPECT_THAT(error("a,b\n1,5,2,5\n"), HasSubstr("if commas are decimal signs"));
+    expect_told({error("a;b\n1;2\n1;2;3\n4;5\n"), error("a,b\n1\n"), error("a,b\n1,5,2,5\n")});
 }
 
 TEST_F(ReadTable, RefusesAnUnclosedQuoteOnItsLine) {
-    EXPECT_THAT(error("a,b\n1,\"2\n3,4\n5,\"6\"\n"),
-                AllOf(HasSubstr(at(":2:3: a quote")), HasSubstr("close it")));
-    EXPECT_THAT(error("a,b\n1,2\"x\n"), HasSubstr(at(":2:4: a quote")));
+    expect_told({error("a,b\n1,\"2\n3,4\n5,\"6\"\n"), error("a,b\n1,2\"x\n")});
 }
 
 TEST_F(ReadTable, RefusesAColumnNameThatStandsTwice) {
-    EXPECT_THAT(error("a,b,a\n1,2,3\n"), HasSubstr(at(":1:5: column 'a' occurs twice")));
+    expect_told({error("a,b,a\n1,2,3\n")});
 }
 
 TEST_F(ReadTable, RefusesWhatIsNoText) {
-    EXPECT_THAT(error("PK\x03\x04zip"), HasSubstr("save it as CSV"));
-    EXPECT_THAT(input_error([&] { read_table(folder_.path() / "none.csv"); }),
-                HasSubstr("none.csv: cannot be read"));
-    EXPECT_THAT(input_error([&] { read_table(folder_.path()); }), HasSubstr("is a folder"));
+    expect_told({error("PK\x03\x04zip"),
+                 input_error([&] { read_table(folder_.path() / "none.csv"); }),
+                 input_error([&] { read_table(folder_.path()); })});
 }
 
 }  // namespace pendular::data_csv_test

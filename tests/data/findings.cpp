@@ -15,7 +15,7 @@
 #include "data/recordings/findings/stick_slip.h"
 #include "data/recordings/findings/wobble.h"
 #include "data/recordings/measurements.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 #include "tests/support/ordinary_studies.h"
 
 namespace pendular::data_findings_test {
@@ -24,7 +24,6 @@ using Kind = RecordingFinding::Kind;
 using testing::Contains;
 using testing::Each;
 using testing::Field;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 std::vector<RecordingFinding> of_kind(const Measurements& m, Kind kind,
@@ -80,9 +79,7 @@ TEST(Wobble, IsFoundInEachOfTwentyStudies) {
 TEST(Wobble, OfTheGapIsToldWithItsUnit) {
     const Measurements m = study_of(
         3, 1, {}, [](RowOfStep row, int, int) { row.gap += 3e-5 * std::sin(2 * row.angle); });
-    EXPECT_THAT(sentences(m.findings),
-                Contains(testing::AllOf(HasSubstr("mm (0.4"), HasSubstr("twice per turn"),
-                                        HasSubstr("9 steps"))));
+    expect_told(sentences(m.findings));
     EXPECT_EQ(sentences(m.findings, true).size(), 9u);
 }
 
@@ -125,7 +122,7 @@ TEST(LevelChange, FromTheNinthOfFourteenRecordingsIsFoundInEachOfTwentyStudies) 
         const auto found = of_kind(m, Kind::level_change);
         ASSERT_EQ(found.size(), 1u) << seed;
         EXPECT_EQ(found[0].quantity, "torque");
-        EXPECT_THAT(found[0].files.front(), HasSubstr("run_09.csv"));
+        EXPECT_THAT(found[0].files.front(), testing::EndsWith("run_09.csv"));
         EXPECT_EQ(found[0].files.size(), 6u);
         EXPECT_NEAR(found[0].relative, 0.1, 4 * found[0].relative_error);
         EXPECT_FALSE(found[0].offset);
@@ -189,9 +186,7 @@ TEST(Saturation, OfATorqueThatIsCutOffSetsReadingsAside) {
                 testing::AllOf(testing::SizeIs(3), Each(Field(&RecordingFinding::step, 3)),
                                Each(Field(&RecordingFinding::corrected, true))));
     EXPECT_EQ(m.readings.size(), 6u);
-    EXPECT_THAT(m.excluded, Contains(Field(&Excluded::reason, HasSubstr("saturated"))).Times(3));
-    ASSERT_EQ(m.doubts.size(), 1u);
-    EXPECT_THAT(m.doubts[0].what, HasSubstr("91 mN m"));
+    expect_told(told_of(m));
     const Measurements kept = study_of(3, 1, {}, clip, "[import]\nkeep_implausible = true\n");
     EXPECT_EQ(kept.readings.size(), 9u);
     EXPECT_FALSE(kept.doubts.at(0).set_aside);
@@ -210,8 +205,7 @@ TEST(Saturation, OfShortPeaksIsNoSpike) {
         if (++row_number % 60 == 0) row.torque = 0.2;
     });
     ASSERT_FALSE(of_kind(m, Kind::saturation).empty());
-    EXPECT_THAT(m.excluded, testing::Not(Contains(Field(&Excluded::reason, HasSubstr("spike")))));
-    EXPECT_THAT(m.excluded, Contains(Field(&Excluded::reason, HasSubstr("saturated"))));
+    expect_told(told_of(m));
 }
 
 TEST(Saturation, IsNoSmoothPeakNoCoarseColumnAndNoSpike) {

@@ -4,15 +4,13 @@
 #include "data/files/text_file.h"
 #include "data/recordings/file_view.h"
 #include "data/recordings/recording.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::data_formats_test {
 
-using testing::AllOf;
 using testing::Contains;
 using testing::DoubleNear;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -53,6 +51,7 @@ TEST_F(ReadBlocks, RecogniseRheoCompassInAnyLanguageAndEncoding) {
         little += {static_cast<char>(code), '\0'};
         latin += static_cast<char>(code);
     }
+    std::set<std::string> reasons;
     for (const std::string& content : {text, little, latin}) {
         const BlockFile file = read(content);
         EXPECT_EQ(file.layout, "rheocompass");
@@ -65,7 +64,7 @@ TEST_F(ReadBlocks, RecogniseRheoCompassInAnyLanguageAndEncoding) {
         EXPECT_EQ(file.blocks[0].test, "essai 1, Courbe 1");
         EXPECT_EQ(file.blocks[2].test, "essai 1, Courbe 2");
         ASSERT_THAT(file.skipped, SizeIs(1));
-        EXPECT_THAT(file.skipped[0].reason, HasSubstr("invalid"));
+        reasons.insert(file.skipped[0].reason);
     }
     EXPECT_EQ(read(text).encoding, "UTF-8");
     EXPECT_EQ(read(little).encoding, "UTF-16LE");
@@ -73,6 +72,7 @@ TEST_F(ReadBlocks, RecogniseRheoCompassInAnyLanguageAndEncoding) {
     const BlockFile cut = read(little.substr(0, little.size() - 25));  // within a character
     EXPECT_EQ(cut.encoding, "UTF-16LE");
     EXPECT_EQ(cut.blocks.size(), 3u);
+    expect_told({reasons.begin(), reasons.end()});
 }
 
 TEST_F(ReadBlocks, KeepTestsOfOneFileApart) {
@@ -116,8 +116,8 @@ TEST_F(ReadBlocks, ReadTriosSteps) {
     // The step without torque, force, gap and speed is left out of the recording and listed.
     const Recording recording = read_recording(look_alike("trios.csv"));
     EXPECT_EQ(recording.size(), 3u);
-    EXPECT_THAT(recording.left_out,
-                ElementsAre(testing::Field(&Excluded::reason, HasSubstr("lacks a column"))));
+    ASSERT_THAT(recording.left_out, SizeIs(1));
+    expect_told({recording.left_out[0].reason});
 }
 
 TEST_F(ReadBlocks, ReadRSpaceActions) {
@@ -156,8 +156,7 @@ TEST_F(ReadBlocks, ReadARowOfUnitsAndSplitWherePointsRestart) {
 TEST_F(ReadBlocks, RefuseMissingUnitsUnlessStated) {
     const auto path = look_alike("no_units_damaged_torque.csv");
     const std::string message = input_error([&] { read_blocks(path); });
-    EXPECT_THAT(message, AllOf(HasSubstr("no units"), HasSubstr("columns = [\"Point No. [1]\""),
-                               HasSubstr("\"Torque [mN m]\"")));
+    expect_told({message});
     FileFormat format;
     format.columns = {"Point No. [1]",     "Time [s]",           "Gap [mm]",
                       "Normal Force [N]",  "Normal Stress [Pa]", "Torque [mN m]",
@@ -170,10 +169,8 @@ TEST_F(ReadBlocks, RefuseMissingUnitsUnlessStated) {
 
 TEST_F(ReadBlocks, ReadNumbersWithoutHeaderAsTheUserStates) {
     FileFormat format;
-    EXPECT_THAT(input_error([&] { read_blocks(look_alike("headerless.csv")); }),
-                HasSubstr("columns = ["));
-    EXPECT_THAT(input_error([&] { read_blocks(look_alike("transposed.csv")); }),
-                HasSubstr("layout = \"transposed\""));
+    expect_told({input_error([&] { read_blocks(look_alike("headerless.csv")); }),
+                 input_error([&] { read_blocks(look_alike("transposed.csv")); })});
     format.columns = {"Time [s]", "Torque [N m]"};
     for (const char* const name : {"headerless.csv", "transposed.csv"}) {
         const BlockFile file = read_blocks(look_alike(name), format);
@@ -192,15 +189,14 @@ TEST_F(ReadBlocks, LeaveOutRowsThatAreCutShort) {
     ASSERT_THAT(row_counts(read), ElementsAre(4));  // the cell of row 4 is empty, not missing
     ASSERT_EQ(read.skipped.size(), 1u);
     EXPECT_EQ(read.skipped[0].first_line, 4);
-    EXPECT_THAT(read.skipped[0].reason, HasSubstr("cut short"));
+    expect_told({read.skipped[0].reason});
 }
 
 TEST_F(ReadBlocks, RefuseUnitsThatAreNone) {
     const auto file = folder_.write("unit.csv",
                                     "Point No.,Normal Stress,Shear Stress\n,[Pa],[quux]\n"
                                     "1,1000,300\n2,1000,310\n");
-    EXPECT_THAT(input_error([&] { read_blocks(file); }),
-                AllOf(HasSubstr(":1:"), HasSubstr("Shear Stress"), HasSubstr("quux")));
+    expect_told({input_error([&] { read_blocks(file); })});
 }
 
 TEST_F(ReadBlocks, ReadReportsOnYieldLoci) {
@@ -229,10 +225,8 @@ TEST_F(ReadBlocks, ReadReportsOnYieldLoci) {
 
 TEST_F(ReadBlocks, RefuseWhatIsNoRecording) {
     const auto empty = folder_.write("report.txt", "Yield locus function\nCohesion: 50 Pa\n");
-    EXPECT_THAT(input_error([&] { read_blocks(empty); }),
-                HasSubstr("without any level of preshear"));
-    EXPECT_THAT(input_error([] { read_blocks(look_alike("nested_lists.csv")); }),
-                HasSubstr("holds a list of 2 numbers"));
+    expect_told({input_error([&] { read_blocks(empty); }),
+                 input_error([] { read_blocks(look_alike("nested_lists.csv")); })});
 }
 
 TEST_F(ReadBlocks, DecideTheDecimalMarkOfTheFile) {
@@ -255,22 +249,15 @@ TEST_F(ReadBlocks, DecideTheDecimalMarkOfTheFile) {
 }
 
 TEST_F(ReadBlocks, RefuseADecimalMarkThatNothingDecides) {
-    EXPECT_THAT(error("Torque [N m];x\n2,800;1\n3,100;2\n"),
-                AllOf(HasSubstr(":2:1:"), HasSubstr("2.800"), HasSubstr("2800"),
-                      HasSubstr("decimal = \",\"")));
-    EXPECT_THAT(error("Torque [N m];x\n2,85;1\n3.15;2\n"),
-                AllOf(HasSubstr(":2:1:"), HasSubstr("2,85"), HasSubstr("3.15")));
-    // "3.100" may have a thousands separator as well as "2,800".
-    EXPECT_THAT(error("Torque [N m];x\n2,800;3.100\n"), HasSubstr("decimal = \",\""));
+    expect_told({error("Torque [N m];x\n2,800;1\n3,100;2\n"),
+                 error("Torque [N m];x\n2,85;1\n3.15;2\n"),
+                 // "3.100" may have a thousands separator as well as "2,800".
+                 error("Torque [N m];x\n2,800;3.100\n")});
 }
 
 TEST_F(ReadBlocks, RefuseNumbersThatContradictTheStatedDecimalMark) {
-    FileFormat format;
-    format.decimal = ",";
-    EXPECT_THAT(error("Torque [N m];x\n1.234;1\n1.5;1\n", format),
-                AllOf(HasSubstr(":3:1:"), HasSubstr("\"1.5\""), HasSubstr("stated")));
-    format.decimal = ".";
-    EXPECT_THAT(error("Torque [N m];x\n1,5;1\n", format), HasSubstr(":2:1:"));
+    expect_told({error("Torque [N m];x\n1.234;1\n1.5;1\n", {.decimal = ","}),
+                 error("Torque [N m];x\n1,5;1\n", {.decimal = "."})});
 }
 
 TEST_F(ReadBlocks, DoNotTakePointsWithoutStressesForAnnouncedIntervals) {
@@ -311,9 +298,7 @@ std::string alternating_intervals(int intervals, int columns) {
 
 TEST_F(ReadBlocks, LimitIntervalsAndIntervalsTimesColumns) {
     EXPECT_EQ(read(alternating_intervals(10'000, 2)).blocks.size(), 10'000u);
-    EXPECT_THAT(error(alternating_intervals(10'001, 2)),
-                AllOf(HasSubstr("more than 10000 intervals"), HasSubstr("split the file")));
-    EXPECT_THAT(error(alternating_intervals(1200, 900)), HasSubstr("leave out columns"));
+    expect_told({error(alternating_intervals(10'001, 2)), error(alternating_intervals(1200, 900))});
 }
 
 TEST_F(ReadBlocks, LimitRowsTimesColumns) {
@@ -327,8 +312,7 @@ TEST_F(ReadBlocks, LimitRowsTimesColumns) {
         return text;
     };
     EXPECT_EQ(read(rows(20)).counts.cells, 20'000u);
-    EXPECT_THAT(error(rows(20'001)),
-                AllOf(HasSubstr(":20002:"), HasSubstr("20 million cells"), HasSubstr("split")));
+    expect_told({error(rows(20'001))});
 }
 
 TEST_F(ReadBlocks, CountPointsThatWereLeftOutWithTheirInterval) {
@@ -346,7 +330,7 @@ TEST_F(ReadBlocks, CountPointsThatWereLeftOutWithTheirInterval) {
     add_interval(4, 2, 2);
     const FileView view = view_of_file(folder_.write("t.txt", text));
     ASSERT_THAT(view.findings, SizeIs(1));
-    EXPECT_THAT(view.findings[0].what, HasSubstr("interval 4 declares 3 points and has 2"));
+    expect_told({view.findings[0].what});
 }
 
 TEST_F(ReadBlocks, DetectShiftJis) {
@@ -359,7 +343,7 @@ TEST_F(ReadBlocks, DetectShiftJis) {
     EXPECT_EQ(file.blocks[0].columns[4].name, "トルク");
     FileFormat format;
     format.encoding = "no-such-encoding";
-    EXPECT_THAT(error("a,b\n1,2\n", format), HasSubstr("no-such-encoding"));
+    expect_told({error("a,b\n1,2\n", format)});
 }
 
 }  // namespace pendular::data_formats_test

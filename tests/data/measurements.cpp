@@ -10,12 +10,10 @@
 #include "data/recordings/measurements.h"
 #include "data/recordings/speed_ramp.h"
 #include "data/study/study.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 #include "tests/support/ordinary_studies.h"
 
 namespace pendular::data_measurements_test {
-
-using testing::HasSubstr;
 
 /// A recording of 200 rows at 5 N, its torque scaled, with 1 % noise.
 std::string recording(double scale, unsigned seed) {
@@ -55,6 +53,9 @@ class ReadMeasurements : public testing::Test {
         folder_.write("dry_1.csv", recording(1, 1));
         folder_.write("dry_2.csv", recording(1.04, 2));
         folder_.write("wet_1.csv", recording(1.5, 3));
+    }
+    std::vector<std::string> notes() const {
+        return read_measurements(read_study(folder_.path())).notes;
     }
     TemporaryFolder folder_;
 };
@@ -126,10 +127,8 @@ TEST_F(ReadMeasurements, ListsWhatItLeftOut) {
                   "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n"
                   "0,30,5,4,0.1\n");
     const Measurements all = read_measurements(read_study(folder_.path()));
-    const Excluded& last = all.excluded.back();
-    EXPECT_THAT(to_string(last.origin), HasSubstr("dry_3.csv:2"));
-    EXPECT_EQ(last.last_line, 2);
-    EXPECT_THAT(last.reason, HasSubstr("1 rows"));
+    EXPECT_EQ(all.excluded.back().last_line, 2);
+    expect_told(told_of(all));
 }
 
 TEST(Examples, PolystyreneHoldsThePublishedDryReading) {
@@ -176,32 +175,24 @@ TEST_F(ReadMeasurements, NotesAFileThatEndsBeforeItsReplicate) {
     const std::string two = two_steps(1.01, 2);
     folder_.write("dry_1.csv", one);
     folder_.write("dry_2.csv", two);
-    const auto notes = read_measurements(read_study(folder_.path())).notes;
-    EXPECT_THAT(notes, testing::Contains(testing::AllOf(HasSubstr("dry_1.csv ends after step 1"),
-                                                        HasSubstr("dry_2.csv goes on to step 2"))));
+    const auto told = notes();
+    expect_told(told);
     folder_.write("dry_2.csv", recording(1.01, 4));
-    EXPECT_THAT(read_measurements(read_study(folder_.path())).notes,
-                testing::Not(testing::Contains(HasSubstr("ends after"))));
+    EXPECT_EQ(notes().size(), told.size() - 1);
 }
 
 TEST_F(ReadMeasurements, NotesAFileThatEndsWithinAStep) {
     folder_.write("dry_1.csv", first_lines(two_steps(1, 1), 1 + 200 + 15));
     folder_.write("dry_2.csv", two_steps(1.01, 3));
-    EXPECT_THAT(read_measurements(read_study(folder_.path())).notes,
-                testing::Contains(
-                    testing::AllOf(HasSubstr("dry_1.csv gives no reading at step 2 ("),
-                                   HasSubstr("), but dry_2.csv does."), HasSubstr("cut off"))));
+    expect_told(notes());
 }
 
 TEST_F(ReadMeasurements, NotesAFileWithoutAReading) {
     folder_.write("dry_1.csv", first_lines(recording(1, 1), 1 + 8));
-    EXPECT_THAT(
-        read_measurements(read_study(folder_.path())).notes,
-        testing::Contains(HasSubstr("No step gave a reading in dry_1.csv (step 1: has 8 rows")));
-    // Nothing is lost of the others.
+    const auto told = notes();
+    expect_told(told);
     folder_.write("dry_1.csv", recording(1, 1));
-    EXPECT_THAT(read_measurements(read_study(folder_.path())).notes,
-                testing::Not(testing::Contains(HasSubstr("gave a reading"))));
+    EXPECT_EQ(notes().size(), told.size() - 1);
 }
 
 /// Two steps whose angular velocities [rad/s] and gaps are multiplied by factors.
@@ -222,23 +213,19 @@ TEST_F(ReadMeasurements, DoubtVelocitiesThatDifferByAFactorBetweenUnits) {
     const auto doubts = [&](double factor, double gap = 1) {
         folder_.write("dry_1.csv", faster(1, 1));
         folder_.write("dry_2.csv", faster(factor, 3, gap));
-        std::vector<std::string> texts;
-        for (const Doubt& doubt : read_measurements(read_study(folder_.path())).doubts)
-            texts.push_back(doubt.what);
-        return texts;
+        return read_measurements(read_study(folder_.path())).doubts;
     };
     const double rpm = 30 / std::numbers::pi;
-    for (const double factor : {rpm, 1 / rpm}) {
-        EXPECT_THAT(doubts(factor, 1.04),
-                    testing::Contains(testing::AllOf(
-                        HasSubstr("velocities of dry_1.csv differ by a factor of 9.55"),
-                        HasSubstr("1/min (rpm) and rad/s"), HasSubstr("those of dry_2.csv"))));
-    }
-    EXPECT_THAT(doubts(2 * std::numbers::pi), testing::Contains(HasSubstr("turn/s")));
+    const auto said = [](const std::vector<Doubt>& found) {
+        return std::ranges::find(found, "angular_velocity", &Doubt::quantity)->what;
+    };
+    expect_told({said(doubts(rpm, 1.04)), said(doubts(1 / rpm, 1.04)),
+                 said(doubts(2 * std::numbers::pi))});
     // Ratios of ordinary speeds: a decade, with dilated beads; series of 5 and 10 for each decade.
     for (const double other : {1.0, 5.0, 6.25, 6.3, 6.3096, 9.5, 10.0})
         for (const double gap : {1.0, 1.03, 1.047})
-            EXPECT_THAT(doubts(other, gap), testing::Not(testing::Contains(HasSubstr("factor of"))))
+            EXPECT_EQ(std::ranges::count(doubts(other, gap), "angular_velocity", &Doubt::quantity),
+                      0)
                 << other;
     // The file that is alone is named, in one doubt.
     folder_.write("dry_1.csv", faster(rpm, 1));
@@ -246,9 +233,7 @@ TEST_F(ReadMeasurements, DoubtVelocitiesThatDifferByAFactorBetweenUnits) {
     folder_.write("dry_3.csv", faster(1, 5));
     const auto found = read_measurements(read_study(folder_.path())).doubts;
     ASSERT_EQ(std::ranges::count(found, "angular_velocity", &Doubt::quantity), 1);
-    EXPECT_THAT(std::ranges::find(found, "angular_velocity", &Doubt::quantity)->what,
-                testing::AllOf(HasSubstr("of dry_1.csv differ"),
-                               HasSubstr("those of dry_2.csv and dry_3.csv")));
+    expect_told({said(found)});
 }
 
 TEST_F(ReadMeasurements, NotesAWeightOfTheGrainsThatIsNotSmall) {
@@ -265,9 +250,7 @@ TEST_F(ReadMeasurements, NotesAWeightOfTheGrainsThatIsNotSmall) {
     heavy += "[import]\nkeep_implausible = true\n";  // six times the beads in the same gap
     const auto note = weight_note(heavy);
     ASSERT_TRUE(note);
-    EXPECT_THAT(*note, HasSubstr("118 Pa"));
-    EXPECT_THAT(*note, HasSubstr("in 3 of 3 readings, those at 1005 Pa"));
-    EXPECT_THAT(*note, HasSubstr("'pendular diagnose' tests the effect grain-weight"));
+    expect_told({*note});
     EXPECT_FALSE(weight_note(study_text));
     EXPECT_FALSE(weight_note(heavy + "[model]\neffects = [\"grain-weight\"]\n"));
 }
@@ -281,9 +264,7 @@ TEST(CommonReason, IsSaidOnceForAllSteps) {
     const Measurements m = changed([](RowOfStep row, int, int) { row.force = -row.force; });
     EXPECT_TRUE(m.readings.empty());
     EXPECT_TRUE(mostly_set_aside(m));
-    EXPECT_THAT(common_reason(m).value_or(""),
-                testing::StartsWith("The normal force is negative in all 6 steps; compression must "
-                                    "be positive: reverse the sign of the column"));
+    expect_told({common_reason(m).value_or("")});
 }
 
 TEST(CommonReason, IsThatOfMostSteps) {
@@ -291,7 +272,7 @@ TEST(CommonReason, IsThatOfMostSteps) {
         if (file == 0 || step > 0) row.force = -row.force;
     });
     EXPECT_EQ(m.readings.size(), 1u);
-    EXPECT_THAT(common_reason(m).value_or(""), HasSubstr("negative in all 5 steps that gave"));
+    expect_told({common_reason(m).value_or("")});
 }
 
 TEST(CommonReason, IsNotNamedWhereMostReadingsAreKept) {
@@ -332,9 +313,9 @@ TEST(FewBeads, AreNotedOnce) {
                                                diameter));
         return read_measurements(read_study(folder.path())).notes;
     };
-    const auto few = testing::HasSubstr("bead diameters");
-    EXPECT_THAT(notes_of("500 um"), testing::Not(testing::Contains(few)));
-    EXPECT_THAT(notes_of("2 mm"), testing::Contains(few).Times(1));  // 3 beads high
+    const auto many = notes_of("500 um"), few = notes_of("2 mm");  // 3 beads high
+    EXPECT_EQ(few.size(), many.size() + 1);
+    expect_told(few);
 }
 
 }  // namespace pendular::data_measurements_test

@@ -5,12 +5,10 @@
 
 #include <cmath>
 
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::data_plausibility_test {
 
-using testing::AllOf;
-using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
@@ -68,18 +66,11 @@ TEST_F(ImplausibleStudy, SetsAsideSolidFractionsThatNoPackingHas) {
         "1000,0.3,0.75,0.01,0\n1000,0.3,0.74,0.01,0\n1000,0.3,0.39,0.01,0\n"
         "1000,0.3,0.86,0.02,0\n1000,0.3,0.4,0.01,0\n");
     EXPECT_EQ(all.readings.size(), 2u);
-    ASSERT_EQ(all.excluded.size(), 3u);
-    EXPECT_EQ(all.excluded[0].origin.line, 2);
-    EXPECT_THAT(all.excluded[0].reason, AllOf(HasSubstr("set aside"), HasSubstr("0.75"),
-                                              HasSubstr("above 0.74"), HasSubstr("bead mass")));
     ASSERT_EQ(all.doubts.size(), 2u);  // above and below
     EXPECT_EQ(all.doubts[0].quantity, "solid_fraction");
     EXPECT_TRUE(all.doubts[0].set_aside);
     EXPECT_EQ(all.doubts[0].origins.size(), 2u);
-    EXPECT_THAT(all.doubts[0].what,
-                AllOf(HasSubstr("points.csv:2 (2 readings in 1 file)"), HasSubstr("0.75 to 0.86"),
-                      HasSubstr("gap"), HasSubstr("bead mass")));
-    EXPECT_THAT(all.doubts[1].what, AllOf(HasSubstr("0.39"), HasSubstr("below 0.4")));
+    expect_told(told_of(all));
 }
 
 TEST_F(ImplausibleStudy, KeepsThemOnRequestAndStillDoubts) {
@@ -95,8 +86,7 @@ TEST_F(ImplausibleStudy, SetsAsideStressRatiosThatNoGrainsHave) {
     const Measurements all =
         of_points("1000,1.6,0.6,0.01,0\n1000,1.4,0.6,0.01,0\n1000,0.04,0.6,0.01,0\n");
     EXPECT_EQ(all.readings.size(), 1u);
-    EXPECT_THAT(all.excluded.at(0).reason, AllOf(HasSubstr("1.6"), HasSubstr("torque")));
-    EXPECT_THAT(all.excluded.at(1).reason, HasSubstr("frictionless grains"));
+    expect_told(told_of(all));
 }
 
 TEST_F(ImplausibleStudy, AllowsWetReadingsTheirCohesion) {
@@ -104,7 +94,7 @@ TEST_F(ImplausibleStudy, AllowsWetReadingsTheirCohesion) {
     const Measurements all = of_points("129.43,2.9,0.6,0.01,0.03\n258.86,2.3,0.6,0.01,0.03\n");
     ASSERT_EQ(all.readings.size(), 1u);
     EXPECT_EQ(all.readings[0].origin.line, 2);
-    EXPECT_THAT(all.excluded.at(0).reason, AllOf(HasSubstr("2.25"), HasSubstr("1.5 (1 + 1/P*)")));
+    expect_told({all.excluded.at(0).reason});
     EXPECT_DOUBLE_EQ(greatest_stress_ratio(3), 2);
 }
 
@@ -113,11 +103,8 @@ TEST_F(ImplausibleStudy, SetsAsideWhatTheModelOfBridgesDoesNotCover) {
         "1000,0.3,0.6,0.01,3\n1000,0.3,0.6,0.01,0.001\n10,0.3,0.6,0.01,0.03\n"
         "1000,0.3,0.6,1.5,0\n1000,0.3,0.6,0.01,0.03\n");
     EXPECT_EQ(all.readings.size(), 1u);
-    EXPECT_THAT(all.excluded.at(0).reason,
-                AllOf(HasSubstr("above the pendular range"), HasSubstr("write 0.03 or \"3 %\"")));
-    EXPECT_THAT(all.excluded.at(1).reason, HasSubstr("below the pendular range"));
-    EXPECT_THAT(all.excluded.at(2).reason, HasSubstr("reduced pressure 0.0773 is below 0.1"));
-    EXPECT_THAT(all.excluded.at(3).reason, HasSubstr("inertial number 1.5 is above 1"));
+    expect_told({all.excluded.at(0).reason, all.excluded.at(1).reason, all.excluded.at(2).reason,
+                 all.excluded.at(3).reason});
 }
 
 // Up to 0.075, which Badetti et al. (2018) measured, readings are used; from 0.063 on with a note.
@@ -126,45 +113,33 @@ TEST_F(ImplausibleStudy, NotesWhereBridgesMerge) {
         "1000,0.3,0.6,0.01,0.0635\n1000,0.3,0.6,0.01,0.07\n1000,0.3,0.6,0.01,0.075\n"
         "1000,0.3,0.6,0.01,0.08\n");
     EXPECT_EQ(all.readings.size(), 3u);
-    EXPECT_THAT(all.notes,
-                testing::Contains(
-                    AllOf(HasSubstr("2 readings have a liquid content above 0.063, up to 0.075"),
-                          HasSubstr("11 % of the pores"), HasSubstr("merge"))));
-    EXPECT_THAT(of_points("1000,0.3,0.6,0.01,0.063\n").notes,
-                testing::Not(testing::Contains(HasSubstr("merge"))));
+    EXPECT_EQ(of_points("1000,0.3,0.6,0.01,0.063\n").notes.size(), all.notes.size() - 1);
+    expect_told(told_of(all));
 }
 
 TEST_F(ImplausibleStudy, NamesThePowerOfTenThatWouldMendIt) {
     // 20 g at 6.3 mm make 0.6076. Micrometres read as millimetres, and a mass off by ten.
     EXPECT_THAT(of_recording(6.3, "20").doubts, IsEmpty());
-    EXPECT_THAT(of_recording(6300, "20").doubts.at(0).what,
-                HasSubstr("a total bead mass 1000 times larger or a gap 1000 times smaller"));
-    EXPECT_THAT(
-        of_recording(6.3, "200").doubts.at(0).what,
-        HasSubstr("a total bead mass 10 times smaller or a gap 10 times larger would give 0.61"));
     // No power of ten mends 0.86.
     const Measurements off = of_recording(6.3, "28.3");
     EXPECT_THAT(off.readings, IsEmpty());
-    EXPECT_THAT(off.doubts.at(0).what, AllOf(HasSubstr("0.86"), Not(HasSubstr("times"))));
+    expect_told({of_recording(6300, "20").doubts.at(0).what,
+                 of_recording(6.3, "200").doubts.at(0).what, off.doubts.at(0).what});
     EXPECT_GT(off.excluded.back().last_line, 200);
 }
 
 TEST_F(ImplausibleStudy, DoubtsTheFillingAlsoWhereNothingIsUsed) {
     const Measurements all = of_recording(6.3, "28.3", "[import]\nleast_strain = 50\n");
     EXPECT_THAT(all.readings, IsEmpty());
-    EXPECT_THAT(all.excluded.at(0).reason, HasSubstr("strain"));
-    ASSERT_EQ(all.doubts.size(), 1u);
-    EXPECT_THAT(all.doubts[0].what,
-                AllOf(HasSubstr("run.csv: the solid fraction 0.86"), HasSubstr("bead mass")));
+    expect_told(told_of(all));
 }
 
 TEST_F(ImplausibleStudy, RefusesALeastStrainBelowAHalf) {
-    EXPECT_THAT(input_error([&] { of_recording(6.3, "20", "[import]\nleast_strain = 0.4\n"); }),
-                HasSubstr("0.5 or more"));
+    expect_told({input_error([&] { of_recording(6.3, "20", "[import]\nleast_strain = 0.4\n"); })});
 }
 
 TEST_F(ImplausibleStudy, NamesPercentReadAsFractions) {
-    EXPECT_THAT(of_points("1000,0.3,61.5,0.01,0\n").excluded.at(0).reason, HasSubstr("100 times"));
+    expect_told({of_points("1000,0.3,61.5,0.01,0\n").excluded.at(0).reason});
 }
 
 TEST_F(ImplausibleStudy, DoubtsATorqueThatNeverChanges) {
@@ -172,7 +147,7 @@ TEST_F(ImplausibleStudy, DoubtsATorqueThatNeverChanges) {
     EXPECT_THAT(all.readings, IsEmpty());
     ASSERT_EQ(all.doubts.size(), 1u);
     EXPECT_EQ(all.doubts[0].quantity, "torque");
-    EXPECT_THAT(all.doubts[0].what, AllOf(HasSubstr("run.csv"), HasSubstr("in every row")));
+    expect_told({all.doubts[0].what});
     EXPECT_EQ(of_recording(6.3, "20", "[import]\nkeep_implausible = true\n", "30").readings.size(),
               1u);
 }
@@ -198,7 +173,7 @@ TEST_F(ImplausibleStudy, TakesNoErrorBelowTheResolution) {
         return std::sqrt(one.covariance(1, 1) - std::pow(0.02 * one.value(1), 2));
     };
     EXPECT_NEAR(error_of(coarse), 0.6076 * 1e-4 / 6.3 / std::sqrt(12), 1e-8);
-    EXPECT_THAT(coarse.notes.at(0), HasSubstr("resolution"));
+    expect_told({coarse.notes.at(0)});
     // Over many levels the mean is finer than that: 0.1 % of noise over sqrt(200).
     gap_noise = 0.001;
     const Measurements dithering = of_recording(6.3, "20");
@@ -207,14 +182,12 @@ TEST_F(ImplausibleStudy, TakesNoErrorBelowTheResolution) {
 }
 
 TEST_F(ImplausibleStudy, RefusesAChoiceThatIsNone) {
-    EXPECT_THAT(input_error([&] {
-                    of_points("1000,0.3,0.6,0.01,0\n", "[import]\nkeep_implausible = \"yes\"\n");
-                }),
-                HasSubstr("must be true or false"));
-    EXPECT_THAT(input_error([&] {
-                    of_points("1000,0.3,0.6,0.01,0\n", "[import]\nkeep_implausable = true\n");
-                }),
-                HasSubstr("keep_implausible"));
+    expect_told({input_error([&] {
+                     of_points("1000,0.3,0.6,0.01,0\n", "[import]\nkeep_implausible = \"yes\"\n");
+                 }),
+                 input_error([&] {
+                     of_points("1000,0.3,0.6,0.01,0\n", "[import]\nkeep_implausable = true\n");
+                 })});
 }
 
 }  // namespace pendular::data_plausibility_test

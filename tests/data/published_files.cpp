@@ -7,7 +7,7 @@
 #include "data/files/formats/layouts.h"
 #include "data/files/text_file.h"
 #include "data/recordings/file_view.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::data_published_files_test {
 

@@ -6,11 +6,10 @@
 
 #include "data/files/csv.h"
 #include "data/files/write_tables.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::data_readings_test {
 
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 class ReadPoints : public testing::Test {
@@ -81,60 +80,44 @@ TEST_F(ReadPoints, AcceptsTheInertialNumberOfTheOtherConvention) {
 
 TEST_F(ReadPoints, RefusesAnInertialNumberThatDoesNotGoWithTheShearRate) {
     const double other = 2 * 500e-6 * std::sqrt(1050 / 1000.0);
-    EXPECT_THAT(error(fmt::format("normal_stress [Pa],stress_ratio,solid_fraction,shear_rate [1/s],"
-                                  "inertial_number\n1000,0.3,0.6,2,{}\n",
-                                  other)),
-                AllOf(HasSubstr("p.csv:2:16: "), HasSubstr("does not go with the shear rate"),
-                      HasSubstr("inertial_number_diameter_density")));
+    expect_told(
+        {error(fmt::format("normal_stress [Pa],stress_ratio,solid_fraction,shear_rate [1/s],"
+                           "inertial_number\n1000,0.3,0.6,2,{}\n",
+                           other))});
 }
 
 const std::string head = "normal_stress [Pa],stress_ratio,solid_fraction,inertial_number";
 
 TEST_F(ReadPoints, RefusesMissingColumns) {
-    EXPECT_THAT(error("stress_ratio\n1\n"), HasSubstr("p.csv:1: column 'normal_stress [Pa]'"));
-    EXPECT_THAT(error("normal_stress [Pa]\n1\n"),
-                HasSubstr("'shear_stress [Pa]' or 'stress_ratio"));
-    EXPECT_THAT(error("normal_stress [Pa],stress_ratio\n1,1\n"), HasSubstr("'solid_fraction [1]'"));
-    EXPECT_THAT(error("normal_stress [Pa],stress_ratio,solid_fraction\n1,1,1\n"),
-                HasSubstr("'inertial_number [1]' is missing"));
-    EXPECT_THAT(error(head + ",shear_stress [Pa]\n1,1,1,1,1\n"),
-                AllOf(HasSubstr("p.csv:1:20: both"), HasSubstr("remove one")));
+    expect_told({error("stress_ratio\n1\n"), error("normal_stress [Pa]\n1\n"),
+                 error("normal_stress [Pa],stress_ratio\n1,1\n"),
+                 error("normal_stress [Pa],stress_ratio,solid_fraction\n1,1,1\n"),
+                 error(head + ",shear_stress [Pa]\n1,1,1,1,1\n")});
     source_.liquid_content.reset();
-    EXPECT_THAT(error(head + "\n1000,0.3,0.6,0\n"), HasSubstr("'liquid_content [1]' is missing"));
+    expect_told({error(head + "\n1000,0.3,0.6,0\n")});
 }
 
 TEST_F(ReadPoints, RefusesAMisspeltColumnButNotARemark) {
-    EXPECT_THAT(error(head + ",solid_fractoin_sd\n1000,0.3,0.6,0,0.01\n"),
-                AllOf(HasSubstr("p.csv:1:64: unknown column 'solid_fractoin'"),
-                      HasSubstr("'solid_fraction'")));
-    EXPECT_THAT(read(head + ",Remark\n1000,0.3,0.6,0,fine\n").notes.at(0), HasSubstr("'Remark'"));
+    expect_told({error(head + ",solid_fractoin_sd\n1000,0.3,0.6,0,0.01\n"),
+                 read(head + ",Remark\n1000,0.3,0.6,0,fine\n").notes.at(0)});
 }
 
 TEST_F(ReadPoints, RefusesImpossibleValues) {
     const auto row_error = [&](const std::string& row) { return error(head + "\n" + row + "\n"); };
-    EXPECT_THAT(row_error("0,0.3,0.6,0"), AllOf(HasSubstr("p.csv:2:1: "), HasSubstr("positive")));
-    EXPECT_THAT(row_error("1000,-0.3,0.6,0"),
-                AllOf(HasSubstr("p.csv:2:6: "), HasSubstr("positive")));
-    EXPECT_THAT(row_error("1000,0.3,0,0"), AllOf(HasSubstr("p.csv:2:10: "), HasSubstr("positive")));
-    EXPECT_THAT(row_error("1000,0.3,0.6,-1"), HasSubstr("p.csv:2:14: an inertial number must not"));
-    EXPECT_THAT(row_error("1000,0.3,0.6,"), HasSubstr("neither shear rate nor inertial number"));
-    EXPECT_THAT(row_error("1000,,0.6,0"),
-                HasSubstr("p.csv:2:6: column 'stress_ratio': the cell is"));
-    EXPECT_THAT(error(head + ",height [m]\n1000,0.3,0.6,0,-1\n"), HasSubstr("p.csv:2:16: "));
-    EXPECT_THAT(error("normal_stress [Pa],stress_ratio,solid_fraction,shear_rate [1/s]\n"
-                      "1000,0.3,0.6,0\n"),
-                AllOf(HasSubstr("p.csv:2:14: "), HasSubstr("write inertial_number = 0")));
-    EXPECT_THAT(error(head + ",error_correlation\n1000,0.3,0.6,0,1\n"), HasSubstr("p.csv:2:16: "));
+    expect_told({row_error("0,0.3,0.6,0"), row_error("1000,-0.3,0.6,0"), row_error("1000,0.3,0,0"),
+                 row_error("1000,0.3,0.6,-1"), row_error("1000,0.3,0.6,"), row_error("1000,,0.6,0"),
+                 error(head + ",height [m]\n1000,0.3,0.6,0,-1\n"),
+                 error("normal_stress [Pa],stress_ratio,solid_fraction,shear_rate [1/s]\n"
+                       "1000,0.3,0.6,0\n"),
+                 error(head + ",error_correlation\n1000,0.3,0.6,0,1\n")});
 }
 
 TEST_F(ReadPoints, RefusesALiquidContentThatDoesNotFitTheStudy) {
-    EXPECT_THAT(error(head + ",liquid_content\n1000,0.3,0.6,0,0\n"),
-                AllOf(HasSubstr("'liquid_content'"), HasSubstr("remove one")));
+    expect_told({error(head + ",liquid_content\n1000,0.3,0.6,0,0\n")});
     source_.liquid_content.reset();
-    EXPECT_THAT(error(head + ",liquid_content\n1000,0.3,0.6,0,-1\n"), HasSubstr("p.csv:2:16: "));
+    expect_told({error(head + ",liquid_content\n1000,0.3,0.6,0,-1\n")});
     study_.liquid.reset();
-    EXPECT_THAT(error(head + ",liquid_content\n1000,0.3,0.6,0,0.03\n"),
-                AllOf(HasSubstr("p.csv:2:16: "), HasSubstr("no [liquid]")));
+    expect_told({error(head + ",liquid_content\n1000,0.3,0.6,0,0.03\n")});
     EXPECT_NO_THROW(read(head + "\n1000,0.3,0.6,0\n"));  // a dry study needs none
 }
 
@@ -158,7 +141,7 @@ TEST_F(ReadPoints, KnowsTheCellAsFarAsItIsTold) {
     EXPECT_DOUBLE_EQ(*condition(",height [mm]", ",7").height, 7e-3);
     source_.bead_volume.reset();
     EXPECT_EQ(condition("", "").bead_volume, 3e-5);
-    EXPECT_THAT(error(head + ",bead_volume [cm^3]" + row + ",-1\n"), HasSubstr("positive"));
+    expect_told({error(head + ",bead_volume [cm^3]" + row + ",-1\n")});
 }
 
 Measurements some_readings() {

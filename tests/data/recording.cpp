@@ -4,12 +4,11 @@
 
 #include <cmath>
 
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::data_recording_test {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 const std::string header =
     "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]";
@@ -48,8 +47,8 @@ TEST_F(ReadRecording, LeavesOutIntervalsToWhichTheUserGaveAnotherRole) {
 TEST_F(ReadRecording, NeedsEveryStressThatStandsInForATorque) {
     const std::string stresses =
         "Time [s],Shear stress [Pa],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
-    EXPECT_THAT(error(stresses + "1,300,5,20,0.1\n2,abc,5,20,0.1\n"), HasSubstr("r.csv:3:3"));
-    EXPECT_THAT(error(stresses + "1,300,5,20,0.1\n2,,5,20,0.1\n"), HasSubstr("r.csv:3:3"));
+    expect_told({error(stresses + "1,300,5,20,0.1\n2,abc,5,20,0.1\n"),
+                 error(stresses + "1,300,5,20,0.1\n2,,5,20,0.1\n")});
     // A table of an instrument leaves cells empty where it measured nothing: these rows are left
     // out.
     const Recording recording = read_recording(
@@ -58,7 +57,7 @@ TEST_F(ReadRecording, NeedsEveryStressThatStandsInForATorque) {
                       ",[s],[Pa],[N],[mm],[rad/s]\n1,1,300,5,20,0.1\n2,2,,5,20,0.1\n"));
     EXPECT_THAT(recording.shear_stress, ElementsAre(300));
     ASSERT_EQ(recording.left_out.size(), 1u);
-    EXPECT_THAT(recording.left_out[0].reason, HasSubstr("no value of shear_stress"));
+    expect_told({recording.left_out[0].reason});
 }
 
 TEST_F(ReadRecording, ConvertsToSi) {
@@ -84,26 +83,19 @@ TEST_F(ReadRecording, TakesOtherSpellingsOrdersAndUnits) {
 }
 
 TEST_F(ReadRecording, RefusesAMissingColumn) {
-    EXPECT_THAT(error("Time [s],Torque [mN m]\n1,2\n"),
-                AllOf(HasSubstr("r.csv:1: column 'normal_force [N]' is missing"),
-                      HasSubstr("'Time [s]', 'Torque [mN m]'")));
+    expect_told({error("Time [s],Torque [mN m]\n1,2\n")});
 }
 
 TEST_F(ReadRecording, RefusesATimeThatGoesBackWithinAnInterval) {
-    EXPECT_THAT(
-        error(header + "\n1,30,5,20,0.1\n0.5,30,5,20,0.1\n"),
-        AllOf(HasSubstr("r.csv:3:1: time goes back from 1 to 0.5 s"), HasSubstr("Interval [1]")));
-    EXPECT_THAT(error(header + ",Interval\n1,30,5,20,0.1,1\n0,30,5,20,0.1,1\n"),
-                HasSubstr("r.csv:3:1: time goes back"));
+    expect_told({error(header + "\n1,30,5,20,0.1\n0.5,30,5,20,0.1\n"),
+                 error(header + ",Interval\n1,30,5,20,0.1,1\n0,30,5,20,0.1,1\n")});
     EXPECT_NO_THROW(read(header + ",Interval\n1,30,5,20,0.1,1\n0,30,5,20,0.1,2\n"));
 }
 
 TEST_F(ReadRecording, RefusesImpossibleCells) {
-    EXPECT_THAT(error(header + "\n1,30,5,0,0.1\n"),
-                HasSubstr("r.csv:2:8: a gap must be positive; check its zero"));
-    EXPECT_THAT(error(header + ",Interval\n1,30,5,20,0.1,1.5\n"),
-                HasSubstr("r.csv:2:15: an interval must be a whole number"));
-    EXPECT_THAT(error(header + "\n1,nan,5,20,0.1\n"), HasSubstr("r.csv:2:3: column 'Torque"));
+    expect_told({error(header + "\n1,30,5,0,0.1\n"),
+                 error(header + ",Interval\n1,30,5,20,0.1,1.5\n"),
+                 error(header + "\n1,nan,5,20,0.1\n")});
 }
 
 /// A recording whose force and speed are given per row; the rest is constant.

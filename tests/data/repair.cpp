@@ -1,12 +1,11 @@
 #include "data/recordings/repair.h"
 
 #include "data/recordings/measurements.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::data_repair_test {
 
 using testing::DoubleNear;
-using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -34,7 +33,7 @@ TEST(RepairTorques, TakesTheTorqueOfTheStressWhereAMarkWasLost) {
     for (const double torque : recording.torque)
         EXPECT_THAT(torque, DoubleNear(0.005, 1e-12));
     ASSERT_THAT(result.doubts, SizeIs(1));
-    EXPECT_THAT(result.doubts[0].what, HasSubstr("lines 5-6, 11."));
+    expect_told({result.doubts[0].what});
     EXPECT_FALSE(result.doubts[0].set_aside);
 }
 

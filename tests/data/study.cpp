@@ -2,12 +2,9 @@
 
 #include <numbers>
 
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::data_study_test {
-
-using testing::HasSubstr;
-using testing::StartsWith;
 
 // Lines are counted in the tests below.
 const std::string grains = R"([grains]
@@ -40,10 +37,6 @@ class ReadStudy : public testing::Test {
     }
     std::string error(const std::string& content) {
         return input_error([&] { read(content); });
-    }
-    /// Beginning of an error at this place of the study.
-    auto at(const std::string& position) const {
-        return StartsWith((folder_.path() / "study.toml").string() + position);
     }
 
     TemporaryFolder folder_;
@@ -122,63 +115,46 @@ TEST_F(ReadStudy, TakesAFolderWithPatternCharactersInItsName) {
 }
 
 TEST_F(ReadStudy, RefusesWhatIsNotThere) {
-    EXPECT_THAT(input_error([&] { read_study(folder_.path() / "none"); }),
-                HasSubstr("does not exist"));
-    EXPECT_THAT(input_error([&] { read_study(folder_.path()); }), HasSubstr("no study.toml"));
+    expect_told({input_error([&] { read_study(folder_.path() / "none"); }),
+                 input_error([&] { read_study(folder_.path()); })});
 }
 
 TEST_F(ReadStudy, RefusesASyntaxErrorAtItsPlace) {
-    EXPECT_THAT(error("[grains]\ndiameter = 500 um\n"), at(":2:16: "));
-    EXPECT_THAT(error("[grains\n"), at(":1:"));
+    expect_told({error("[grains]\ndiameter = 500 um\n"), error("[grains\n")});
 }
 
 TEST_F(ReadStudy, RefusesUnknownKeysAtEveryLevel) {
-    EXPECT_THAT(error("[grains]\ndiametre = \"1 mm\"\n"),
-                at(":2:1: unknown key 'diametre' in [grains]; did you mean 'diameter'?"));
-    EXPECT_THAT(error("[grain]\n"), at(":1:2: unknown key 'grain'; did you mean 'grains'?"));
-    EXPECT_THAT(error(grains + "[liquid]\nangle = 3\n"), at(":5:1: unknown key 'angle'"));
-    EXPECT_THAT(error(grains + "[cell]\nradius = 3\n"), at(":5:1: unknown key 'radius'"));
-    EXPECT_THAT(error(grains + "[[readings]]\nfiles = \"x\"\n"),
-                at(":5:1: unknown key 'files' in [[readings]]; did you mean 'file'?"));
-    EXPECT_THAT(error(grains + "[[recording]]\nglob = \"x\"\n"), at(":5:1: unknown key 'glob'"));
-    EXPECT_THAT(error(grains + "[model]\nbse = \"dem\"\n"),
-                at(":5:1: unknown key 'bse' in [model]; did you mean 'base'?"));
+    expect_told({error("[grains]\ndiametre = \"1 mm\"\n"), error("[grain]\n"),
+                 error(grains + "[liquid]\nangle = 3\n"), error(grains + "[cell]\nradius = 3\n"),
+                 error(grains + "[[readings]]\nfiles = \"x\"\n"),
+                 error(grains + "[[recording]]\nglob = \"x\"\n"),
+                 error(grains + "[model]\nbse = \"dem\"\n")});
 }
 
 TEST_F(ReadStudy, RefusesMissingKeys) {
-    EXPECT_THAT(error(liquid), HasSubstr("[grains] is missing"));
-    EXPECT_THAT(error("[grains]\ndiameter = \"1 mm\"\n" + readings),
-                at(":1:1: [grains] lacks 'density'; add density = \"... kg/m^3\""));
-    EXPECT_THAT(error(grains + "[liquid]\ncontact_angle = \"0 deg\"\n"),
-                at(":4:1: [liquid] lacks 'surface_tension'"));
-    EXPECT_THAT(error(grains + "[[readings]]\nliquid_content = 0\n"), at(":4:1: lacks 'file'"));
-    EXPECT_THAT(error(grains), HasSubstr("nothing was measured"));
+    expect_told({error(liquid), error("[grains]\ndiameter = \"1 mm\"\n" + readings),
+                 error(grains + "[liquid]\ncontact_angle = \"0 deg\"\n"),
+                 error(grains + "[[readings]]\nliquid_content = 0\n"), error(grains)});
 }
 
 TEST_F(ReadStudy, RefusesQuantitiesWithoutOrWithTheWrongUnit) {
-    EXPECT_THAT(error("[grains]\ndiameter = 500\n"),
-                at(":2:12: 'diameter': has no unit; write \"500 m\", \"500 mm\" or another unit"));
-    EXPECT_THAT(error("[grains]\ndiameter = \"500\"\n"), at(":2:12: 'diameter': "));
-    EXPECT_THAT(error("[grains]\ndiameter = \"500 kg\"\n"),
-                AllOf(at(":2:12: 'diameter': "), HasSubstr("measures kg, not m")));
-    EXPECT_THAT(error("[grains]\ndiameter = true\n"),
-                AllOf(at(":2:12: 'diameter': "), HasSubstr("quantity")));
-    EXPECT_THAT(error(grains + "youngs_modulus = \"3.3 Gpa\"\n"),
-                AllOf(at(":4:18: 'youngs_modulus': "), HasSubstr("'GPa'")));
-    EXPECT_THAT(error(grains + "poisson_ratio = nan\n"), AllOf(at(":4:17: "), HasSubstr("finite")));
+    expect_told({error("[grains]\ndiameter = 500\n"), error("[grains]\ndiameter = \"500\"\n"),
+                 error("[grains]\ndiameter = \"500 kg\"\n"), error("[grains]\ndiameter = true\n"),
+                 error(grains + "youngs_modulus = \"3.3 Gpa\"\n"),
+                 error(grains + "poisson_ratio = nan\n")});
 }
 
 TEST_F(ReadStudy, RefusesImpossibleGrainsAndLiquids) {
-    EXPECT_THAT(error("[grains]\ndiameter = \"0 mm\"\n"),
-                at(":2:12: 'diameter': must be positive"));
-    EXPECT_THAT(error(grains + "youngs_modulus = \"-1 GPa\"\n"), at(":4:18: 'youngs_modulus'"));
+    std::vector<std::string> told;
+    told.push_back(error("[grains]\ndiameter = \"0 mm\"\n"));
+    told.push_back(error(grains + "youngs_modulus = \"-1 GPa\"\n"));
     for (const char* ratio : {"-1.0", "0.5", "3"})
-        EXPECT_THAT(error(grains + "poisson_ratio = " + ratio + "\n"),
-                    at(":4:17: 'poisson_ratio': must lie between -1 and 0.5"));
+        told.push_back(error(grains + "poisson_ratio = " + ratio + "\n"));
     const std::string start = grains + "[liquid]\nsurface_tension = \"20 mN/m\"\ncontact_angle = ";
-    EXPECT_THAT(error(start + "\"90 deg\"\n"), at(":6:17: 'contact_angle': must lie between"));
-    EXPECT_THAT(error(start + "2\n"), at(":6:17: 'contact_angle': has no unit"));
-    EXPECT_THAT(error(start + "\"1 deg\"\nviscosity = \"-1 Pa s\"\n"), at(":7:13: 'viscosity'"));
+    told.push_back(error(start + "\"90 deg\"\n"));
+    told.push_back(error(start + "2\n"));
+    told.push_back(error(start + "\"1 deg\"\nviscosity = \"-1 Pa s\"\n"));
+    expect_told(told);
 }
 
 TEST_F(ReadStudy, RefusesImpossibleCells) {
@@ -186,55 +162,36 @@ TEST_F(ReadStudy, RefusesImpossibleCells) {
         return error(grains + "[cell]\ninner_radius = \"" + inner + "\"\nouter_radius = \"" +
                      outer + "\"\n");
     };
-    EXPECT_THAT(radii("45 mm", "45 mm"), at(":5:16: 'inner_radius': must be smaller than"));
-    EXPECT_THAT(radii("-1 mm", "45 mm"), at(":5:16: 'inner_radius': must not be negative"));
-    EXPECT_THAT(radii("1 mm", "0 mm"), at(":6:16: 'outer_radius': must be positive"));
-    EXPECT_THAT(error(grains + cell + "bead_volume = \"57 cm^3\"\n"),
-                at(":8:15: 'bead_volume': 'bead_mass' is given too; remove one"));
-    EXPECT_THAT(error(grains + cell + "torque_formula = \"printed\"\n"),
-                at(":8:18: 'torque_formula': unknown \"printed\"; "));
+    expect_told({radii("45 mm", "45 mm"), radii("-1 mm", "45 mm"), radii("1 mm", "0 mm"),
+                 error(grains + cell + "bead_volume = \"57 cm^3\"\n"),
+                 error(grains + cell + "torque_formula = \"printed\"\n")});
 }
 
 TEST_F(ReadStudy, RefusesSourcesThatCannotBeRead) {
-    EXPECT_THAT(error(grains + "[[readings]]\nfile = \"wet.csv\"\n"),
-                at(":5:8: 'file': no file matches \"wet.csv\" in "));
-    EXPECT_THAT(error(grains + "[[readings]]\nfile = \"wet_*.csv\"\n"),
-                AllOf(at(":5:8: 'file': no file matches \"wet_*.csv\" in "),
-                      HasSubstr("put the file there")));
-    EXPECT_THAT(error(grains + "[readings]\nfile = \"points.csv\"\n"),
-                AllOf(at(":4:"), HasSubstr("write [[readings]]")));
-    EXPECT_THAT(error(grains + readings + readings),
-                AllOf(at(":6:1: 'file': points.csv was already matched by the entry of line 4")));
-    EXPECT_THAT(error(grains + liquid + readings + "liquid_content = -0.1\n"),
-                AllOf(at(":10:18: "), HasSubstr("negative")));
+    expect_told({error(grains + "[[readings]]\nfile = \"wet.csv\"\n"),
+                 error(grains + "[[readings]]\nfile = \"wet_*.csv\"\n"),
+                 error(grains + "[readings]\nfile = \"points.csv\"\n"),
+                 error(grains + readings + readings),
+                 error(grains + liquid + readings + "liquid_content = -0.1\n")});
 }
 
 TEST_F(ReadStudy, RefusesRecordingsThatCannotBeReduced) {
     const std::string recording = "[[recording]]\nfile = \"dry_*.csv\"\n";
-    EXPECT_THAT(error(grains + recording), at(":4:1: recordings need [cell]"));
-    EXPECT_THAT(
-        error(grains + "[cell]\ninner_radius = \"0 mm\"\nouter_radius = \"45 mm\"\n" + recording),
-        at(":7:1: 'bead_mass' is given neither here nor in [cell]"));
-    EXPECT_THAT(error(grains + cell + recording + "liquid_content = 0.03\n"),
-                AllOf(at(":10:18: 'liquid_content': "), HasSubstr("no [liquid]")));
-    EXPECT_THAT(error(grains + liquid + cell + recording), at(":12:1: lacks 'liquid_content'"));
+    expect_told(
+        {error(grains + recording),
+         error(grains + "[cell]\ninner_radius = \"0 mm\"\nouter_radius = \"45 mm\"\n" + recording),
+         error(grains + cell + recording + "liquid_content = 0.03\n"),
+         error(grains + liquid + cell + recording)});
 }
 
 TEST_F(ReadStudy, RefusesModelsItDoesNotHave) {
     const std::string start = grains + readings + "[model]\n";
-    EXPECT_THAT(error(start + "base = \"dme\"\n"),
-                at(":7:8: 'base': unknown \"dme\"; did you mean 'dem'?"));
-    EXPECT_THAT(error(start + "fit_to = \"wet\"\n"), at(":7:10: 'fit_to': unknown \"wet\""));
-    EXPECT_THAT(error(start + "bridge_force = 3\n"), at(":7:16: 'bridge_force': must be a string"));
-    EXPECT_THAT(error(start + "calibrate = [\"surface_tension\"]\n"),
-                AllOf(at(":7:13: 'calibrate': "), HasSubstr("friction")));
-    EXPECT_THAT(error(start + "calibrate = \"friction\"\n"),
-                AllOf(at(":7:13: 'calibrate': "), HasSubstr("list")));
-    EXPECT_THAT(error(start + "effects = [3]\n"), at(":7:12: must be a name"));
-    EXPECT_THAT(error(start + "discrepancy = -0.01\n"),
-                AllOf(at(":7:15: 'discrepancy': "), HasSubstr("between 0 and 0.2")));
-    EXPECT_THAT(error(start + "discrepancy = [0.01, 0.01, 0.01]\n"),
-                AllOf(at(":7:15: 'discrepancy': "), HasSubstr("one number")));
+    expect_told({error(start + "base = \"dme\"\n"), error(start + "fit_to = \"wet\"\n"),
+                 error(start + "bridge_force = 3\n"),
+                 error(start + "calibrate = [\"surface_tension\"]\n"),
+                 error(start + "calibrate = \"friction\"\n"), error(start + "effects = [3]\n"),
+                 error(start + "discrepancy = -0.01\n"),
+                 error(start + "discrepancy = [0.01, 0.01, 0.01]\n")});
 }
 
 TEST_F(ReadStudy, TakesTheExpectedErrorOfTheModel) {
@@ -254,19 +211,10 @@ TEST(StudyTest, RefusesBeadsThatDoNotFitIntoTheCell) {
                                        "inner_radius = \"15 mm\"\nouter_radius = \"30 mm\"\n"
                                        "bead_mass = \"" +
                                        mass + "\"\n");
-        try {
-            read_study(folder.path());
-        } catch (const InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string();
+        return input_error([&] { read_study(folder.path()); });
     };
-    EXPECT_THAT(refused("300 mm", "20 g"),
-                testing::AllOf(HasSubstr("study.toml:2:"), HasSubstr("300 mm"),
-                               HasSubstr("the walls of the cell, 15 mm")));
     // 2 g fill 0.8 cm^3 of an area of 21.2 cm^2: less than 1 mm in any packing.
-    EXPECT_THAT(refused("2 mm", "2 g"), HasSubstr("height of the filling"));
-    EXPECT_THAT(refused("2 mm", "20 g"), HasSubstr("nothing was measured"));  // and no more
+    expect_told({refused("300 mm", "20 g"), refused("2 mm", "2 g"), refused("2 mm", "20 g")});
 }
 
 }  // namespace pendular::data_study_test

@@ -6,13 +6,9 @@
 
 #include "data/files/text_file.h"
 #include "data/study/study.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::study_edit_test {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 std::string with(const std::string& text, const std::string& name = "x") {
     return with_effect(text, "study.toml", name);
@@ -101,23 +97,17 @@ TEST(StudyEdit, DropsALineOfAListOfLinesButNoComment) {
 }
 
 TEST(StudyEdit, RefusesWhatIsThereOrIsNot) {
-    EXPECT_THAT(input_error([] { with("[model]\neffects = [\"x\"]\n"); }),
-                StartsWith("study.toml:2:11: 'effects' lists \"x\" already"));
-    EXPECT_THAT(
-        input_error([] { without("[model]\neffects = [\"torque-offset\"]\n", "torq-offset"); }),
-        AllOf(StartsWith("study.toml:2:11: the study does not list the effect \"torq-offset\""),
-              HasSubstr("did you mean 'torque-offset'?")));
-    EXPECT_THAT(input_error([] { without("[grains]\n"); }), HasSubstr("lists no effects"));
-    EXPECT_THAT(input_error([] { with("[model\n"); }), StartsWith("study.toml:1:"));
-    EXPECT_THAT(input_error([] { with("model = 3\n"); }), HasSubstr("must be a table"));
-    EXPECT_THAT(input_error([] { with("[model]\neffects = [3]\n"); }),
-                HasSubstr("must be a list of names"));
+    expect_told({input_error([] { with("[model]\neffects = [\"x\"]\n"); }), input_error([] {
+                     without("[model]\neffects = [\"torque-offset\"]\n", "torq-offset");
+                 }),
+                 input_error([] { without("[grains]\n"); }), input_error([] { with("[model\n"); }),
+                 input_error([] { with("model = 3\n"); }),
+                 input_error([] { with("[model]\neffects = [3]\n"); })});
 }
 
 TEST(StudyEdit, SaysWhatToWriteWhereItCannotEdit) {
-    EXPECT_THAT(input_error([] { with("[model]\neffects = [\"\"\"a\"\"\"]\n"); }),
-                AllOf(StartsWith("study.toml:2:11: "), HasSubstr("effects = [\"a\", ...]")));
-    EXPECT_THAT(input_error([] { with("[model]\neffects = []\n", "a\"b"); }), HasSubstr("by hand"));
+    expect_told({input_error([] { with("[model]\neffects = [\"\"\"a\"\"\"]\n"); }),
+                 input_error([] { with("[model]\neffects = []\n", "a\"b"); })});
 }
 
 /// Texts before, inside and behind a list of effects, all of which the edits must keep.
@@ -171,9 +161,9 @@ TEST(StudyEdit, AddingThenDroppingChangesNothingInAnyLayout) {
     for (const std::string& text : layouts()) {
         SCOPED_TRACE(text);
         const std::string added = with(text, "new-effect");
-        EXPECT_THAT(input_error([&] { with(added, "new-effect"); }), HasSubstr("already"));
+        EXPECT_THROW(with(added, "new-effect"), InputError);
         const std::string dropped = without(added, "new-effect");
-        EXPECT_THAT(input_error([&] { without(dropped, "new-effect"); }), HasSubstr("new-effect"));
+        EXPECT_THROW(without(dropped, "new-effect"), InputError);
         EXPECT_EQ(comments_in(added), comments_in(text));
         EXPECT_LE(changed(text, added), 50u);  // the name, a comma, a new line, [model] if missing
         EXPECT_EQ(comments_in(dropped), comments_in(text));
@@ -191,7 +181,7 @@ TEST(StudyEdit, ReplacesTheFileOfAStudy) {
     const auto file = folder.write("study.toml", text);
     replace_study(file, with(read_text(file), "torque-offset"));
     EXPECT_EQ(read_study(folder.path()).model.effects.at(0).name, "torque-offset");
-    EXPECT_THAT(read_text(file), AllOf(HasSubstr("\u00b5m"), HasSubstr("# none yet")));
+    expect_told({read_text(file)});
     replace_study(file, without(read_text(file), "torque-offset"));
     EXPECT_TRUE(read_study(folder.path()).model.effects.empty());
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2);

@@ -3,13 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "data/study/study.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::study_effects_test {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 const std::string start = R"([grains]
 diameter = "500 um"
@@ -44,10 +40,6 @@ class StudyEffects : public testing::Test {
     std::string error(const std::string& content) {
         return input_error([&] { read(content); });
     }
-    /// Beginning of an error at this place of the study.
-    auto at(const std::string& position) const {
-        return StartsWith((folder_.path() / "study.toml").string() + position);
-    }
 
     TemporaryFolder folder_;
 };
@@ -57,15 +49,12 @@ TEST_F(StudyEffects, AreListedWithTheirPlaces) {
     ASSERT_EQ(effects.size(), 2u);
     EXPECT_EQ(effects[0].name, "b");
     EXPECT_EQ(effects[1].name, "a");
-    EXPECT_THAT(to_string(effects[0].position), at(":7:12"));
-    EXPECT_THAT(to_string(effects[1].position), at(":8:3"));
+    expect_told({to_string(effects[0].position), to_string(effects[1].position)});
 }
 
 TEST_F(StudyEffects, AreListedOnce) {
-    EXPECT_THAT(error("[model]\neffects = [\"a\", \"b\", \"a\"]\n"),
-                at(":7:22: 'effects': \"a\" is listed twice"));
-    EXPECT_THAT(error("[model]\neffects = [3]\n"), at(":7:12: must be a name"));
-    EXPECT_THAT(error("[model]\neffects = \"a\"\n"), at(":7:11: 'effects': must be a list"));
+    expect_told({error("[model]\neffects = [\"a\", \"b\", \"a\"]\n"),
+                 error("[model]\neffects = [3]\n"), error("[model]\neffects = \"a\"\n")});
 }
 
 TEST_F(StudyEffects, AreWrittenWithBoundsInSi) {
@@ -82,8 +71,7 @@ TEST_F(StudyEffects, AreWrittenWithBoundsInSi) {
     ASSERT_EQ(effect.formulas.size(), 1u);
     EXPECT_EQ(effect.formulas[0].target, "torque");
     EXPECT_EQ(effect.formulas[0].text, "torque + drag*angular_velocity");
-    EXPECT_THAT(to_string(effect.formulas[0].position), at(":12:10"));
-    EXPECT_THAT(to_string(effect.position), at(":6:1"));
+    expect_told({to_string(effect.formulas[0].position), to_string(effect.position)});
     EXPECT_EQ(effect.kind(), WrittenEffect::Kind::instrument);
 }
 
@@ -118,23 +106,21 @@ TEST_F(StudyEffects, MayBeSwitches) {
     EXPECT_EQ(effect.upper, 1);
     EXPECT_EQ(effect.neutral, 0);
     EXPECT_NO_THROW(read(start_of_switch + "lower = 0\nupper = 1\n" + formula));
-    EXPECT_THAT(error(start_of_switch + "upper = 2\n" + formula),
-                at(":9:9: 'upper': of a switch is 1; leave it out"));
-    EXPECT_THAT(error(start_of_switch + "unit = \"N\"\n" + formula), at(":9:8: 'unit': "));
-    EXPECT_THAT(error(start_of_switch + "unit = \"wobbles\"\n" + formula), at(":9:8: 'unit': "));
+    expect_told({error(start_of_switch + "upper = 2\n" + formula),
+                 error(start_of_switch + "unit = \"N\"\n" + formula),
+                 error(start_of_switch + "unit = \"wobbles\"\n" + formula)});
 }
 
 TEST_F(StudyEffects, NeedTheirKeys) {
+    std::vector<std::string> told;
     for (const char* key : {"name", "parameter", "lower", "upper"})
-        EXPECT_THAT(error(drag_with(key, "")),
-                    AllOf(at(":6:1: "), HasSubstr("lacks '" + std::string(key) + "'")));
-    EXPECT_THAT(error(drag_with("torque", "")),
-                AllOf(at(":6:1: "), HasSubstr("'speed-drag' has no formula")));
+        told.push_back(error(drag_with(key, "")));
+    told.push_back(error(drag_with("torque", "")));
+    expect_told(told);
 }
 
 TEST_F(StudyEffects, RefuseSummariesOfSeveralLines) {
-    EXPECT_THAT(error(drag + "summary = \"one\\ntwo\"\n"),
-                at(":13:11: 'summary': must be one line"));
+    expect_told({error(drag + "summary = \"one\\ntwo\"\n")});
 }
 
 TEST_F(StudyEffects, StateWhatMeasuresThem) {
@@ -144,53 +130,40 @@ TEST_F(StudyEffects, StateWhatMeasuresThem) {
     EXPECT_EQ(effect.measured_by, "the empty cell");
     EXPECT_DOUBLE_EQ(effect.measured_to, 5e-4);
     EXPECT_EQ(read(drag).written_effects.at(0).measured_by, "");
-    EXPECT_THAT(error(drag + "measured_to = \"0.5 mN m s/rad\"\n"),
-                at(":13:15: 'measured_to': is the standard error of a direct measurement; add "
-                   "measured_by"));
-    EXPECT_THAT(error(drag + "measured_by = \"a\"\nmeasured_to = \"1 N\"\n"), at(":14:15: "));
-    EXPECT_THAT(error(drag + "measured_by = \"a\"\nmeasured_to = \"0 N m s/rad\"\n"),
-                at(":14:15: 'measured_to': must be a standard error above 0"));
-    EXPECT_THAT(error(drag + "measured_by = \"one\\ntwo\"\n"), HasSubstr("must be one line"));
-    EXPECT_THAT(error("[[effect]]\nname = \"a\"\nparameter = \"on\"\nmeasured_by = \"a\"\n"
-                      "torque = \"torque*(1 + on)\"\n"),
-                HasSubstr("a switch has no size that could be measured"));
+    expect_told({error(drag + "measured_to = \"0.5 mN m s/rad\"\n"),
+                 error(drag + "measured_by = \"a\"\nmeasured_to = \"1 N\"\n"),
+                 error(drag + "measured_by = \"a\"\nmeasured_to = \"0 N m s/rad\"\n"),
+                 error(drag + "measured_by = \"one\\ntwo\"\n"),
+                 error("[[effect]]\nname = \"a\"\nparameter = \"on\"\nmeasured_by = \"a\"\n"
+                       "torque = \"torque*(1 + on)\"\n")});
 }
 
 TEST_F(StudyEffects, RefuseUnknownKeys) {
-    EXPECT_THAT(error(drag + "toruqe = \"1\"\n"),
-                at(":13:1: unknown key 'toruqe' in [[effect]]; did you mean 'torque'?"));
-    EXPECT_THAT(error("[effect]\nname = \"a\"\n"), HasSubstr("write [[effect]]"));
+    expect_told({error(drag + "toruqe = \"1\"\n"), error("[effect]\nname = \"a\"\n")});
 }
 
 TEST_F(StudyEffects, RefuseNamesThatAreNone) {
+    std::vector<std::string> told;
     for (const char* name : {"", "Torque", "my effect", "my_effect", "-a", "a-", "a--b", "1a"})
-        EXPECT_THAT(error(drag_with("name", "name = \"" + std::string(name) + "\"")),
-                    AllOf(at(":7:8: 'name': "), HasSubstr("lower-case words")));
+        told.push_back(error(drag_with("name", "name = \"" + std::string(name) + "\"")));
     for (const char* name : {"", "my drag", "1x", "a-b", "\u00b5"})
-        EXPECT_THAT(error(drag_with("parameter", "parameter = \"" + std::string(name) + "\"")),
-                    AllOf(at(":8:13: 'parameter': "), HasSubstr("one word")));
-    EXPECT_THAT(error(drag + drag),
-                at(":14:8: 'name': \"speed-drag\" is already defined in line 6"));
+        told.push_back(error(drag_with("parameter", "parameter = \"" + std::string(name) + "\"")));
+    told.push_back(error(drag + drag));
+    expect_told(told);
 }
 
 TEST_F(StudyEffects, RefuseImpossibleBounds) {
-    EXPECT_THAT(error(drag_with("lower", "lower = nan")), at(":10:9: 'lower': must be finite"));
-    EXPECT_THAT(error(drag_with("lower", "lower = 50.0")), at(":10:9: 'lower': must be less than"));
-    EXPECT_THAT(error(drag_with("lower", "lower = 1")),
-                AllOf(at(":6:1: 'neutral': "), HasSubstr("0 where 'neutral' is left out")));
-    EXPECT_THAT(error(drag + "neutral = 60\n"), at(":13:11: 'neutral': "));
-    EXPECT_THAT(error(drag + "matters = 0\n"), at(":13:11: 'matters': must be positive"));
-    EXPECT_THAT(error(drag_with("upper", "upper = \"3 Pa\"")),
-                AllOf(at(":11:9: 'upper': "), HasSubstr("measures")));
-    EXPECT_THAT(error(drag_with("upper", "upper = []")), at(":11:9: 'upper': must be a quantity"));
-    EXPECT_THAT(error(drag_with("unit", "unit = \"wobbles\"")), at(":9:8: 'unit': "));
-    EXPECT_THAT(error(drag_with("unit", "unit = \"degC\"")), at(":9:8: 'unit': "));
+    expect_told(
+        {error(drag_with("lower", "lower = nan")), error(drag_with("lower", "lower = 50.0")),
+         error(drag_with("lower", "lower = 1")), error(drag + "neutral = 60\n"),
+         error(drag + "matters = 0\n"), error(drag_with("upper", "upper = \"3 Pa\"")),
+         error(drag_with("upper", "upper = []")), error(drag_with("unit", "unit = \"wobbles\"")),
+         error(drag_with("unit", "unit = \"degC\""))});
 }
 
 TEST_F(StudyEffects, AreOfTheInstrumentOrOfTheBeads) {
-    EXPECT_THAT(error(drag + "stress_ratio = \"stress_ratio + drag\"\n"),
-                AllOf(at(":13:16: 'stress_ratio': "), HasSubstr("write two effects")));
-    EXPECT_THAT(error(drag_with("torque", "torque = 3")), at(":12:10: 'torque': must be a string"));
+    expect_told({error(drag + "stress_ratio = \"stress_ratio + drag\"\n"),
+                 error(drag_with("torque", "torque = 3"))});
 }
 
 }  // namespace pendular::study_effects_test

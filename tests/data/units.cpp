@@ -1,8 +1,5 @@
 #include "data/quantities/units.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -10,9 +7,9 @@
 #include <thread>
 #include <vector>
 
-namespace pendular::data_units_test {
+#include "tests/support/golden.h"
 
-using testing::HasSubstr;
+namespace pendular::data_units_test {
 
 std::string refusal(const std::string& text, const std::string& expected) {
     try {
@@ -107,9 +104,7 @@ TEST(Units, RefuseWordsThatAreNone) {
 
 TEST(Units, RefuseWrongCaseWithTheRightOne) {
     // UDUNITS reads "pa" as a pico-are, 1e-10 m^2.
-    EXPECT_THAT(refusal("3 pa", "Pa"), AllOf(HasSubstr("case"), HasSubstr("'Pa'")));
-    EXPECT_THAT(refusal("3 kpa", "Pa"), HasSubstr("'kPa'"));
-    EXPECT_THAT(refusal("3 KPa", "Pa"), HasSubstr("'kPa'"));
+    expect_told({refusal("3 pa", "Pa"), refusal("3 kpa", "Pa"), refusal("3 KPa", "Pa")});
 }
 
 TEST(Quantities, AreReadWithTheirUnit) {
@@ -121,24 +116,20 @@ TEST(Quantities, AreReadWithTheirUnit) {
 }
 
 TEST(Quantities, RefuseAMassTimesALengthAsTorqueAndSuggestTheWeight) {
-    EXPECT_THAT(refusal("5 g.cm", "N m"), AllOf(HasSubstr("kg m"), HasSubstr("'gf.cm'")));
-    EXPECT_THAT(refusal("5 kg cm", "N m"), HasSubstr("'kgf cm'"));
+    expect_told({refusal("5 g.cm", "N m"), refusal("5 kg cm", "N m")});
 }
 
 TEST(Quantities, RefuseAnotherDimension) {
-    EXPECT_THAT(refusal("21 kg", "m"), AllOf(HasSubstr("measures kg"), HasSubstr("not m")));
-    EXPECT_THAT(refusal("10 deg", "1"), HasSubstr("measures rad"));
+    expect_told({refusal("21 kg", "m"), refusal("10 deg", "1")});
 }
 
 TEST(Quantities, RefuseANumberWithoutUnit) {
-    EXPECT_THAT(refusal("21", "m"), AllOf(HasSubstr("no unit"), HasSubstr("21 m")));
+    expect_told({refusal("21", "m")});
 }
 
 TEST(Quantities, RefuseWhatIsNoNumber) {
-    EXPECT_THAT(refusal("large", "m"), HasSubstr("not a number"));
-    EXPECT_THAT(refusal("1,25 m", "m"), HasSubstr("decimal sign is '.'"));
-    EXPECT_THAT(refusal("nan m", "m"), HasSubstr("not a number"));
-    EXPECT_THAT(refusal("", "m"), HasSubstr("not a number"));
+    expect_told(
+        {refusal("large", "m"), refusal("1,25 m", "m"), refusal("nan m", "m"), refusal("", "m")});
 }
 
 TEST(Quantities, ComeInListsThatShareAUnit) {
@@ -156,10 +147,7 @@ TEST(Quantities, ComeInListsThatShareAUnit) {
         }
         return "";
     };
-    EXPECT_THAT(refused("1 kPa, 2"), HasSubstr("\"2\" has no unit"));
-    EXPECT_THAT(refused("1, , 2 kPa"), HasSubstr("not a number"));
-    EXPECT_THAT(refused("1, 2 mm"), HasSubstr("measures m"));
-    EXPECT_THAT(refused(""), HasSubstr("not a number"));
+    expect_told({refused("1 kPa, 2"), refused("1, , 2 kPa"), refused("1, 2 mm"), refused("")});
 }
 
 TEST(Units, HaveAnSiUnitInTheirOwnSpelling) {

@@ -7,13 +7,11 @@
 #include "data/files/formats/layouts.h"
 #include "data/recordings/interval_series.h"
 #include "data/recordings/recording.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::data_workbook_test {
 
-using testing::AllOf;
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 const std::string tests = PENDULAR_SOURCE_DIR "/tests/data/";
 
@@ -64,17 +62,15 @@ TEST_F(Workbook, HasTheSheetThatIsNamed) {
     format.sheet = "Two";
     EXPECT_EQ(read_blocks(book, format).blocks[0].table.rows[0].cells[0].text, "0.001");
     format.sheet = "Three";
-    EXPECT_THAT(input_error([&] { read_blocks(book, format); }),
-                AllOf(HasSubstr("no sheet \"Three\""), HasSubstr("\"One & only\", \"Two\"")));
-    EXPECT_THAT(input_error([&] { read_blocks(first, format); }), HasSubstr("leave 'sheet' out"));
+    expect_told({input_error([&] { read_blocks(book, format); }),
+                 input_error([&] { read_blocks(first, format); })});
 }
 
 TEST_F(Workbook, NamesTheRowOfAWrongCell) {
     const auto book = of_table(
         "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n1,2,3,4,5\n"
         "2,x,3,4,5\n");
-    EXPECT_THAT(input_error([&] { read_recording(book); }),
-                AllOf(HasSubstr(":3:"), HasSubstr("\"x\" is not a finite number")));
+    expect_told({input_error([&] { read_recording(book); })});
 }
 
 TEST_F(Workbook, HasNoValueWhereAFormulaFailed) {
@@ -97,9 +93,8 @@ TEST_F(Workbook, IsRefusedIfItIsNone) {
     const auto book = of_table("Torque [N m],x\n1,2\n");
     const std::string bytes = read_bytes(book, largest_table);
     const auto damaged = folder_.write("damaged.xlsx", bytes.substr(0, bytes.size() / 2));
-    EXPECT_THAT(input_error([&] { read_blocks(damaged); }), HasSubstr("no workbook"));
-    EXPECT_THAT(input_error([&] { read_blocks(folder_.write("d.xls", "\xD0\xCF\x11\xE0")); }),
-                HasSubstr("is a spreadsheet"));
+    expect_told({input_error([&] { read_blocks(damaged); }),
+                 input_error([&] { read_blocks(folder_.write("d.xls", "\xD0\xCF\x11\xE0")); })});
 }
 
 }  // namespace pendular::data_workbook_test

@@ -10,13 +10,11 @@
 #include "data/files/file_lock.h"
 #include "data/files/printable.h"
 #include "data/files/text_file.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::data_write_whole_test {
 
-using testing::AllOf;
 using testing::EndsWith;
-using testing::HasSubstr;
 using testing::Not;
 
 /// Limits the size of files that this process writes, during the life of the object [bytes].
@@ -56,7 +54,8 @@ TEST(WriteWhole, SaysWhyAFileCannotBeWritten) {
         write_whole(target, std::string(100000, 'x'));
         ADD_FAILURE() << "nothing was said";
     } catch (const std::runtime_error& error) {
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("a.txt"), HasSubstr("File too large")));
+        EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("a.txt"),
+                                                 testing::EndsWith("File too large")));
     }
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
@@ -84,11 +83,11 @@ TEST(WriteWhole, FollowsNoLinkOutOfTheFolder) {
     const auto target = other.write("target", "untouched");
     const auto link = folder.path() / "a.txt";
     std::filesystem::create_symlink(target, link);
-    EXPECT_THAT(input_error([&] { write_whole(link, "2"); }), HasSubstr("remove the link"));
+    expect_told({input_error([&] { write_whole(link, "2"); })});
     EXPECT_EQ(read_lines(target), std::vector<std::string>{"untouched"});
     std::filesystem::remove(link);
     std::filesystem::create_symlink("b.txt", link);  // to nothing, which would be made
-    EXPECT_THAT(input_error([&] { write_whole(link, "2"); }), HasSubstr("remove the link"));
+    expect_told({input_error([&] { write_whole(link, "2"); })});
     folder.write("b.txt", "1");
     write_whole(link, "2");  // a link within the folder is the user's
     EXPECT_EQ(read_lines(folder.path() / "b.txt"), std::vector<std::string>{"2"});
@@ -97,16 +96,15 @@ TEST(WriteWhole, FollowsNoLinkOutOfTheFolder) {
 
 TEST(ReadText, RefusesWhatIsNoRegularFileAndWhatIsTooLarge) {
     TemporaryFolder folder;
-    EXPECT_THAT(input_error([] { read_text("/dev/zero"); }), HasSubstr("not a regular file"));
-    EXPECT_THAT(input_error([] { read_text("/proc/self/status"); }),
-                HasSubstr("not a regular file"));
+    expect_told({input_error([] { read_text("/dev/zero"); }),
+                 input_error([] { read_text("/proc/self/status"); })});
     const auto pipe = folder.path() / "pipe";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    EXPECT_THAT(input_error([&] { read_text(pipe); }), HasSubstr("not a regular file"));
+    expect_told({input_error([&] { read_text(pipe); })});
     const auto large = folder.write("large.csv", "a\n1\n");
-    EXPECT_THAT(input_error([&] { read_text(large, 3); }), HasSubstr("more than the limit"));
+    expect_told({input_error([&] { read_text(large, 3); })});
     std::filesystem::resize_file(large, std::uintmax_t{1} << 40);  // sparse
-    EXPECT_THAT(input_error([&] { read_text(large); }), HasSubstr("1099.5 GB"));
+    expect_told({input_error([&] { read_text(large); })});
 }
 
 TEST(FileLock, IsHeldByOne) {
@@ -116,7 +114,7 @@ TEST(FileLock, IsHeldByOne) {
         FileLock first(file), second(file);
         EXPECT_TRUE(first.take());
         EXPECT_FALSE(second.take());
-        EXPECT_THAT(second.holder(), HasSubstr("process " + std::to_string(getpid())));
+        EXPECT_THAT(second.holder(), testing::HasSubstr("process " + std::to_string(getpid())));
     }
     EXPECT_FALSE(std::filesystem::exists(file));
     std::filesystem::create_symlink(folder.path() / "elsewhere", file);

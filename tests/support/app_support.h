@@ -11,15 +11,10 @@
 #include <sstream>
 #include <string>
 
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
-/// Returns the content of a file; empty where the file does not exist.
-inline std::string content_of(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
+using pendular::content_of;
+using pendular::expect_told;
 
 /// Result of a run of the `pendular` program: exit code, standard output and standard error.
 struct Outcome {

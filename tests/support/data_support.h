@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "data/input_error.h"
+#include "data/reading.h"
 
 namespace pendular {
 
@@ -77,6 +78,17 @@ inline std::string input_error(const std::function<void()>& action) {
     }
     ADD_FAILURE() << "no InputError";
     return "";
+}
+
+/// Returns what a study tells of its measurements: what was left out and why, doubts and notes.
+inline std::vector<std::string> told_of(const Measurements& all) {
+    std::vector<std::string> told;
+    for (const Excluded& each : all.excluded)
+        told.push_back(to_string(each.origin) + ": " + each.reason);
+    for (const Doubt& each : all.doubts)
+        told.push_back(each.what);
+    told.insert(told.end(), all.notes.begin(), all.notes.end());
+    return told;
 }
 
 /// Returns `n` values of an autoregressive series with mean 0 and standard deviation 1,
