@@ -21,6 +21,9 @@ struct LadderParameter {
     bool at_bound = false;  ///< whether the value is at an end of the range
 };
 
+/// Sets of effects, by name, such as those that each explain the readings of a study.
+using EffectNames = std::vector<std::vector<std::string>>;
+
 /// One fitted model of a study. If the step adds or drops an effect, the model differs from that of
 /// the preceding step by this effect alone.
 struct LadderStep {
@@ -31,7 +34,7 @@ struct LadderStep {
     std::string effect = {};           ///< the one added or dropped; empty at a "start"
     std::vector<std::string> effects;  ///< all effects of the model
     /// Sets of effects that explained the readings equally well without the added effect.
-    std::vector<std::vector<std::string>> rivals = {};
+    EffectNames rivals = {};
     std::vector<LadderParameter> parameters;  ///< the first is the friction coefficient
     /// chi2 [1] of all readings, fitted or only predicted, and all direct measurements.
     double chi2 = 0;

@@ -16,7 +16,6 @@
 #include "app/command.h"
 #include "app/effect_options.h"
 #include "app/open_session.h"
-#include "calib/fit/calibrate_study.h"
 #include "data/input_error.h"
 #include "reports/change_report.h"
 #include "reports/tables.h"
@@ -113,8 +112,7 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
 
 /// Sentence on the readings that the fits before and after a change use, where the study itself
 /// fits the dry readings alone before or after it; empty otherwise.
-/// @param earlier_dry whether the study before the change fits the dry readings alone
-std::string on_fitted_readings(const ChangedStudy& changed, bool earlier_dry) {
+std::string on_fitted_readings(const ChangedStudy& changed) {
     if (changed.after_to_all) {
         const Calibration& c = changed.after.calibration;
         return fmt::format(
@@ -123,17 +121,17 @@ std::string on_fitted_readings(const ChangedStudy& changed, bool earlier_dry) {
             changed.change.effect, c.parameters[0].name,
             estimate_text(c.fit, 0, c.parameters[0].unit));
     }
-    return earlier_dry ? fmt::format(
-                             "Both fits, with and without {0}, use all readings, dry and wet, "
-                             "as 'pendular calibrate' does if the model contains {0}.",
-                             changed.change.effect)
-                       : "";
+    return changed.widened ? fmt::format(
+                                 "Both fits, with and without {0}, use all readings, dry and wet, "
+                                 "as 'pendular calibrate' does if the model contains {0}.",
+                                 changed.change.effect)
+                           : "";
 }
 
-void print_evidence(Console& console, const ChangedStudy& changed, bool earlier_dry) {
+void print_evidence(Console& console, const ChangedStudy& changed) {
     const StudyChange& change = changed.change;
-    const Fitted& before = changed.before;
-    const Fitted& after = changed.comparable_after();
+    const FittedStudy& before = changed.before;
+    const FittedStudy& after = changed.comparable_after();
     console.table(error_changes(before.ladder_step, after.ladder_step), 10);
     console.table(parameter_changes(before.ladder_step, after.ladder_step), 5);
     const bool adds = change.change == Action::add;
@@ -141,7 +139,7 @@ void print_evidence(Console& console, const ChangedStudy& changed, bool earlier_
                              before.ladder_step.chi2, freedom_text(before.ladder_step.dof),
                              adds ? "without" : "with", change.effect, after.ladder_step.chi2,
                              after.ladder_step.dof, adds ? "with" : "without"));
-    if (const std::string line = on_fitted_readings(changed, earlier_dry); !line.empty()) {
+    if (const std::string line = on_fitted_readings(changed); !line.empty()) {
         console.line(line);
     }
     if (change.change == Action::drop &&
@@ -176,12 +174,14 @@ void print_evidence(Console& console, const ChangedStudy& changed, bool earlier_
         console.note("The fit before the change did not converge: " +
                      before.calibration.fit.message);
     }
-    if (after.undetermined > 0) {
+    if (after.left_out.undetermined > 0) {
         console.note(fmt::format(
             "Cross-validation: without {} of the {} conditions, the other conditions do not "
             "determine a parameter, which then keeps its starting value.",
-            after.undetermined == 1 ? "one" : fmt::format("any of {}", after.undetermined),
-            after.left_out));
+            after.left_out.undetermined == 1
+                ? "one"
+                : fmt::format("any of {}", after.left_out.undetermined),
+            after.left_out.conditions));
     }
     for (const auto& note : after.calibration.notes) {
         console.note(note);
@@ -201,8 +201,8 @@ int refuse_fit(Console& console, const ChangedStudy& changed) {
 int change_study(Action what, const std::string& effect, const AddOptions& own,
                  const CommonOptions& common, Console& console, bool last) {
     const auto figures = common.out_folder() / "figures";
-    const OpenSession session(console, common, outputs_of_change(), own.seed,
-                              OpenSession::Access::changes);
+    OpenSession session(console, common, outputs_of_change(), own.seed,
+                        OpenSession::Access::changes);
     const ChangedStudy changed =
         change_effects(*session, what, effect, own.fit, !own.fidelity_given);
     const LadderStep &before = changed.before.ladder_step,
@@ -219,10 +219,7 @@ int change_study(Action what, const std::string& effect, const AddOptions& own,
                      changed.after_to_all
                          ? "Warning from 'pendular calibrate', which fits the dry readings alone: "
                          : "Warning about the new fit: ");
-        const auto& readings = changed.before.calibration.readings;
-        const bool earlier_dry = changed.before.calibration.fitted == readings.size() &&
-                                 fitted_count(session->resolved(), readings) < readings.size();
-        print_evidence(console, changed, earlier_dry);
+        print_evidence(console, changed);
         console.figures(figures, {draw_ladder(changed.ladder, figures)});
         console.next(
             next_after(changed.change, before, after, belief.believable(), common.study_word()));

@@ -174,8 +174,10 @@ int calibrate(const std::vector<std::string>& arguments) {
     const OpenSession session(console, *common, {"fit.json", "fit_runs.csv", "figures"}, seed,
                               OpenSession::Access::changes);
     const Measurements& measurements = session->measurements();
-    const CalibratedStudy result = session->calibrate(fit);
-    const auto& [c, comparison, belief] = result;
+    const FittedStudy result = session->calibrate(fit);
+    const Calibration& c = result.calibration;
+    const Comparison& comparison = result.comparison;
+    const Belief& belief = result.belief;
     print_result(console, c, comparison, belief, error_basis(measurements));
     for (const auto& note : measurements.notes) {
         console.note(note);

@@ -5,6 +5,7 @@
 #include "reports/change_report.h"
 #include "reports/draw_figure.h"
 #include "reports/ladder_figure.h"
+#include "workflow/rivals.h"
 
 namespace pendular::app {
 
@@ -12,10 +13,12 @@ std::vector<std::filesystem::path> outputs_of_change() {
     return {"fit.json", "fit_runs.csv", "ladder.json", "figures"};
 }
 
-ChangedStudy change_effects(const Session& session, Action action, const std::string& effect,
+ChangedStudy change_effects(Session& session, Action action, const std::string& effect,
                             const FitOptions& fit, bool same_fidelity) {
-    return action == Action::add ? session.add(effect, fit, same_fidelity)
-                                 : session.drop(effect, fit, same_fidelity);
+    ChangeOptions options{.fit = fit, .same_fidelity = same_fidelity};
+    if (action == Action::drop) return session.drop(effect, options);
+    options.rivals = rivals_in(session.folder() / "diagnosis.json", session.study(), effect);
+    return session.add(effect, options);
 }
 
 std::string answer_on(const ChangedStudy& changed) {

@@ -12,8 +12,9 @@ namespace pendular::app {
 /// results folder.
 std::vector<std::filesystem::path> outputs_of_change();
 
-/// Calls `Session::add` or `Session::drop`, and passes on their exceptions.
-ChangedStudy change_effects(const Session& session, Action action, const std::string& effect,
+/// Calls `Session::add`, with the rivals of the effect in diagnosis.json of the results folder, or
+/// `Session::drop`, and passes on their exceptions.
+ChangedStudy change_effects(Session& session, Action action, const std::string& effect,
                             const FitOptions& fit, bool same_fidelity);
 
 /// Returns a sentence on the result of a change: chi2 per degree of freedom and the relative RMS

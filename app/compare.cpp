@@ -75,12 +75,15 @@ int compare(const std::vector<std::string>& arguments) {
                           places_of(*common, {"compare.json", "figures"}));
     const auto out = common->out_folder();
     const Measurements& measurements = session.measurements();
-    ComparedStudy compared = session.compare();
+    FittedStudy compared = session.compare();
     if (cohesion.given(options)) {
         compared.calibration.cohesion = cohesion.stated(options, compared.calibration.cohesion);
-        add_cohesion_lines(compared.model.model(), compared.calibration);
+        add_cohesion_lines(compared.model->model(), compared.calibration);
     }
-    const auto& [c, model, comparison, where, belief] = compared;
+    const Calibration& c = compared.calibration;
+    const Comparison& comparison = compared.comparison;
+    const Belief& belief = compared.belief;
+    const WhereItFails where = where_it_fails(compared, measurements);
     auto json = to_json(comparison, c.cohesion_lines, where);
     json["runs"] = runs_json(c.runs, c.known);
     add_belief(json, belief);
@@ -115,7 +118,7 @@ int compare(const std::vector<std::string>& arguments) {
     }
     console.json(json);  // before the figures, which need gnuplot
     std::vector<std::string> drawn_figures;
-    for (auto figure : comparison_figures(model, c, comparison)) {
+    for (auto figure : comparison_figures(*compared.model, c, comparison)) {
         if (!belief.believable()) figure.title += " (the fit is not to be used: see compare.json)";
         if (draw(figure, out / "figures")) drawn_figures.push_back(figure.name);
     }

@@ -120,7 +120,7 @@ std::string confirmation_line(const Confirmation& confirmed) {
 void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& checks,
                     const std::optional<ImpactTable>& impacts, const Session& session) {
     const Diagnosis& diagnosis = d.diagnosis;
-    const StudyModels& models = *d.models;
+    const StudyModelSpace& models = *d.models;
     const Measurements& measurements = session.measurements();
     console.line(fit_line(diagnosis));
     console.table(checks_table(checks), 3);
@@ -131,7 +131,7 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
         console.table(diagnosis_table(diagnosis, models, console.all()), 4);
     }
     if (const std::string line =
-            rivals_line(d.rivals, diagnosis.chi2, session.resolved().catalogue());
+            rivals_line(d.rivals, diagnosis.base.fit.chi2, session.resolved().catalogue());
         !line.empty()) {
         console.line(line);
     }
@@ -143,7 +143,7 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
     }
     if (const auto remaining = remaining_checks(d, session.options().seed)) {
         for (const std::string& line : incomplete_lines(
-                 diagnosis, rms_percent(d.readings, diagnosis.fit.prediction.value),
+                 diagnosis, rms_percent(d.readings, diagnosis.base.fit.prediction.value),
                  rms_percent(d.readings, diagnosis.leaders->model.fit.prediction.value),
                  *remaining)) {
             console.line(line);
@@ -157,7 +157,8 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
             console.line(line);
         }
     }
-    for (const std::string& line : proposal_lines(d.proposals, diagnosis.chi2, diagnosis.dof)) {
+    for (const std::string& line :
+         proposal_lines(d.proposals, diagnosis.base.fit.chi2, diagnosis.dof)) {
         console.line(line);
     }
     if (const std::string line = undetectable_line(diagnosis, models); !line.empty()) {
@@ -200,7 +201,7 @@ void note_bounds(Console& console, const StudyDiagnosis& d, const Study& study) 
 void print_notes(Console& console, const StudyDiagnosis& d, const Measurements& measurements,
                  const std::string& study) {
     const Diagnosis& diagnosis = d.diagnosis;
-    const StudyModels& models = *d.models;
+    const StudyModelSpace& models = *d.models;
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
@@ -210,13 +211,13 @@ void print_notes(Console& console, const StudyDiagnosis& d, const Measurements& 
             console.note(fmt::format("The effect {} was not tested: {}", aside.effect, aside.why));
         }
     }
-    if (!diagnosis.fit.converged) {
+    if (!diagnosis.base.fit.converged) {
         console.note(
             fmt::format("The fit did not converge ({}): the verdict may differ at the best fit. "
                         "For details: pendular calibrate {}",
-                        diagnosis.fit.message, study));
+                        diagnosis.base.fit.message, study));
     }
-    for (const std::string& why : models.why_unsupported(diagnosis.fit.parameters(0))) {
+    for (const std::string& why : models.why_unsupported(diagnosis.base.fit.parameters(0))) {
         console.note(
             fmt::format("The simulations in atlas and store do not cover a part of the readings: "
                         "{}. A misfit of these readings may be an error of the emulator. To "
@@ -263,8 +264,8 @@ nlohmann::ordered_json proposals_json(const StudyDiagnosis& d) {
                         {"p", each.p},
                         {"fits", each.fits()},
                         {"explained", each.explained},
-                        {"chi2", each.explanation.chi2},
-                        {"dof", each.explanation.fit.dof}});
+                        {"chi2", each.model.fit.chi2},
+                        {"dof", each.model.fit.dof}});
     }
     return json;
 }
@@ -299,7 +300,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     const StudyDiagnosis d = session->diagnose(confirming);
     const Belief& belief = d.belief;
     const Diagnosis& diagnosis = d.diagnosis;
-    const StudyModels& models = *d.models;
+    const StudyModelSpace& models = *d.models;
     const Checks checks = checks_of(d, session->options().seed);
     auto json = to_json(diagnosis, models, d.evidence, checks);
     json["line"] = verdict_line(diagnosis, models, checks);
@@ -332,7 +333,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     }
     if (const std::string friction = friction_line(d); !friction.empty()) console.line(friction);
     print_limits(console, models.simulation().emulator().runs(), d.readings,
-                 rivals_of(d).front().parameters(0));
+                 rivals_of(d).front().fit.parameters(0));
     print_evidence(console, d, checks, impacts, *session.operator->());
     if (impacts && console.all()) console.table(impact_table(*impacts), impacts->impacts.size());
     for (const std::string& line : step_lines(steps)) {
@@ -350,13 +351,14 @@ int diagnose(const std::vector<std::string>& arguments) {
     std::vector<Figure> drawn = {diagnosis_figure(diagnosis, models)};
     std::ranges::move(scan_figures(diagnosis, models), std::back_inserter(drawn));
     if (!d.proposals.empty()) {
-        drawn.push_back(proposal_figure(d.proposals.front(), d.readings, diagnosis.fit.prediction));
+        drawn.push_back(
+            proposal_figure(d.proposals.front(), d.readings, diagnosis.base.fit.prediction));
     }
     if (impacts) drawn.push_back(impact_figure(*impacts));
     console.json(json);  // before the figures, which need gnuplot
     console.figures(figures, draw_all(drawn, figures));
     console.next(next_command(diagnosis, steps, common->study_word()));
-    return diagnosis.fit.converged ? done : not_converged;
+    return diagnosis.base.fit.converged ? done : not_converged;
 }
 
 }  // namespace pendular::app

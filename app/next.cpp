@@ -96,7 +96,7 @@ int next(const std::vector<std::string>& arguments) {
         console.line(lines[k]);
     }
     print_limits(console, d.models->simulation().emulator().runs(), d.readings,
-                 next.rivals.front().parameters(0));
+                 next.rivals.front().fit.parameters(0));
     const bool planned = std::ranges::any_of(steps, &NextStep::readings);
     if (planned && !session->study().rig) {
         console.note(

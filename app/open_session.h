@@ -55,6 +55,7 @@ class OpenSession {
 
     const Session* operator->() const { return &session_; }
     const Session& operator*() const { return session_; }
+    Session& operator*() { return session_; }
 
   private:
     /// For the public constructors.

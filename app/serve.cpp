@@ -48,8 +48,8 @@ struct ServeOptions {
 Answer change_study(Action action, const std::string& effect, const CommonOptions& common,
                     const ServeOptions& own, const std::stop_token& stop,
                     const Listener& listener) {
-    const OpenSession session(stop, listener, common, outputs_of_change(), own.seed,
-                              OpenSession::Access::changes);
+    OpenSession session(stop, listener, common, outputs_of_change(), own.seed,
+                        OpenSession::Access::changes);
     const ChangedStudy changed =
         change_effects(*session, action, effect, FitOptions{}, !own.fidelity_given);
     Answer answer{changed.written ? 200 : 422, answer_on(changed)};

@@ -52,7 +52,7 @@ Panel drop_panel(const Diagnosis& diagnosis, const std::vector<const Finding*>& 
     }
     panel.curves = {predicted, refitted};
     panel.references.push_back({fmt::format("χ^2 of the model, {}", freedom_text(diagnosis.dof)),
-                                diagnosis.chi2, 0, false, "#888888"});
+                                diagnosis.base.fit.chi2, 0, false, "#888888"});
     panel.key = Key::top_right;
     panel.headroom = 0.3;
     return panel;

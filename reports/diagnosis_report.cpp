@@ -40,13 +40,13 @@ std::string spoken_parameter(std::string parameter) {
 }
 
 /// Text of a refitted parameter of an explanation with its error: "0.41 +- 0.03 mN m".
-std::string refitted_text(const Explanation& explanation, Eigen::Index k, const std::string& unit) {
+std::string refitted_text(const FittedModel& explanation, Eigen::Index k, const std::string& unit) {
     return estimate_text(explanation.fit, k, unit);
 }
 
 /// Names of the effects of an explanation with the refitted values, "torque-offset (torque 0.41 +-
 /// 0.03 mN m)"; an effect that is a switch has no value.
-std::string with_estimates(const Explanation& explanation, const ModelSpace& space) {
+std::string with_estimates(const FittedModel& explanation, const ModelSpace& space) {
     const auto parameters = space.with(explanation.chosen)->parameters();
     auto next = static_cast<Eigen::Index>(space.with({})->parameters().size());
     std::vector<std::string> texts;
@@ -83,16 +83,17 @@ std::string strongest_trend(const Checks& checks) {
                              strongest->covariate);
 }
 
-const Explanation* best_of(const std::vector<Explanation>& explanations) {
-    const auto best = std::ranges::min_element(explanations, {}, &Explanation::chi2);
+const FittedModel* best_of(const std::vector<FittedModel>& explanations) {
+    const auto best = std::ranges::min_element(
+        explanations, {}, [](const FittedModel& each) { return each.fit.chi2; });
     return best == explanations.end() ? nullptr : &*best;
 }
 
 /// Text of the reduction of chi2/dof by an explanation: "chi2/dof from 7.79 to about 0.94".
-std::string reduction(const Diagnosis& d, const Explanation& by) {
+std::string reduction(const Diagnosis& d, const FittedModel& by) {
     const auto dof = static_cast<double>(by.fit.dof);
-    return fmt::format("chi2/dof from {:.2f} to about {:.2f}", chi2_per_dof(d.chi2, d.dof),
-                       chi2_per_dof(by.chi2, dof));
+    return fmt::format("chi2/dof from {:.2f} to about {:.2f}", chi2_per_dof(d.base.fit.chi2, d.dof),
+                       chi2_per_dof(by.fit.chi2, dof));
 }
 
 /// Text of a share, rounded down so that it never reads 100 % below 1: "99.7 %".
@@ -101,7 +102,7 @@ std::string percent(double share) {
 }
 
 std::string leading_line(const Diagnosis& d, const ModelSpace& space) {
-    const Explanation& model = d.leaders->model;
+    const FittedModel& model = d.leaders->model;
     return fmt::format(
         "Missing: {}. Adding {} brings {}, which removes {} of the excess of chi2 over its degrees "
         "of freedom. No effect in the catalogue explains the misfit that remains.",
@@ -113,7 +114,7 @@ std::string leading_line(const Diagnosis& d, const ModelSpace& space) {
 /// "torque-offset", "lid-slip with bead-loss".
 std::vector<std::string> others_of(const Diagnosis& d, const ModelSpace& space) {
     std::vector<std::string> sets;
-    for (const Explanation& each : d.confidence_set) {
+    for (const FittedModel& each : d.confidence_set) {
         std::vector<std::string> names = names_of(each, space);
         std::erase_if(names, [&](const std::string& name) {
             return std::ranges::find(d.effects, name) != d.effects.end();
@@ -126,7 +127,7 @@ std::vector<std::string> others_of(const Diagnosis& d, const ModelSpace& space) 
 /// Sentence on weak evidence that something is missing; empty where the evidence is strong.
 std::string weak_evidence(const Diagnosis& d) {
     constexpr double strong = 0.01;
-    const double p = std::min(d.lack_of_fit_p, d.further_p);
+    const double p = std::min(d.base.lack_of_fit_p, d.base.further_p);
     return p < strong
                ? ""
                : fmt::format(" The evidence that anything is missing is weak (p {}).", p_text(p));
@@ -134,7 +135,7 @@ std::string weak_evidence(const Diagnosis& d) {
 
 std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
     if (d.leaders) return leading_line(d, space);
-    const Explanation& best = *best_of(d.confidence_set);
+    const FittedModel& best = *best_of(d.confidence_set);
     std::string line = fmt::format("Missing: {}. Adding {} brings {}.", with_estimates(best, space),
                                    best.chosen.size() > 1 ? "them" : "it", reduction(d, best));
     if (d.confidence_set.size() > 1) {
@@ -150,9 +151,9 @@ std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
 std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) {
     std::vector<std::string> sets;
     std::vector<double> left;
-    for (const Explanation& each : d.confidence_set) {
+    for (const FittedModel& each : d.confidence_set) {
         sets.push_back(with_estimates(each, space));
-        left.push_back(chi2_per_dof(each.chi2, each.fit.dof));
+        left.push_back(chi2_per_dof(each.fit.chi2, each.fit.dof));
     }
     const std::string least = fmt::format("{:.2f}", std::ranges::min(left)),
                       most = fmt::format("{:.2f}", std::ranges::max(left));
@@ -160,7 +161,8 @@ std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) 
                "Indistinguishable: something {} missing, and these readings do not tell whether it "
                "is {}. Adding {} brings chi2/dof from {:.2f} to {}.",
                weak_evidence(d).empty() ? "is" : "may be", joined(sets, "or"),
-               sets.size() == 2 ? "either" : "any one of them", chi2_per_dof(d.chi2, d.dof),
+               sets.size() == 2 ? "either" : "any one of them",
+               chi2_per_dof(d.base.fit.chi2, d.dof),
                least == most ? "about " + least : fmt::format("between {} and {}", least, most)) +
            weak_evidence(d);
 }
@@ -171,11 +173,11 @@ std::vector<std::string> untested_effects(const Diagnosis& d, const ModelSpace& 
     // `Steps::inconclusive` advises repeats from the same chi2/dof on.
     constexpr double large = 2, most = 0.5;
     std::vector<std::string> names;
-    if (chi2_per_dof(d.chi2, d.dof) < large) return names;
+    if (chi2_per_dof(d.base.fit.chi2, d.dof) < large) return names;
     for (const Finding& finding : d.scan) {
         const double reduction =
             finding.refitted_reduction.value_or(finding.test.predicted_reduction);
-        if (reduction > most * (d.chi2 - d.dof)) {
+        if (reduction > most * d.excess()) {
             names.push_back(space.candidates()[finding.candidate].name);
         }
     }
@@ -187,7 +189,7 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
         return fmt::format(
             "Inconclusive: chi2/dof is {:.2f} and {} could explain most of it, but too few "
             "repeated readings state the errors. Repeat more conditions with new fillings.",
-            chi2_per_dof(d.chi2, d.dof),
+            chi2_per_dof(d.base.fit.chi2, d.dof),
             names.size() > 1 ? "any one of " + some_of(names) : names.front());
     }
     if (d.effects.empty() && !d.errors_assumed) {
@@ -231,27 +233,27 @@ std::string alike_line(const Diagnosis& d) {
 /// Sentence on the single effect that comes closest to the missing one without explaining the
 /// readings; empty where none leaves less than a tenth of the misfit.
 std::string closest_rival_line(const Diagnosis& d, const ModelSpace& space) {
-    const Explanation* closest = nullptr;
-    for (const Explanation& each : d.tried) {
+    const FittedModel* closest = nullptr;
+    for (const FittedModel& each : d.tried) {
         if (each.suspect || each.chosen.size() != 1 || !each.fit.converged || each.accepted) {
             continue;
         }
         const std::string name = names_of(each, space).front();
-        const bool named = std::ranges::any_of(d.confidence_set, [&](const Explanation& set) {
+        const bool named = std::ranges::any_of(d.confidence_set, [&](const FittedModel& set) {
             const auto names = names_of(set, space);
             return std::ranges::find(names, name) != names.end();
         });
-        if (!named && (closest == nullptr || each.chi2 < closest->chi2)) closest = &each;
+        if (!named && (closest == nullptr || each.fit.chi2 < closest->fit.chi2)) closest = &each;
     }
     constexpr double close = 0.9;  // as `most_of_misfit`
-    if (closest == nullptr || share_explained(d.chi2, d.dof, *closest) < close) return "";
+    if (closest == nullptr || share_explained(d.excess(), *closest) < close) return "";
     return fmt::format(
         "The next-best effect, {}, would leave chi2/dof at {:.2f}; the readings rule it out.",
-        with_estimates(*closest, space), chi2_per_dof(closest->chi2, closest->fit.dof));
+        with_estimates(*closest, space), chi2_per_dof(closest->fit.chi2, closest->fit.dof));
 }
 
 /// Text of an explanation in a sentence: "with wall-friction".
-std::string with_effects(const Explanation& explanation, const ModelSpace& space) {
+std::string with_effects(const FittedModel& explanation, const ModelSpace& space) {
     return explanation.suspect ? "with the error of measurement corrected"
                                : "with " + joined(names_of(explanation, space), "and");
 }
@@ -260,13 +262,13 @@ std::string with_effects(const Explanation& explanation, const ModelSpace& space
 
 std::string friction_line(const StudyDiagnosis& study) {
     const Diagnosis& d = study.diagnosis;
-    const StudyModels& space = *study.models;
+    const StudyModelSpace& space = *study.models;
     if (study.mistake || study.diagnosis.overruled) return "";
     const auto text = [](const Fit& fit, const std::string& of) {
         return fmt::format("{} {}", estimate_text(fit, 0, "1"), of);
     };
     std::vector<std::string> values;
-    const auto add = [&](const Explanation& each) {
+    const auto add = [&](const FittedModel& each) {
         constexpr std::size_t most = 3;
         if ((!each.chosen.empty() || each.suspect) && values.size() < most) {
             values.push_back(text(each.fit, with_effects(each, space)));
@@ -275,10 +277,10 @@ std::string friction_line(const StudyDiagnosis& study) {
     if (d.leaders) add(d.leaders->model);
     std::ranges::for_each(d.confidence_set, add);
     if (values.empty() && !study.proposals.empty()) {
-        values.push_back(text(study.proposals.front().explanation.fit, "with proposal 1"));
+        values.push_back(text(study.proposals.front().model.fit, "with proposal 1"));
     }
     const bool alone = values.empty();
-    values.push_back(text(d.fit, alone ? "" : "in the study's present model"));
+    values.push_back(text(d.base.fit, alone ? "" : "in the study's present model"));
     std::string line = fmt::format("The {} fitted to all readings{} {}",
                                    parameter_in_words(space.with({})->parameters().front().name),
                                    alone ? " is" : ":", fmt::join(values, "; "));
@@ -295,7 +297,7 @@ std::vector<std::string> close_effects_lines(const Diagnosis& d, const ModelSpac
     if (d.verdict == Verdict::indistinguishable) add(alike_line(d));
     if (d.verdict == Verdict::missing && d.complete) add(closest_rival_line(d, space));
     if (d.verdict == Verdict::unknown) {
-        if (const Explanation* best = best_of(d.tried); best && !best->suspect) {
+        if (const FittedModel* best = best_of(d.tried); best && !best->suspect) {
             add(fmt::format("Of the known effects, {} {} closest and {} {}, which is not enough.",
                             with_estimates(*best, space),
                             best->chosen.size() > 1 ? "come" : "comes",
@@ -315,7 +317,7 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
             return fmt::format(
                 "Nothing missing: no known effect improves the model, and every effect large "
                 "enough to matter would have shown in these readings (chi2/dof {:.2f}).",
-                chi2_per_dof(d.chi2, d.dof));
+                chi2_per_dof(d.base.fit.chi2, d.dof));
         case Verdict::inconclusive:
             return inconclusive_line(d, space);
         case Verdict::missing:
@@ -379,7 +381,8 @@ std::string fit_line(const Diagnosis& d) {
         "Fitted to all readings: chi2 = {:.1f} for {}. Test for lack of fit: p "
         "{}. "
         "Test for an improvement by a known effect: p {}. (A small p speaks against the model.)",
-        d.chi2, freedom_text(d.dof), p_text(d.lack_of_fit_p), p_text(d.further_p));
+        d.base.fit.chi2, freedom_text(d.dof), p_text(d.base.lack_of_fit_p),
+        p_text(d.base.further_p));
 }
 
 }  // namespace pendular

@@ -13,8 +13,8 @@ namespace pendular {
 namespace {
 
 /// Refitted model with one candidate alone; null where there is none that converged.
-const Explanation* refit_with(const Diagnosis& d, std::size_t candidate) {
-    const auto found = std::ranges::find_if(d.tried, [&](const Explanation& each) {
+const FittedModel* refit_with(const Diagnosis& d, std::size_t candidate) {
+    const auto found = std::ranges::find_if(d.tried, [&](const FittedModel& each) {
         return each.chosen == EffectSet{candidate} && !each.suspect && each.fit.converged;
     });
     return found == d.tried.end() ? nullptr : &*found;
@@ -31,8 +31,8 @@ std::string estimate_of(const Diagnosis& d, const Finding& finding, const ModelS
     const Candidate& candidate = space.candidates()[finding.candidate];
     if (candidate.is_switch()) return "switch";
     const std::string& unit = candidate.parameters.front().unit;
-    const auto first = static_cast<Eigen::Index>(d.fit.parameters.size());
-    const Explanation* const refit = refit_with(d, finding.candidate);
+    const auto first = static_cast<Eigen::Index>(d.base.fit.parameters.size());
+    const FittedModel* const refit = refit_with(d, finding.candidate);
     if (refit && refit->fit.parameters.size() > first) {
         const EffectParameter& p = candidate.parameters.front();
         const Fit& fit = refit->fit;
@@ -51,7 +51,7 @@ std::string remaining_chi2_text(const Diagnosis& d, const Finding& finding,
     const double reduction = finding.refitted_reduction.value_or(finding.test.predicted_reduction);
     const auto added = static_cast<int>(space.candidates()[finding.candidate].free_parameters());
     return fmt::format("{}{:.2f}", finding.refitted_reduction ? "" : "~",
-                       std::max(0.0, d.chi2 - reduction) / std::max(1, d.dof - added));
+                       std::max(0.0, d.base.fit.chi2 - reduction) / std::max(1, d.dof - added));
 }
 
 namespace {
@@ -79,13 +79,13 @@ std::vector<std::string> implausible_offsets(const Diagnosis& d, const ModelSpac
     std::vector<std::string> notes;
     for (const Finding& finding : d.scan) {
         const Candidate& candidate = space.candidates()[finding.candidate];
-        const Explanation* const refit = refit_with(d, finding.candidate);
+        const FittedModel* const refit = refit_with(d, finding.candidate);
         if (!refit || candidate.is_switch() ||
             std::ranges::find(d.effects, candidate.name) == d.effects.end())
             continue;
         const EffectParameter& p = candidate.parameters.front();
         const double largest = largest_of(p.unit, readings, cell),
-                     value = refit->fit.parameters(d.fit.parameters.size());
+                     value = refit->fit.parameters(d.base.fit.parameters.size());
         if (largest == 0 || std::abs(value) <= seen_at_rest * largest) continue;
         notes.push_back(fmt::format(
             "An offset of {} ({}) is implausible beside the largest reading of {}: it would be "
@@ -130,7 +130,7 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
         "  (value in the model: the effect's parameter, fitted together with the model's "
         "parameters. chi2/dof left: with the effect in the model, now {:.2f}; ~: predicted without "
         "a fit.)",
-        d.chi2 / std::max(1, d.dof)));
+        d.base.fit.chi2 / std::max(1, d.dof)));
     if (all) {
         lines.emplace_back(
             "  (imitated: share of the effect that a change of the fitted parameters can "

@@ -125,7 +125,7 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
     if (steps.empty()) {
         const Plan& best = shown_plan(next);
         std::vector<std::string> names;
-        std::ranges::transform(next.rivals, std::back_inserter(names), &Rival::name);
+        std::ranges::transform(next.rivals, std::back_inserter(names), &FittedModel::name);
         lines.push_back(fmt::format(
             "No plan of up to {}, with at most {} at one condition, tells {}{} apart. Their "
             "predictions differ most at {}.",
@@ -157,17 +157,17 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
 
 std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
     const Sharpening& best = next.sharpenings.front();
-    const Rival& model = next.rivals.front();
+    const FittedModel& model = next.rivals.front();
     std::vector<std::string> lines = {
         fmt::format("Optional: take {}. Of all conditions considered, readings at "
                     "this condition reduce the standard errors of the fitted parameters most.",
                     to_measure(next.points[best.point], next.most_repeats, next.study))};
-    const auto& parameters = model.model->parameters();
+    const auto& parameters = model.predictor->parameters();
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
         lines.push_back(
             fmt::format("  {}: standard error {} -> {}", parameters[k].name,
-                        with_unit(std::sqrt(model.covariance(i, i)), parameters[k].unit),
+                        with_unit(std::sqrt(model.fit.covariance(i, i)), parameters[k].unit),
                         with_unit(best.standard_errors(i), parameters[k].unit)));
     }
     lines.emplace_back(

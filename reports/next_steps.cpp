@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-#include "analysis/design/rival.h"
+#include "analysis/design/point.h"
 #include "analysis/diagnosis/study_evidence.h"
 #include "reports/impact_report.h"
 #include "reports/joined.h"
@@ -94,9 +94,9 @@ class Steps {
     void suspect();
     void unknown();
     void measure_directly(const std::vector<std::string>& effects,
-                          const std::vector<Explanation>& models);
+                          const std::vector<FittedModel>& models);
     std::vector<std::string> effects_of_rivals() const;
-    std::string expected(const Effect& effect, const std::vector<Explanation>& models) const;
+    std::string expected(const Effect& effect, const std::vector<FittedModel>& models) const;
     std::string to_rule_out(const Effect& effect) const;
     bool matters(const std::string& effect) const;
     /// Whether the study states a direct measurement of an effect already.
@@ -152,11 +152,11 @@ std::string others_than_first(const std::vector<std::string>& effects) {
 
 /// Sentence on the value to expect if the effect is there, as the first of `models` that contains
 /// it says; empty where none determines it.
-std::string Steps::expected(const Effect& effect, const std::vector<Explanation>& models) const {
-    const StudyModels& space = *d_.models;
-    for (const Explanation& each : models) {
+std::string Steps::expected(const Effect& effect, const std::vector<FittedModel>& models) const {
+    const StudyModelSpace& space = *d_.models;
+    for (const FittedModel& each : models) {
         if (each.suspect) continue;
-        auto at = diagnosis_.fit.parameters.size();
+        auto at = diagnosis_.base.fit.parameters.size();
         for (const std::size_t k : each.chosen) {
             const Candidate& candidate = space.candidates()[k];
             if (candidate.name == effect.name && candidate.free_parameters() > 0 &&
@@ -177,7 +177,7 @@ std::string Steps::expected(const Effect& effect, const std::vector<Explanation>
 }
 
 void Steps::measure_directly(const std::vector<std::string>& effects,
-                             const std::vector<Explanation>& models) {
+                             const std::vector<FittedModel>& models) {
     std::vector<std::string> further, never;
     std::size_t named = 0;
     for (const std::string& name : effects) {
@@ -211,7 +211,7 @@ std::vector<std::string> Steps::effects_of_rivals() const {
     const auto add = [&](const std::string& name) {
         if (std::ranges::find(effects, name) == effects.end()) effects.push_back(name);
     };
-    for (const RivalModel& rival : d_.rivals) {
+    for (const FittedModel& rival : d_.rivals) {
         add(rival.in_place_of);
         std::ranges::for_each(rival.effects, add);
     }
@@ -282,7 +282,7 @@ void Steps::inconclusive() {
     if (diagnosis_.errors_assumed) {
         say("Repeat some conditions with new fillings, or give the standard errors of the readings "
             "in _sd columns: without known errors, no effect can be excluded.");
-    } else if (diagnosis_.effects.empty() || diagnosis_.chi2 > large * diagnosis_.dof) {
+    } else if (diagnosis_.effects.empty() || diagnosis_.base.fit.chi2 > large * diagnosis_.dof) {
         say("Repeat more conditions with new fillings, so that the errors of the readings are "
             "better known.");
     }

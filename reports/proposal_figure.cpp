@@ -60,7 +60,7 @@ Figure proposal_figure(const Proposal& proposal, const std::vector<Reading>& rea
             measured.y_error.push_back(std::sqrt(readings[k].covariance(observable, observable)) /
                                        whole);
             changed.x.push_back(axis.at[k]);
-            changed.y.push_back(proposal.explanation.fit.prediction.value(at) / whole - 100);
+            changed.y.push_back(proposal.model.fit.prediction.value(at) / whole - 100);
         }
         panel.curves = {measured, changed};
         figure.panels.push_back(std::move(panel));

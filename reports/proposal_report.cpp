@@ -125,12 +125,12 @@ std::vector<std::string> proposal_lines(const std::vector<Proposal>& proposals, 
     std::vector<std::string> lines;
     if (proposals.empty()) return lines;
     const Proposal& best = proposals.front();
-    const Fit& fit = best.explanation.fit;
+    const Fit& fit = best.model.fit;
     lines.push_back(fmt::format(
         "{} {}. This brings chi2/dof from {:.3g} to {:.3g}.",
         fmt::format("Proposal 1 ({}), a change of unknown cause, would explain {}:", name_of(best),
                     best.fits() ? "the readings" : "most of the misfit, not all"),
-        sentence_on(best), chi2 / dof, best.explanation.chi2 / fit.dof));
+        sentence_on(best), chi2 / dof, best.model.fit.chi2 / fit.dof));
     if (!best.alike.empty()) {
         std::vector<std::string> phrases;
         for (const FittedShape& each : best.alike) {

@@ -63,10 +63,10 @@ Figure scan_figure(const Diagnosis& diagnosis, const ModelSpace& space) {
     panel.curves = {predicted};
     if (!refitted.x.empty()) panel.curves.push_back(refitted);
     // Where no effect takes a good part of chi2, a line at chi2 would squeeze the bars.
-    if (diagnosis.chi2 < 3 * reach) {
+    if (diagnosis.base.fit.chi2 < 3 * reach) {
         panel.references = {{fmt::format("χ^2 of the model, {}", freedom_text(diagnosis.dof)),
-                             diagnosis.chi2, 0, true, "#888888"}};
-        reach = std::max(reach, diagnosis.chi2);
+                             diagnosis.base.fit.chi2, 0, true, "#888888"}};
+        reach = std::max(reach, diagnosis.base.fit.chi2);
     }
     constexpr double least_reach = 4;  // reduction that chance gives in one of 20 tests
     panel.x_range = {0, 1.08 * std::max(reach, least_reach)};

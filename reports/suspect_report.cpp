@@ -60,9 +60,9 @@ std::vector<SuspectError> suspect_errors(const StudyDiagnosis& study) {
     const Diagnosis& d = study.diagnosis;
     std::vector<SuspectError> errors;
     if (d.verdict != Verdict::suspect_measurement || d.overruled) return errors;
-    for (const Explanation& each : d.confidence_set) {
+    for (const FittedModel& each : d.confidence_set) {
         if (!each.suspect) continue;
-        SuspectError error{.suspect = study.evidence.suspects[*each.suspect], .explanation = each};
+        SuspectError error{.suspect = study.evidence.suspects[*each.suspect], .model = each};
         const auto quantities = static_cast<Eigen::Index>(error.suspect.quantities.size());
         const Eigen::Index first = each.fit.parameters.size() - error.suspect.columns.cols();
         for (Eigen::Index k = 0; k < quantities; ++k) {
@@ -84,8 +84,8 @@ std::vector<std::string> suspect_lines(const StudyDiagnosis& study) {
         std::string line =
             fmt::format("With the error of {} corrected{}, chi2/dof falls from {:.2f} to {:.2f}.",
                         error.suspect.name, size.empty() ? "" : " (" + size + ")",
-                        per_dof(study.diagnosis.chi2, study.diagnosis.dof),
-                        per_dof(error.explanation.chi2, error.explanation.fit.dof));
+                        per_dof(study.diagnosis.base.fit.chi2, study.diagnosis.dof),
+                        per_dof(error.model.fit.chi2, error.model.fit.dof));
         if (const std::string own = own_condition(study.readings, error.suspect); !own.empty()) {
             line += fmt::format(
                 " Only these readings have {}: an effect that Pendular does not know and that "

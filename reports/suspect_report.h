@@ -14,7 +14,7 @@ std::string own_condition(const std::vector<Reading>& readings, const SuspectMea
 /// Error of measurement that would explain the residuals.
 struct SuspectError {
     const SuspectMeasurement& suspect;  ///< part of the measurement that would be wrong
-    const Explanation& explanation;     ///< refit with the error
+    const FittedModel& model;           ///< refit with the error
     /// Errors of shear stress (0) and solid fraction (1) over the true value [1], positive for
     /// measured values that are too high, with standard errors. 0 for direct measurements of
     /// effects.

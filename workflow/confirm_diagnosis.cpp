@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "analysis/diagnosis/ranking.h"
+#include "calib/fit/sharpening_runs.h"
 #include "calib/fit/stopping_rule.h"
 #include "calib/model/fresh_runs.h"
 #include "calib/model/run_budget.h"
-#include "calib/model/sharpening_runs.h"
 
 namespace pendular {
 namespace {
@@ -36,26 +36,23 @@ constexpr double nearly_all = 0.9;
 /// (ranking.h) is near that of the best. The best model with fewer effects stays in the running if
 /// it explains nearly all of the misfit: its remaining misfit may be an error of the emulator. Only
 /// runs for this model can correct such an error.
-std::vector<Explanation> models_in_the_running(const Diagnosis& diagnosis) {
-    std::vector<Explanation> all = {{.fit = diagnosis.fit, .chi2 = diagnosis.chi2}};
+std::vector<FittedModel> models_in_the_running(const Diagnosis& diagnosis) {
+    std::vector<FittedModel> all = {diagnosis.base};
     std::ranges::copy_if(diagnosis.tried, std::back_inserter(all),
-                         [](const Explanation& each) { return !each.suspect; });
+                         [](const FittedModel& each) { return !each.suspect; });
     const double variance = factor_on_variance(all);
-    const auto criterion = [&](const Explanation& each) {
-        return akaike(each.chi2, each.fit.parameters.size(), variance);
-    };
+    const auto criterion = [&](const FittedModel& each) { return akaike(each, variance); };
     std::ranges::stable_sort(all, {}, criterion);
-    std::vector<Explanation> running;
-    for (const Explanation& each : all) {
+    std::vector<FittedModel> running;
+    for (const FittedModel& each : all) {
         const bool close = criterion(each) <= criterion(all.front()) + worth_simulating;
         if (close && running.size() < most_models) running.push_back(each);
     }
     const auto simplest =
-        std::ranges::min(running, {}, [](const Explanation& each) { return each.chosen.size(); });
-    const auto simpler = std::ranges::find_if(all, [&](const Explanation& each) {
-        const double excess = diagnosis.chi2 - diagnosis.dof;
-        return each.chosen.size() < simplest.chosen.size() && excess > 0 &&
-               diagnosis.chi2 - each.chi2 >= nearly_all * excess;
+        std::ranges::min(running, {}, [](const FittedModel& each) { return each.chosen.size(); });
+    const auto simpler = std::ranges::find_if(all, [&](const FittedModel& each) {
+        return each.chosen.size() < simplest.chosen.size() && diagnosis.excess() > 0 &&
+               diagnosis.base.fit.chi2 - each.fit.chi2 >= nearly_all * diagnosis.excess();
     });
     if (simpler != all.end()) running.push_back(*simpler);
     return running;
@@ -116,7 +113,7 @@ class Confirming {
     /// Whether the verdict is firm; if not, sets `open_` to the reason.
     bool firm(const StudyDiagnosis& diagnosis) {
         Enlargement largest;
-        for (const Explanation& each : models_in_the_running(diagnosis.diagnosis)) {
+        for (const FittedModel& each : models_in_the_running(diagnosis.diagnosis)) {
             const auto model = diagnosis.models->with(each.chosen);
             const Enlargement own =
                 enlargement_by_runs(each.fit, diagnosis.evidence.measured, model->parameters());
@@ -135,13 +132,12 @@ class Confirming {
 
     /// Runs of the next round; none where the time is over.
     std::vector<dem::RunParameters> next_runs(const StudyDiagnosis& diagnosis) {
-        std::vector<FittedModel> fitted;
-        for (const Explanation& each : models_in_the_running(diagnosis.diagnosis)) {
-            fitted.push_back({diagnosis.models->predictor(each.chosen), each.fit.parameters,
-                              each.fit.covariance});
+        std::vector<FittedModel> running = models_in_the_running(diagnosis.diagnosis);
+        for (FittedModel& each : running) {
+            each.predictor = diagnosis.models->predictor(each.chosen);
         }
         RunChoice choice =
-            sharpening_choice(diagnosis.models->simulation(), fitted, diagnosis.readings,
+            sharpening_choice(diagnosis.models->simulation(), running, diagnosis.readings,
                               session_.fidelity.lowest_inertial_number);
         choice.factor = excess_;
         auto runs = seeds_.runs_at(

@@ -37,7 +37,7 @@ nlohmann::ordered_json to_json(const Finding& finding, Decision decision, const 
     return json;
 }
 
-nlohmann::ordered_json to_json(const Explanation& explanation, const ModelSpace& space,
+nlohmann::ordered_json to_json(const FittedModel& explanation, const ModelSpace& space,
                                const Evidence& evidence) {
     nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
     const auto all = space.with(explanation.chosen)->parameters();
@@ -48,7 +48,7 @@ nlohmann::ordered_json to_json(const Explanation& explanation, const ModelSpace&
     }
     nlohmann::ordered_json json = {{"effects", names_of(explanation, space)},
                                    {"parameters", parameters},
-                                   {"chi2", explanation.chi2},
+                                   {"chi2", explanation.fit.chi2},
                                    {"dof", explanation.fit.dof},
                                    {"lack_of_fit_p", explanation.lack_of_fit_p},
                                    {"further_p", explanation.further_p},
@@ -64,13 +64,13 @@ nlohmann::ordered_json to_json(const Explanation& explanation, const ModelSpace&
 nlohmann::ordered_json explained_of(const Diagnosis& d, const ModelSpace& space) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     for (const std::string& effect : d.effects) {
-        const auto alone = std::ranges::find_if(d.tried, [&](const Explanation& each) {
+        const auto alone = std::ranges::find_if(d.tried, [&](const FittedModel& each) {
             return !each.suspect && names_of(each, space) == std::vector{effect};
         });
         if (alone == d.tried.end()) {
             json[effect] = nullptr;
         } else {
-            json[effect] = share_explained(d.chi2, d.dof, *alone);
+            json[effect] = share_explained(d.excess(), *alone);
         }
     }
     return json;
@@ -92,7 +92,7 @@ nlohmann::ordered_json cosines_of(const Diagnosis& d) {
 
 }  // namespace
 
-std::vector<std::string> names_of(const Explanation& explanation, const ModelSpace& space) {
+std::vector<std::string> names_of(const FittedModel& explanation, const ModelSpace& space) {
     std::vector<std::string> names;
     for (const std::size_t k : explanation.chosen) {
         names.push_back(space.candidates()[k].name);
@@ -106,13 +106,13 @@ nlohmann::ordered_json to_json(const Diagnosis& d, const ModelSpace& space,
                            scan = nlohmann::ordered_json::array(),
                            tried = nlohmann::ordered_json::array(),
                            suspects = nlohmann::ordered_json::array();
-    for (const Explanation& each : d.confidence_set) {
+    for (const FittedModel& each : d.confidence_set) {
         if (!each.suspect) sets.push_back(names_of(each, space));
     }
     for (const Finding& finding : d.scan) {
         scan.push_back(to_json(finding, d.decision_on(finding), space));
     }
-    for (const Explanation& each : d.tried) {
+    for (const FittedModel& each : d.tried) {
         tried.push_back(to_json(each, space, evidence));
     }
     for (std::size_t k = 0; k < d.suspect_p.size(); ++k) {
@@ -122,7 +122,7 @@ nlohmann::ordered_json to_json(const Diagnosis& d, const ModelSpace& space,
     const auto all = space.with({})->parameters();
     for (std::size_t k = 0; k < all.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
-        parameters[all[k].name] = uncertain(d.fit.parameters(i), d.fit.standard_error(i));
+        parameters[all[k].name] = uncertain(d.base.fit.parameters(i), d.base.fit.standard_error(i));
     }
     return {{"verdict", to_string(d.verdict)},
             {"complete", d.complete},
@@ -131,10 +131,10 @@ nlohmann::ordered_json to_json(const Diagnosis& d, const ModelSpace& space,
             {"suspects", d.suspects},
             {"confidence_set", sets},
             {"cosines", cosines_of(d)},
-            {"chi2", d.chi2},
+            {"chi2", d.base.fit.chi2},
             {"dof", d.dof},
-            {"lack_of_fit_p", d.lack_of_fit_p},
-            {"further_p", d.further_p},
+            {"lack_of_fit_p", d.base.lack_of_fit_p},
+            {"further_p", d.base.further_p},
             {"errors_assumed", d.errors_assumed},
             {"parameters", parameters},
             {"where", to_json(checks)},

@@ -11,7 +11,7 @@
 namespace pendular {
 
 /// Returns the names of the effects that a refitted model has beyond those of the study's model.
-std::vector<std::string> names_of(const Explanation& explanation, const ModelSpace& space);
+std::vector<std::string> names_of(const FittedModel& explanation, const ModelSpace& space);
 
 /// Returns the JSON of a diagnosis, the main part of out/diagnosis.json: the verdict with its
 /// effects, the test of each candidate effect, and the refitted models.

@@ -27,7 +27,7 @@ NextMeasurement next_measurement(const ResolvedStudy& resolved, const StudyDiagn
                          .sharpenings = {},
                          .most_repeats = rig.repeats,
                          .most_readings = rig.readings};
-    const double friction = next.rivals.front().parameters(0);
+    const double friction = next.rivals.front().fit.parameters(0);
     next.unsupported = std::erase_if(next.points, [&](const Point& point) {
         return !point.direct && !d.models->why_unsupported(friction, point.condition).empty();
     });

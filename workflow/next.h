@@ -12,9 +12,9 @@ namespace pendular {
 /// rival models are to be told apart (`plans`, `series`); the parameters of a single model are to
 /// become more precise (`sharpenings`).
 struct NextMeasurement {
-    const Study& study;
+    Study study;
     /// Models between which the next measurement should decide, or the only model.
-    std::vector<Rival> rivals;
+    std::vector<FittedModel> rivals;
     /// Possible measurements that the instrument (table [rig] of study.toml) can make and whose
     /// results can be predicted. If there are none, `plans` and `sharpenings` are empty.
     std::vector<Point> points;
@@ -50,7 +50,7 @@ Eigen::VectorXd error_of(const Forecast& forecast);
 /// Chooses the next measurement of a study: the one that best tells apart the rival models that the
 /// diagnosis leaves (`rivals_of`), or the one that determines the parameters of a single model most
 /// precisely. Without the table [rig] of study.toml, the measurements lie in the range of the
-/// readings. The diagnosis and the study must outlive the result.
+/// readings. The diagnosis must outlive the result.
 /// @throws InputError if [rig] lists a direct measurement of an effect that does not apply to the
 ///         study
 NextMeasurement next_measurement(const ResolvedStudy& study, const StudyDiagnosis& diagnosis);

@@ -87,7 +87,7 @@ Json series_json(const NextMeasurement& next) {
 
 Json to_json(const NextMeasurement& next) {
     Json json = {{"rivals", Json::array()}};
-    for (const Rival& rival : next.rivals) {
+    for (const FittedModel& rival : next.rivals) {
         json["rivals"].push_back(rival.name);
     }
     if (!next.plans.empty()) {

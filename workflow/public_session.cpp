@@ -12,6 +12,7 @@
 #include "sim/dem/simulation_error.h"
 #include "sim/runs/fidelity.h"
 #include "sim/runs/store/run_store.h"
+#include "workflow/rivals.h"
 #include "workflow/session.h"
 
 namespace pendular::v1 {
@@ -114,7 +115,7 @@ NextReading reading_at(const Point& point, int repeats) {
 
 Suggestion suggestion_of(const NextMeasurement& next) {
     Suggestion result;
-    for (const Rival& rival : next.rivals) {
+    for (const FittedModel& rival : next.rivals) {
         result.rivals.push_back(rival.name);
     }
     for (const Series::Step& step : next.series.steps) {
@@ -133,6 +134,13 @@ struct Session::Inside {
     FitOptions fit;
     std::optional<RunStore> store;
     std::optional<pendular::Session> session;
+    EffectNames explaining;  ///< sets of effects that explain the readings (last diagnosis)
+
+    StudyDiagnosis diagnose() {
+        StudyDiagnosis diagnosis = session->diagnose();
+        explaining = explaining_sets(diagnosis);
+        return diagnosis;
+    }
 };
 
 Session::Session(const std::filesystem::path& study, Options options)
@@ -170,14 +178,14 @@ std::vector<Reading> Session::readings() const {
 
 Fit Session::calibrate() const {
     return translated([&] {
-        const CalibratedStudy result = inside_->session->calibrate(inside_->fit);
+        const FittedStudy result = inside_->session->calibrate(inside_->fit);
         return fit_of(result.calibration, result.comparison, result.belief);
     });
 }
 
 Fit Session::compare() const {
     return translated([&] {
-        const ComparedStudy result = inside_->session->compare();
+        const FittedStudy result = inside_->session->compare();
         return fit_of(result.calibration, result.comparison, result.belief);
     });
 }
@@ -196,12 +204,12 @@ std::vector<Prediction> Session::predict(const std::vector<SetPoint>& at) const 
 
 Verdict Session::diagnose() const {
     return translated([&] {
-        const StudyDiagnosis d = inside_->session->diagnose();
+        const StudyDiagnosis d = inside_->diagnose();
         return Verdict{.verdict = std::string(to_string(d.diagnosis.verdict)),
                        .effects = d.diagnosis.effects,
                        .complete = d.diagnosis.complete,
                        .suspects = d.diagnosis.suspects,
-                       .chi2 = d.diagnosis.chi2,
+                       .chi2 = d.diagnosis.base.fit.chi2,
                        .degrees_of_freedom = d.diagnosis.dof,
                        .doubts = d.belief.reasons};
     });
@@ -209,17 +217,26 @@ Verdict Session::diagnose() const {
 
 Suggestion Session::next() const {
     return translated([&] {
-        const StudyDiagnosis diagnosis = inside_->session->diagnose();
+        const StudyDiagnosis diagnosis = inside_->diagnose();
         return suggestion_of(inside_->session->next(diagnosis));
     });
 }
 
-Change Session::add(const std::string& effect) const {
-    return translated([&] { return change_of(inside_->session->add(effect, inside_->fit)); });
+Change Session::add(const std::string& effect) {
+    return translated([&] {
+        const ChangedStudy changed = inside_->session->add(
+            effect, {.fit = inside_->fit, .rivals = rivals_among(inside_->explaining, effect)});
+        if (changed.written) inside_->explaining.clear();
+        return change_of(changed);
+    });
 }
 
-Change Session::drop(const std::string& effect) const {
-    return translated([&] { return change_of(inside_->session->drop(effect, inside_->fit)); });
+Change Session::drop(const std::string& effect) {
+    return translated([&] {
+        const ChangedStudy changed = inside_->session->drop(effect, {.fit = inside_->fit});
+        if (changed.written) inside_->explaining.clear();
+        return change_of(changed);
+    });
 }
 
 }  // namespace pendular::v1

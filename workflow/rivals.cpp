@@ -1,32 +1,34 @@
 #include "workflow/rivals.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "analysis/diagnosis/ranking.h"
+#include "data/files/text_file.h"
 #include "sim/catalogue/written_effect.h"
-#include "workflow/refitted_rival.h"
+#include "workflow/rival_effects.h"
 
 namespace pendular {
 namespace {
 
-std::string name_of(const Explanation& explanation, const StudyModels& models) {
-    std::string name;
-    for (const std::size_t k : explanation.chosen) {
-        name += (name.empty() ? "" : " + ") + models.candidates()[k].name;
-    }
-    return name.empty() ? present_model : name;
+std::string name_of(const FittedModel& model) {
+    return model.effects.empty() ? present_model
+                                 : fmt::format("{}", fmt::join(model.effects, " + "));
 }
 
 /// Effects of a proposal with the models that contain them: a predictor with the effects points to
 /// both.
 struct Owner {
-    Owner(const StudyModels& models, std::vector<Effect> more)
+    Owner(const StudyModelSpace& models, std::vector<Effect> more)
         : effects(std::move(more)), space(models.offering(effects)) {
         EffectSet chosen;
         for (std::size_t k = 0; k < effects.size(); ++k) {
@@ -35,45 +37,82 @@ struct Owner {
         predictor = space.predictor(chosen);
     }
     std::vector<Effect> effects;
-    StudyModels space;
+    StudyModelSpace space;
     std::shared_ptr<const Predictor> predictor;
 };
 
-std::shared_ptr<const Predictor> predictor_with(const StudyModels& models,
+std::shared_ptr<const Predictor> predictor_with(const StudyModelSpace& models,
                                                 std::vector<Effect> effects) {
     const auto owner = std::make_shared<const Owner>(models, std::move(effects));
     return {owner, owner->predictor.get()};
 }
 
-Rival model_with(const StudyDiagnosis& d, const Proposal& proposal, std::size_t number) {
+FittedModel model_with(const StudyDiagnosis& d, const Proposal& proposal, std::size_t number) {
+    FittedModel rival = proposal.model;
     std::vector<Effect> effects;
-    std::string name;
+    rival.effects.clear();
     for (const FittedShape& each : proposal.shapes) {
         effects.push_back(effect_from(each.effect));
-        name += (name.empty() ? "" : " + ") + each.effect.name;
+        rival.effects.push_back(each.effect.name);
     }
-    const Fit& fit = proposal.explanation.fit;
-    return {fmt::format("proposal {}: {}", number, name),
-            predictor_with(*d.models, std::move(effects)), fit.parameters, fit.covariance,
-            proposal.explanation.chi2};
+    rival.name = fmt::format("proposal {}: {}", number, name_of(rival));
+    rival.predictor = predictor_with(*d.models, std::move(effects));
+    return rival;
+}
+
+/// Fits a rival model to the readings and direct measurements of a diagnosis.
+/// @param start starting values of the parameters; empty: Parameter::start
+/// @throws std::domain_error if the readings are impossible with the model
+FittedModel refitted(const StudyDiagnosis& d, FittedModel rival,
+                     const std::optional<Eigen::VectorXd>& start = {}) {
+    // Rivals are ranked by differences of chi2 of several units (ranking.h): chi2 to a part in 1e8
+    // is more than enough.
+    constexpr FitEffort quick{
+        .most_steps = 50, .tolerance = 1e-8, .settled = 1e-4, .elsewhere = false};
+    const ModelOfReadings model(rival.predictor, conditions_of(d.readings), d.models->direct());
+    rival.fit = fit(model, d.evidence.measured, start ? *start : start_of(model), quick);
+    return rival;
 }
 
 /// Refitted model with a change that looks like the first proposal.
-Rival model_with(const StudyDiagnosis& d, const FittedShape& fitted) {
+FittedModel model_with(const StudyDiagnosis& d, const FittedShape& fitted) {
     const std::string name = fitted.shape.name();
-    const Eigen::VectorXd& known = d.diagnosis.fit.parameters;
+    const Eigen::VectorXd& known = d.diagnosis.base.fit.parameters;
     Eigen::VectorXd start(known.size() + 1);
     start << known, fitted.change;
-    return refit_rival(d, name,
-                       predictor_with(*d.models, {effect_from(fitted.shape.written(name))}), start);
+    return refitted(
+        d,
+        {.name = name,
+         .effects = {name},
+         .predictor = predictor_with(*d.models, {effect_from(fitted.shape.written(name))})},
+        start);
+}
+
+/// Refitted model with the effects `added` in place of a listed one.
+FittedModel model_with(const StudyDiagnosis& d, const std::vector<std::string>& added,
+                       const std::string& removed) {
+    return refitted(d, {.name = fmt::format("{} in place of {}", fmt::join(added, " + "), removed),
+                        .effects = added,
+                        .in_place_of = removed,
+                        .predictor = d.models->exchanged(removed, added)});
+}
+
+/// A model of a diagnosis as a rival: with its name and its predictor.
+FittedModel as_rival(FittedModel model, const StudyModelSpace& models) {
+    model.name = name_of(model);
+    model.predictor = models.predictor(model.chosen);
+    return model;
+}
+
+bool includes(const std::vector<std::string>& effects, const std::string& effect) {
+    return std::ranges::find(effects, effect) != effects.end();
 }
 
 }  // namespace
 
-std::vector<Rival> proposal_rivals(const StudyDiagnosis& d) {
-    std::vector<Rival> rivals;
-    if (d.proposals.empty()) return rivals;
-    std::vector<Rival> models;
+std::vector<FittedModel> proposal_rivals(const StudyDiagnosis& d) {
+    std::vector<FittedModel> models;
+    if (d.proposals.empty()) return models;
     const auto of_sensor = [](const FittedShape& each) { return each.shape.quantity.of_sensor(); };
     for (std::size_t k = 0; k < d.proposals.size(); ++k) {
         if (std::ranges::any_of(d.proposals[k].shapes, of_sensor)) continue;
@@ -87,43 +126,80 @@ std::vector<Rival> proposal_rivals(const StudyDiagnosis& d) {
             // The readings are impossible with this change.
         }
     }
-    if (models.empty()) return rivals;
-    const auto criterion = [](const Rival& each) {
-        return akaike(each.chi2, each.parameters.size());
-    };
+    if (models.empty()) return models;
+    const auto criterion = [](const FittedModel& each) { return akaike(each); };
     const double least = criterion(*std::ranges::min_element(models, {}, criterion));
-    for (Rival& each : models) {
-        if (criterion(each) < least + ruled_out) rivals.push_back(std::move(each));
+    std::erase_if(models,
+                  [&](const FittedModel& each) { return !(criterion(each) < least + ruled_out); });
+    return models;
+}
+
+std::vector<FittedModel> rivals_of(const StudyDiagnosis& d) {
+    const Diagnosis& diagnosis = d.diagnosis;
+    std::vector<FittedModel> rivals;
+    for (const FittedModel& each : diagnosis.confidence_set) {
+        if (!each.suspect) rivals.push_back(as_rival(each, *d.models));
     }
+    if (diagnosis.leaders) rivals.push_back(as_rival(diagnosis.leaders->model, *d.models));
+    if (rivals.empty()) rivals = proposal_rivals(d);
+    if (rivals.empty()) rivals.push_back(as_rival(diagnosis.base, *d.models));
+    if (rivals.size() == 1) rivals.insert(rivals.end(), d.rivals.begin(), d.rivals.end());
     return rivals;
 }
 
-std::vector<Rival> rivals_of(const StudyDiagnosis& study_diagnosis) {
-    const Diagnosis& diagnosis = study_diagnosis.diagnosis;
-    const StudyModels& models = *study_diagnosis.models;
-    std::vector<Rival> rivals;
-    for (const Explanation& each : diagnosis.confidence_set) {
-        if (!each.suspect) {
-            rivals.push_back({name_of(each, models), models.predictor(each.chosen),
-                              each.fit.parameters, each.fit.covariance, each.chi2});
+std::vector<FittedModel> rivals_not_ruled_out(const StudyDiagnosis& d, const ResolvedStudy& study,
+                                              const Ladder& ladder) {
+    const auto listed = names_of(study.study().model.effects);
+    const double limit = akaike(d.diagnosis.base) + ruled_out;
+    std::vector<FittedModel> alive;
+    std::set<std::pair<std::string, std::vector<std::string>>> seen;
+    for (const LadderStep& step : ladder) {
+        for (std::vector<std::string> rival : step.rivals) {
+            std::erase_if(rival, [&](const std::string& name) { return includes(listed, name); });
+            if (!includes(listed, step.effect) || rival.empty() ||
+                !seen.emplace(step.effect, rival).second) {
+                continue;
+            }
+            try {
+                FittedModel model = model_with(d, rival, step.effect);
+                if (akaike(model) < limit) alive.push_back(std::move(model));
+            } catch (const std::invalid_argument&) {
+                // The effect no longer exists or no earlier run has it.
+            } catch (const std::domain_error&) {
+                // The readings are impossible with this effect.
+            }
         }
     }
-    if (diagnosis.leaders) {
-        const Explanation& model = diagnosis.leaders->model;
-        rivals.push_back({name_of(model, models), models.predictor(model.chosen),
-                          model.fit.parameters, model.fit.covariance, model.chi2});
+    return alive;
+}
+
+EffectNames rivals_among(const EffectNames& sets, const std::string& effect) {
+    EffectNames without;
+    std::ranges::copy_if(sets, std::back_inserter(without),
+                         [&](const auto& set) { return !includes(set, effect); });
+    return without.size() < sets.size() ? without : EffectNames{};
+}
+
+EffectNames explaining_sets(const StudyDiagnosis& d) {
+    EffectNames sets;
+    for (const FittedModel& each : d.diagnosis.confidence_set) {
+        if (!each.suspect) sets.push_back(each.effects);
     }
-    if (rivals.empty()) rivals = proposal_rivals(study_diagnosis);
-    if (rivals.empty()) {
-        rivals.push_back({present_model, models.predictor({}), diagnosis.fit.parameters,
-                          diagnosis.fit.covariance, diagnosis.chi2});
+    return sets;
+}
+
+EffectNames rivals_in(const std::filesystem::path& file, const Study& study,
+                      const std::string& effect) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) return {};
+    try {
+        const auto json = nlohmann::json::parse(read_text(file));
+        const EffectNames sets = json.at("confidence_set");
+        const bool same = json.at("model_effects") == nlohmann::json(names_of(study.model.effects));
+        return same ? rivals_among(sets, effect) : EffectNames{};
+    } catch (const std::exception&) {
+        return {};  // the file is from another version or is not of a diagnosis
     }
-    if (rivals.size() == 1) {
-        for (const RivalModel& rival : study_diagnosis.rivals) {
-            rivals.push_back(rival.fitted);
-        }
-    }
-    return rivals;
 }
 
 }  // namespace pendular

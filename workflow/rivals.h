@@ -1,7 +1,10 @@
 #pragma once
 
+#include <filesystem>
+#include <string>
 #include <vector>
 
+#include "analysis/ladder.h"
 #include "workflow/study_diagnosis.h"
 
 namespace pendular {
@@ -12,7 +15,7 @@ namespace pendular {
 ///
 /// Left out are changes of a quantity that a sensor shows, since a check of the sensor settles
 /// them, and models whose Akaike criterion exceeds the smallest one by `ruled_out` or more.
-std::vector<Rival> proposal_rivals(const StudyDiagnosis& diagnosis);
+std::vector<FittedModel> proposal_rivals(const StudyDiagnosis& diagnosis);
 
 /// Returns the rival models, which the next measurement should tell apart: the models that fit the
 /// readings according to a diagnosis or, if none fits, the first of the following that exists:
@@ -20,6 +23,24 @@ std::vector<Rival> proposal_rivals(const StudyDiagnosis& diagnosis);
 /// - the models with proposed changes of unknown cause (`proposal_rivals`);
 /// - the study's model.
 /// If this gives only one model, `StudyDiagnosis::rivals` are added.
-std::vector<Rival> rivals_of(const StudyDiagnosis& diagnosis);
+std::vector<FittedModel> rivals_of(const StudyDiagnosis& diagnosis);
+
+/// Fits the models in which an alternative (`LadderStep::rivals`) replaces one effect that the
+/// study lists, and returns those that the readings do not rule out: their `akaike` criterion
+/// exceeds that of the study's model by less than `ruled_out`.
+std::vector<FittedModel> rivals_not_ruled_out(const StudyDiagnosis& diagnosis,
+                                              const ResolvedStudy& study, const Ladder& ladder);
+
+/// Returns the alternatives to an effect among sets of effects that explain the readings: the sets
+/// without `effect`; none if no set contains it.
+EffectNames rivals_among(const EffectNames& sets, const std::string& effect);
+/// Returns the sets of effects that explain the readings according to a diagnosis.
+EffectNames explaining_sets(const StudyDiagnosis& diagnosis);
+
+/// Reads the alternatives to an effect from the result of an earlier diagnosis (`rivals_among`).
+/// Empty if `file` (a diagnosis.json) cannot be read, or if the study's list of effects has changed
+/// since the diagnosis.
+EffectNames rivals_in(const std::filesystem::path& file, const Study& study,
+                      const std::string& effect);
 
 }  // namespace pendular

@@ -1,15 +1,14 @@
 #include "workflow/session.h"
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "calib/model/mohr_coulomb.h"
 #include "data/files/text_file.h"
 #include "data/input_error.h"
-#include "workflow/belief.h"
 #include "workflow/confirm_diagnosis.h"
 #include "workflow/fit_file.h"
 #include "workflow/ladder_file.h"
-#include "workflow/rival_effects.h"
+#include "workflow/rivals.h"
 
 namespace pendular {
 
@@ -31,32 +30,21 @@ Session::Session(const std::filesystem::path& study, SessionOptions options, Out
 Session::Session(StudyInput input, SessionOptions options, std::filesystem::path folder)
     : options_(std::move(options)), folder_(std::move(folder)), input_(std::move(input)) {}
 
-CalibratedStudy Session::calibrate(const FitOptions& fit) const {
-    CalibratedStudy result{.calibration = fit_study(input_.study, measurements(), options_, fit),
-                           .comparison = {},
-                           .belief = {}};
-    result.comparison = pendular::compare(result.calibration);
-    result.belief = belief_in(input_.study, measurements(), result.calibration, result.comparison);
+FittedStudy Session::calibrate(const FitOptions& fit) const {
+    FittedStudy result =
+        fitted(input_.study, fit_study(input_.study, measurements(), options_, fit));
+    result.belief = belief_in(result, input_.study, measurements());
     write_calibration(folder_, result.calibration, result.comparison, result.belief);
     return result;
 }
 
-ComparedStudy Session::compare() const {
+FittedStudy Session::compare() const {
     demand_readings(study(), measurements());
-    Calibration c =
-        read_calibration(folder_ / "fit.json", input_.study, readings_to_fit(measurements()));
-    StudyModel model(input_.study, c);
-    check_parameters(c, model.model());
-    c.prediction = predict_readings(model.model(), c);
-    Comparison comparison = pendular::compare(c);
-    add_cohesion_lines(model.model(), c);
-    // The prediction is without errors of the fitted parameters, which the checks project out.
-    WhereItFails where =
-        where_it_fails(c.readings, measurements().scatter,
-                       model.at(c.readings).predict(c.fit.parameters), c.parameters, c.direct);
-    Belief belief = belief_in(input_.study, measurements(), c, comparison);
-    return {std::move(c), std::move(model), std::move(comparison), std::move(where),
-            std::move(belief)};
+    FittedStudy result = fitted(input_.study, read_calibration(folder_ / "fit.json", input_.study,
+                                                               readings_to_fit(measurements())));
+    add_cohesion_lines(result.model->model(), result.calibration);
+    result.belief = belief_in(result, input_.study, measurements());
+    return result;
 }
 
 Prediction Session::predict(const std::vector<Condition>& conditions) const {
@@ -87,25 +75,30 @@ NextMeasurement Session::next(const StudyDiagnosis& diagnosis) const {
     return next_measurement(input_.study, diagnosis);
 }
 
-ChangedStudy Session::add(const std::string& effect, const FitOptions& fit,
-                          bool same_fidelity) const {
-    return change(Action::add, effect, fit, same_fidelity);
+ChangedStudy Session::add(const std::string& effect, const ChangeOptions& options) {
+    return change(Action::add, effect, options);
 }
 
-ChangedStudy Session::drop(const std::string& effect, const FitOptions& fit,
-                           bool same_fidelity) const {
-    return change(Action::drop, effect, fit, same_fidelity);
+ChangedStudy Session::drop(const std::string& effect, const ChangeOptions& options) {
+    return change(Action::drop, effect, options);
 }
 
-ChangedStudy Session::change(Action action, const std::string& effect, const FitOptions& fit,
-                             bool same_fidelity) const {
-    if (read_text(study().file, largest_settings) != input_.text) {
-        throw InputError({study().file.string()},
+ChangedStudy Session::change(Action action, const std::string& effect,
+                             const ChangeOptions& options) {
+    const std::filesystem::path file = study().file;
+    if (read_text(file, largest_settings) != input_.text) {
+        throw InputError({file.string()},
                          "has changed since it was read; nothing was written: give the same "
                          "command again, or open another session");
     }
-    return change_study(input_.study, measurements(), action, effect, options_,
-                        {.fit = fit, .same_fidelity = same_fidelity, .folder = folder_});
+    ChangedStudy result =
+        change_study(input_.study, measurements(), action, effect, options_, options, folder_);
+    if (result.written) {
+        // Read again, since result.change.study has the places of effects in the old text.
+        input_.study = with_strengths(read_study(file), measurements().readings);
+        input_.text = result.change.new_text;
+    }
+    return result;
 }
 
 }  // namespace pendular

@@ -5,10 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "analysis/diagnosis/where_it_fails.h"
-#include "analysis/misfit/believable.h"
-#include "analysis/misfit/compare.h"
-#include "calib/fit/study_model.h"
 #include "workflow/fit_study.h"
 #include "workflow/next.h"
 #include "workflow/study_change.h"
@@ -16,22 +12,6 @@
 #include "workflow/study_input.h"
 
 namespace pendular {
-
-/// Fit of a study with its comparison and the judgement whether it can be believed.
-struct CalibratedStudy {
-    Calibration calibration;
-    Comparison comparison;
-    Belief belief;
-};
-
-/// Fit that was read from the results folder of a study, with its comparison.
-struct ComparedStudy {
-    Calibration calibration;
-    StudyModel model;  ///< model whose parameters were fitted
-    Comparison comparison;
-    WhereItFails where;  ///< where the model deviates significantly from the readings
-    Belief belief;       ///< judgement whether the fit can be believed
-};
 
 /// Session on a study: reads the study's files once, then calibrates, compares, predicts,
 /// diagnoses, plans measurements and changes effects. It prints nothing: progress goes to
@@ -55,17 +35,18 @@ class Session {
     const ResolvedStudy& resolved() const { return input_.study; }
     const Measurements& measurements() const { return input_.measurements; }
     const SessionOptions& options() const { return options_; }
+    const std::filesystem::path& folder() const { return folder_; }  ///< for results
 
     /// Fits the parameters of the study's model to the readings, and writes fit.json and
     /// fit_runs.csv to the results folder.
     /// @throws InputError if there is nothing to fit, or if a reading cannot be simulated
     /// @throws std::runtime_error if a file cannot be written
     /// @throws dem::Interrupted if the user requests a stop; the message says how to continue
-    CalibratedStudy calibrate(const FitOptions& fit = {}) const;
+    FittedStudy calibrate(const FitOptions& fit = {}) const;
     /// Compares the readings with the predictions of the fit in the results folder. Writes no file.
     /// @throws InputError if the folder has no readable fit.json, or if the study has changed since
     ///         it was fitted
-    ComparedStudy compare() const;
+    FittedStudy compare() const;
     /// Predicts readings from the fit in the results folder: shear stress [Pa] and solid fraction
     /// [1] of each condition in turn. The covariance includes errors of the fit and of the
     /// simulation.
@@ -79,37 +60,32 @@ class Session {
     ///         ladder.json cannot be read
     /// @throws dem::Interrupted if the user requests a stop
     StudyDiagnosis diagnose(std::optional<double> confirming_seconds = {}) const;
-    /// Plans the next measurement from a diagnosis (see `next_measurement`). The session and the
-    /// diagnosis must outlive the result.
+    /// Plans the next measurement from a diagnosis (see `next_measurement`). The diagnosis must
+    /// outlive the result.
     /// @throws InputError if none of the conditions that the instrument can measure is near an
     ///         earlier simulation run
     NextMeasurement next(const StudyDiagnosis& diagnosis) const;
     NextMeasurement next(StudyDiagnosis&& diagnosis) const = delete;
-    /// Adds an effect to study.toml and fits the study before and after the change. If the fit
-    /// after it does not converge, study.toml and the results remain unchanged. This session keeps
-    /// the study without the effect: open a new session for the changed study.
+    /// Adds an effect to study.toml and fits the study before and after the change. This session
+    /// then is one of the changed study. If the fit after the change does not converge, study.toml,
+    /// the results and the session remain unchanged.
     /// @param effect name of a known effect, or of an effect in proposed.toml of the results folder
-    /// @param same_fidelity whether to use the fidelity of the fit in the results folder, if there
-    ///        is one
     /// @throws InputError if the effect cannot be added, if ladder.json cannot be read, if a fit is
     ///         impossible, or if study.toml has changed since the session read it
     /// @throws std::runtime_error if a file cannot be written
     /// @throws dem::Interrupted if the user requests a stop
-    ChangedStudy add(const std::string& effect, const FitOptions& fit = {},
-                     bool same_fidelity = true) const;
+    ChangedStudy add(const std::string& effect, const ChangeOptions& options = {});
     /// Removes an effect that study.toml lists, in the same way as `add` adds one.
     /// @throws InputError if the study does not list the effect; else as `add`
     /// @throws std::runtime_error if a file cannot be written
     /// @throws dem::Interrupted if the user requests a stop
-    ChangedStudy drop(const std::string& effect, const FitOptions& fit = {},
-                      bool same_fidelity = true) const;
+    ChangedStudy drop(const std::string& effect, const ChangeOptions& options = {});
 
   private:
-    ChangedStudy change(Action action, const std::string& effect, const FitOptions& fit,
-                        bool same_fidelity) const;
+    ChangedStudy change(Action action, const std::string& effect, const ChangeOptions& options);
 
     SessionOptions options_;
-    std::filesystem::path folder_;  ///< for results
+    std::filesystem::path folder_;
     StudyInput input_;
 };
 

@@ -12,12 +12,10 @@
 #include "data/files/text_file.h"
 #include "data/input_error.h"
 #include "data/study/study_edit.h"
-#include "workflow/belief.h"
 #include "workflow/fit_file.h"
 #include "workflow/known_runs.h"
 #include "workflow/ladder_file.h"
 #include "workflow/proposed_effects.h"
-#include "workflow/rival_effects.h"
 
 namespace pendular {
 namespace {
@@ -94,20 +92,6 @@ StudyChange plan_change(const ResolvedStudy& study, Action change, const std::st
             with_effect(text, file, effect)};
 }
 
-Fitted fitted(const ResolvedStudy& study, Calibration c, bool cross_validated) {
-    const StudyModel model(study, c);
-    c.prediction = predict_readings(model.model(), c);
-    const auto left_out = cross_validated ? left_out_errors(model.predictor(), c) : std::nullopt;
-    Comparison comparison = compare(c);
-    LadderStep ladder_step = ladder_step_of(c, comparison, left_out);
-    const LeftOut counted = left_out.value_or(LeftOut{});
-    return {.calibration = std::move(c),
-            .comparison = std::move(comparison),
-            .ladder_step = std::move(ladder_step),
-            .left_out = counted.conditions,
-            .undetermined = counted.undetermined};
-}
-
 nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before,
                                const LadderStep& after, bool written) {
     const auto side = [](const LadderStep& ladder_step) {
@@ -126,7 +110,7 @@ nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& befo
 }
 
 void apply_change(const StudyChange& change, const LadderStep& before, LadderStep after,
-                  const Fitted& fit, Ladder& ladder, const std::filesystem::path& out) {
+                  const FittedStudy& fit, Ladder& ladder, const std::filesystem::path& out) {
     const std::filesystem::path& file = change.study.study().file;
     if (read_text(file, largest_settings) != change.old_text) {
         throw InputError({file.string()},
@@ -146,58 +130,57 @@ namespace {
 /// Fit of the study that an earlier command wrote to `file`; empty where there is none, where the
 /// study has changed since, where its parameters are not those of the study's model, or where the
 /// fit did not converge.
-std::optional<Calibration> earlier_fit(const std::filesystem::path& file,
+std::optional<FittedStudy> earlier_fit(const std::filesystem::path& file,
                                        const ResolvedStudy& study,
                                        const Measurements& measurements) {
     try {
         Calibration c = read_calibration(file, study, readings_to_fit(measurements));
-        check_parameters(c, StudyModel(study, c).model());
-        return c.fit.converged ? std::optional(std::move(c)) : std::nullopt;
+        return c.fit.converged ? std::optional(fitted(study, std::move(c))) : std::nullopt;
     } catch (const InputError&) {
         return std::nullopt;
     }
 }
 
-/// Compares a calibration with all readings, and computes its errors at conditions left out.
+/// Computes the errors of a fit at conditions left out.
 /// @throws dem::Interrupted where the user stops the work
-Fitted fitted(const ResolvedStudy& study, Calibration c, const SessionOptions& session,
-              bool cross_validated = true) {
-    Fitted result = fitted(study, std::move(c), cross_validated);
+FittedStudy cross_validated(FittedStudy fit, const SessionOptions& session, bool refits = true) {
+    cross_validate(fit, refits);
     if (session.stop.stop_requested()) throw interrupted_with(session.store);
-    return result;
+    return fit;
 }
 
 }  // namespace
 
 ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measurements, Action what,
                           const std::string& effect, SessionOptions session,
-                          const ChangeOptions& options) {
-    const auto proposed = is_known(effect, study) ? ProposedEffects{}
-                                                  : read_proposed(options.folder / "proposed.toml");
+                          const ChangeOptions& options, const std::filesystem::path& folder) {
+    const auto proposed =
+        is_known(effect, study) ? ProposedEffects{} : read_proposed(folder / "proposed.toml");
     StudyChange change = plan_change(study, what, effect, proposed.effects);
-    Ladder ladder = read_ladder(options.folder / "ladder.json");  // throws before any work
+    Ladder ladder = read_ladder(folder / "ladder.json");  // throws before any work
     FitOptions fit = options.fit;
-    auto earlier = earlier_fit(options.folder / "fit.json", study, measurements);
+    auto earlier = earlier_fit(folder / "fit.json", study, measurements);
     const bool comparable =
-        earlier && (options.same_fidelity || earlier->fidelity.name == session.fidelity.name);
+        earlier &&
+        (options.same_fidelity || earlier->calibration.fidelity.name == session.fidelity.name);
     if (comparable) {
-        session.fidelity = earlier->fidelity;
-        fit.cohesion = earlier->cohesion;
+        session.fidelity = earlier->calibration.fidelity;
+        fit.cohesion = earlier->calibration.cohesion;
     }
     FitOptions unconfirmed = fit;
     unconfirmed.confirm = false;
-    const auto fit_now = [&](const ResolvedStudy& one, const FitOptions& how,
-                             bool cross_validated = true) {
-        return fitted(one, fit_study(one, measurements, session, how), session, cross_validated);
+    const auto fit_now = [&](const ResolvedStudy& one, const FitOptions& how, bool refits = true) {
+        return cross_validated(fitted(one, fit_study(one, measurements, session, how)), session,
+                               refits);
     };
     const ResolvedStudy changed = change.study;
     const std::vector<Reading> readings = readings_to_fit(measurements);
     const bool all_before = fitted_count(study, readings) == readings.size(),
                all_after = fitted_count(changed, readings) == readings.size();
-    Fitted before;
+    FittedStudy before;
     if (comparable && (all_before || !all_after) &&
-        earlier->cold == begins_cold(study, session, fit)) {
-        before = fitted(study, std::move(*earlier), session);
+        earlier->calibration.cold == begins_cold(study, session, fit)) {
+        before = cross_validated(std::move(*earlier), session);
     } else {
         tell(session.listener,
              {.kind = Event::Kind::stage, .text = "fitting the study before the change"});
@@ -209,16 +192,15 @@ ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measur
     ChangedStudy result{.change = std::move(change), .before = std::move(before)};
     // Where a fit to all readings is compared in its place, nobody asks for its errors.
     const bool compared = all_after || !all_before;
-    Fitted& after = result.after = fit_now(changed, fit, compared);
-    after.belief = belief_in(changed, measurements, after.calibration, after.comparison);
-    if (what == Action::add) {
-        after.ladder_step.rivals = rivals_in(options.folder / "diagnosis.json", study, effect);
-    }
+    FittedStudy& after = result.after = fit_now(changed, fit, compared);
+    after.belief = belief_in(after, changed, measurements);
+    after.ladder_step.rivals = options.rivals;
+    result.widened = all_after && !all_before;
     result.written = after.calibration.fit.converged;
     if (result.written) {
         if (!compared) result.after_to_all = fit_now(fitting_all(changed), unconfirmed);
         apply_change(result.change, result.before.ladder_step,
-                     result.comparable_after().ladder_step, after, ladder, options.folder);
+                     result.comparable_after().ladder_step, after, ladder, folder);
     }
     result.ladder = std::move(ladder);
     return result;

@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/ladder.h"
-#include "analysis/misfit/believable.h"
 #include "sim/catalogue/resolved_study.h"
 #include "workflow/fit_study.h"
+#include "workflow/fitted_study.h"
 
 namespace pendular {
 
@@ -33,25 +32,6 @@ struct StudyChange {
 StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect,
                         const std::vector<WrittenEffect>& proposed = {});
 
-/// Calibration of a study before or after a change, with its comparison.
-struct Fitted {
-    Calibration calibration;
-    Comparison comparison;
-    LadderStep ladder_step;  ///< summary of the fit
-    Belief belief = {};      ///< empty for the fit before the change, which is not judged
-    /// Number of conditions in the cross-validation, each predicted by a fit to the other
-    /// conditions. 0: no cross-validation was made.
-    std::size_t left_out = 0;
-    /// Number of conditions that the cross-validation cannot predict reliably
-    /// (`LeftOut::undetermined`): the readings of the others do not determine every parameter, or
-    /// the fit to them does not converge, so that the prediction depends on the starting values of
-    /// the fit.
-    std::size_t undetermined = 0;
-};
-/// Compares all readings of a study with a calibration, and computes the cross-validation errors.
-/// @param cross_validated whether to compute these errors, which takes a refit for each condition
-Fitted fitted(const ResolvedStudy& study, Calibration calibration, bool cross_validated = true);
-
 /// Returns the JSON of a change, as `pendular add --json` and `pendular drop --json` write it: the
 /// effect, the alternatives to an added effect, and the parameters and errors of the model before
 /// and after the change.
@@ -66,45 +46,51 @@ nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& befo
 /// @throws InputError if study.toml has changed since it was read; nothing is written
 /// @throws std::runtime_error if a file cannot be written; study.toml is then unchanged
 void apply_change(const StudyChange& change, const LadderStep& before, LadderStep after,
-                  const Fitted& fit, Ladder& ladder, const std::filesystem::path& folder);
+                  const FittedStudy& fit, Ladder& ladder, const std::filesystem::path& folder);
 
 /// Result of adding or dropping an effect. The misfits of two fits can be compared only if both use
 /// the same readings, all or the dry ones.
 struct ChangedStudy {
     StudyChange change;
-    /// Fit before the change. If the fit after it uses all readings, so does `before`, even if the
-    /// study was fitted to the dry readings only.
-    Fitted before;
-    Fitted after;  ///< fit after the change, which fit.json contains if `written` is true
+    /// Fit before the change. If the fit after it uses all readings, so does `before` (`widened`).
+    FittedStudy before;
+    FittedStudy after;  ///< fit after the change, which fit.json contains if `written` is true
     /// Fit of the changed study to all readings, if `before` is a fit to all readings and `after`
     /// to the dry ones only. Empty otherwise, or if the fit `after` did not converge.
-    std::optional<Fitted> after_to_all;
-    Ladder ladder;         ///< ends with the changed model if `written` is true
+    std::optional<FittedStudy> after_to_all;
+    Ladder ladder;  ///< ends with the changed model if `written` is true
+    /// Whether `before` uses all readings although the study was fitted to the dry ones only.
+    bool widened = false;
     bool written = false;  ///< whether study.toml was changed; false: the fit did not converge
 
     /// Returns the fit of the changed study to the same readings that `before` uses.
-    const Fitted& comparable_after() const { return after_to_all ? *after_to_all : after; }
+    const FittedStudy& comparable_after() const { return after_to_all ? *after_to_all : after; }
 };
 
 /// Options for fitting a study before and after a change of its effects.
 struct ChangeOptions {
     FitOptions fit = {};
-    bool same_fidelity = true;     ///< whether to use the fidelity of the fit in `folder`, if any
-    std::filesystem::path folder;  ///< folder for results, also of earlier commands
+    bool same_fidelity = true;  ///< whether to use the fidelity of the fit in the folder, if any
+    /// Sets of effects without the added one that explained the readings equally well
+    /// (`rivals_among`), which ladder.json is to keep.
+    EffectNames rivals = {};
+};
+bool same_fidelity = true;     ///< whether to use the fidelity of the fit in `folder`, if any
+std::filesystem::path folder;  ///< folder for results, also of earlier commands
 };
 
 /// Adds an effect to a study or drops one, and fits the study before and after the change. The fit
 /// in the results folder serves as the fit before the change if its fidelity and its choice of
 /// readings (dry or all) are comparable. If the fit after the change converges, fit.json and
 /// ladder.json are written to the results folder and, last, study.toml; otherwise nothing.
-/// @param effect name of the effect; an effect to add may be defined in proposed.toml of the
-///        results folder
+/// @param effect name of the effect; an effect to add may be defined in proposed.toml of `folder`
+/// @param folder folder for results, also of earlier commands
 /// @throws InputError if the effect cannot be added or dropped, if ladder.json cannot be read, if a
 ///         fit is impossible, or if study.toml has changed since it was read
 /// @throws std::runtime_error if a file cannot be written; study.toml is then unchanged
 /// @throws dem::Interrupted if the user requests a stop; the message says how to continue
 ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measurements,
                           Action change, const std::string& effect, SessionOptions session,
-                          const ChangeOptions& options);
+                          const ChangeOptions& options, const std::filesystem::path& folder);
 
 }  // namespace pendular

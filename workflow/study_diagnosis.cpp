@@ -53,7 +53,7 @@ std::vector<RecordingEvidence> recordings_beside(const StudyDiagnosis& d, bool m
     double by_effects = 0;
     for (const Finding& effect : d.diagnosis.scan)
         by_effects = std::max(by_effects, effect.test.predicted_reduction);
-    const double excess = misfit ? std::max(0.0, d.diagnosis.chi2 - d.diagnosis.dof) : 0;
+    const double excess = misfit ? std::max(0.0, d.diagnosis.excess()) : 0;
     return recording_evidence(findings, d.readings, d.diagnosis.residuals(d.evidence), excess,
                               by_effects);
 }
@@ -86,8 +86,8 @@ void check_readings(const std::vector<Reading>& readings, const Study& study,
 
 KnownRuns runs_for_diagnosis(const ResolvedStudy& study, const SessionOptions& session) {
     if (session.training) return {session.training->runs, atlas_hyperparameters()};
-    auto known = known_runs(StudyModels::with_all_effects(study), session.fidelity, session.store,
-                            session.listener);
+    auto known = known_runs(StudyModelSpace::with_all_effects(study), session.fidelity,
+                            session.store, session.listener);
     if (!known) {
         throw InputError(
             {study.study().file.string()},
@@ -108,15 +108,15 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     StudyDiagnosis result{.readings = readings_to_fit(measurements),
                           .measured = measurements.readings.size()};
     check_readings(result.readings, study, session.fidelity);
-    result.models = std::make_unique<StudyModels>(study, conditions_of(result.readings),
-                                                  session.fidelity, std::move(known));
+    result.models = std::make_unique<StudyModelSpace>(study, conditions_of(result.readings),
+                                                      session.fidelity, std::move(known));
     result.evidence = evidence_of(result.readings, measurements.scatter, result.models->direct());
     DiagnosisOptions options{.seed = session.seed};
     options.progress = progress_of(session);
     options.threads = static_cast<std::size_t>(session.threads);
     result.diagnosis = diagnose(*result.models, result.evidence, options);
     const std::shared_ptr<const Predictor> model = result.models->predictor({});
-    const Fit& fit = result.diagnosis.fit;
+    const Fit& fit = result.diagnosis.base.fit;
     result.mistake = find_unit_mistake(*model, result.readings, study, fit.parameters);
     Circumstances beside{.doubtful = doubtful_parts(result.mistake, study, measurements)};
     if (beside.doubtful.empty() && !result.diagnosis.complete) {
@@ -126,13 +126,13 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
             beside.proposals.push_back({each.fits(), each.shapes.size(), each.penalised_chi2()});
         }
     }
-    const bool misfit_to_explain = !result.diagnosis.base_fits || !beside.doubtful.empty();
+    const bool misfit_to_explain = !result.diagnosis.base.accepted || !beside.doubtful.empty();
     result.recordings = recordings_beside(result, misfit_to_explain, measurements.findings);
     beside.recordings_explain_most =
         !result.recordings.empty() && result.recordings.front().explains_most();
     conclude_anew(result.diagnosis, *result.models, options, beside);
     if (!result.diagnosis.proposals_stand) result.proposals.clear();
-    const Misfit misfit{result.diagnosis.chi2, result.diagnosis.dof,
+    const Misfit misfit{result.diagnosis.base.fit.chi2, result.diagnosis.dof,
                         freedom_behind(result.readings)};
     result.belief = belief_in(fit, model->parameters(), misfit, measurements, result.mistake);
     return result;
@@ -153,12 +153,12 @@ Checks checks_of(const StudyDiagnosis& d, const EffectSet& effects, const Predic
 }  // namespace
 
 Checks checks_of(const StudyDiagnosis& d, std::uint64_t seed) {
-    return checks_of(d, {}, d.diagnosis.fit.prediction, seed);
+    return checks_of(d, {}, d.diagnosis.base.fit.prediction, seed);
 }
 
 std::optional<Checks> remaining_checks(const StudyDiagnosis& d, std::uint64_t seed) {
     if (!d.diagnosis.leaders) return {};
-    const Explanation& model = d.diagnosis.leaders->model;
+    const FittedModel& model = d.diagnosis.leaders->model;
     return checks_of(d, model.chosen, model.fit.prediction, seed);
 }
 
@@ -176,10 +176,11 @@ constexpr double rougher = 3;
 double remaining_discrepancy(const StudyDiagnosis& d, double stated) {
     const Diagnosis& diagnosis = d.diagnosis;
     if (diagnosis.complete) return 0;
-    const auto best = std::ranges::min_element(diagnosis.tried, {}, &Explanation::chi2);
+    const auto best = std::ranges::min_element(
+        diagnosis.tried, {}, [](const FittedModel& each) { return each.fit.chi2; });
     const Fit& fit = diagnosis.leaders               ? diagnosis.leaders->model.fit
                      : best != diagnosis.tried.end() ? best->fit
-                                                     : diagnosis.fit;
+                                                     : diagnosis.base.fit;
     const double further =
         likely_discrepancy(d.evidence.measured, fit.prediction, conditions_of(d.readings));
     const double misfit = rms_percent(d.readings, fit.prediction.value)[0] / 100;

@@ -15,18 +15,10 @@
 #include "analysis/misfit/recording_evidence.h"
 #include "analysis/misfit/unit_mistakes.h"
 #include "analysis/proposals/propose.h"
-#include "calib/model/study_models.h"
+#include "calib/model/study_model_space.h"
 #include "workflow/fit_study.h"
 
 namespace pendular {
-
-/// Rival model: the study's model in which other effects replace one effect that the study lists,
-/// fitted to the readings of the study.
-struct RivalModel {
-    std::string in_place_of;           ///< listed effect that the rival model lacks
-    std::vector<std::string> effects;  ///< effects that it has instead
-    Rival fitted;
-};
 
 /// Result of the simulations that tested the verdict of a diagnosis.
 struct Confirmation {
@@ -45,7 +37,7 @@ struct StudyDiagnosis {
     std::vector<Reading> readings;  ///< tested readings (`readings_to_fit`)
     std::size_t measured = 0;       ///< number of readings before they are averaged in bins
     /// Study's model, alone and with any set of candidate effects (effects that may be added).
-    std::unique_ptr<StudyModels> models;
+    std::unique_ptr<StudyModelSpace> models;
     /// Tested readings and direct measurements as one vector of values with its covariance, and the
     /// parts of the measurement that may be wrong.
     Evidence evidence;
@@ -53,7 +45,8 @@ struct StudyDiagnosis {
     /// Column of the recordings that was probably read in a wrong unit, which would explain the
     /// misfit.
     std::optional<UnitMistake> mistake = {};
-    std::vector<RivalModel> rivals = {};  ///< rival models that the readings do not rule out
+    /// Models in which other effects replace a listed one and that the readings do not rule out.
+    std::vector<FittedModel> rivals = {};
     /// Proposed changes of quantities, such as the torque, by an unknown cause. Each is defined by
     /// formulas and would explain at least half of the misfit. Empty if a model with known effects
     /// fits, if the verdict is overruled, or if no proposal is clearly better than the leading

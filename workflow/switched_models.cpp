@@ -39,7 +39,7 @@ Effects leading(const StudyDiagnosis& d) {
         // An inconclusive verdict lists what the readings could not reveal, in no order of rank.
         if (is_candidate && diagnosis.verdict != Verdict::inconclusive) add_once(names, effect);
     }
-    for (const Explanation& each : diagnosis.confidence_set) {
+    for (const FittedModel& each : diagnosis.confidence_set) {
         for (const std::size_t k : each.chosen) {
             if (k < candidates.size()) add_once(names, candidates[k].name);
         }

@@ -8,7 +8,7 @@
 #include <optional>
 #include <tuple>
 
-#include "analysis/design/point_predictions.h"
+#include "analysis/design/point.h"
 
 namespace pendular {
 namespace {
@@ -33,13 +33,13 @@ struct Forecasts {
     std::vector<Eigen::MatrixXd> slopes;  ///< derivatives at each point, entries x parameters
 };
 
-Forecasts forecasts_of(const Rival& rival, const std::vector<Point>& points) {
+Forecasts forecasts_of(const FittedModel& rival, const std::vector<Point>& points) {
     Forecasts result;
     // One point at a time, since the covariance between points is not needed.
     for (const Point& point : points) {
         const Prediction predicted = predicted_at(rival, {point});
         result.at.push_back({.value = predicted.value,
-                             .from_parameters = predicted.jacobian * rival.covariance *
+                             .from_parameters = predicted.jacobian * rival.fit.covariance *
                                                 predicted.jacobian.transpose(),
                              .from_simulation = predicted.covariance});
         result.slopes.push_back(predicted.jacobian);
@@ -219,11 +219,11 @@ Eigen::Vector2d relative_errors(const std::vector<Reading>& readings) {
     return (sum / static_cast<double>(readings.size())).cwiseSqrt();
 }
 
-std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
+std::vector<Plan> separating_plans(const std::vector<FittedModel>& rivals,
                                    const std::vector<Point>& points,
                                    const Eigen::Vector2d& relative_noise, int most_repeats) {
     std::vector<Forecasts> forecasts;
-    for (const Rival& rival : rivals) {
+    for (const FittedModel& rival : rivals) {
         forecasts.push_back(forecasts_of(rival, points));
     }
     std::vector<Plan> plans;
@@ -238,11 +238,11 @@ std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
     return plans;
 }
 
-std::vector<Sharpening> sharpening_plans(const Rival& model, const std::vector<Point>& points,
+std::vector<Sharpening> sharpening_plans(const FittedModel& model, const std::vector<Point>& points,
                                          const Eigen::Vector2d& relative_noise, int repeats) {
     const Forecasts forecasts = forecasts_of(model, points);
-    const Eigen::MatrixXd known = model.covariance.inverse();
-    const Eigen::ArrayXd before = model.covariance.diagonal().array().sqrt();
+    const Eigen::MatrixXd known = model.fit.covariance.inverse();
+    const Eigen::ArrayXd before = model.fit.covariance.diagonal().array().sqrt();
     std::vector<Sharpening> plans;
     for (std::size_t point = 0; point < points.size(); ++point) {
         const Forecast& forecast = forecasts.at[point];

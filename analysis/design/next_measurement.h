@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/design/rival.h"
+#include "analysis/design/point.h"
 #include "analysis/design/separating_series.h"
 #include "data/reading.h"
 #include "sim/catalogue/resolved_study.h"
@@ -61,7 +61,7 @@ struct Plan {
 ///        reading
 /// @param most_repeats largest number of readings at one point
 /// Source: Buzzi-Ferraris and Forzatti, Chem. Eng. Sci. 38 (1983) 225.
-std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
+std::vector<Plan> separating_plans(const std::vector<FittedModel>& rivals,
                                    const std::vector<Point>& points,
                                    const Eigen::Vector2d& relative_noise, int most_repeats);
 
@@ -69,7 +69,7 @@ std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
 /// apart, a series at several points (`separating_series`). No readings if neither tells any pair
 /// apart.
 /// @param plans result of `separating_plans` for `points`; not empty
-Series next_series(const std::vector<Plan>& plans, const std::vector<Rival>& rivals,
+Series next_series(const std::vector<Plan>& plans, const std::vector<FittedModel>& rivals,
                    const std::vector<Point>& points, const Eigen::Vector2d& relative_noise,
                    const Rig& rig);
 
@@ -88,7 +88,7 @@ struct Sharpening {
 /// becomes
 ///     C' = (C^-1 + J' (V/n + C_f)^-1 J)^-1
 /// in the symbols of `separating_plans`.
-std::vector<Sharpening> sharpening_plans(const Rival& model, const std::vector<Point>& points,
+std::vector<Sharpening> sharpening_plans(const FittedModel& model, const std::vector<Point>& points,
                                          const Eigen::Vector2d& relative_noise, int repeats);
 
 }  // namespace pendular

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "analysis/design/point_predictions.h"
+#include "analysis/design/point.h"
 
 namespace pendular {
 namespace {
@@ -24,15 +24,15 @@ struct Contrast {
     Eigen::MatrixXd covariance;
 };
 
-std::vector<Contrast> contrasts_of(const std::vector<Rival>& rivals,
+std::vector<Contrast> contrasts_of(const std::vector<FittedModel>& rivals,
                                    const std::vector<Point>& points,
                                    Eigen::VectorXd& first_forecast) {
     std::vector<Prediction> predicted;
     std::vector<Eigen::MatrixXd> by_parameters;
-    for (const Rival& rival : rivals) {
+    for (const FittedModel& rival : rivals) {
         predicted.push_back(predicted_at(rival, points));
         const Eigen::MatrixXd& slopes = predicted.back().jacobian;
-        by_parameters.emplace_back(slopes * rival.covariance * slopes.transpose());
+        by_parameters.emplace_back(slopes * rival.fit.covariance * slopes.transpose());
     }
     first_forecast = predicted.front().value;
     std::vector<Contrast> contrasts;
@@ -49,7 +49,7 @@ std::vector<Contrast> contrasts_of(const std::vector<Rival>& rivals,
 
 class SeriesSearch {
   public:
-    SeriesSearch(const std::vector<Rival>& rivals, const std::vector<Point>& points,
+    SeriesSearch(const std::vector<FittedModel>& rivals, const std::vector<Point>& points,
                  const Eigen::Vector2d& relative_noise, int most_repeats, int most_readings)
         : points_(points), most_repeats_(most_repeats), most_readings_(most_readings) {
         for (const Point& point : points) {
@@ -197,13 +197,13 @@ int Series::readings() const {
     return sum;
 }
 
-Series separating_series(const std::vector<Rival>& rivals, const std::vector<Point>& points,
+Series separating_series(const std::vector<FittedModel>& rivals, const std::vector<Point>& points,
                          const Eigen::Vector2d& relative_noise, int most_repeats,
                          int most_readings) {
     return SeriesSearch(rivals, points, relative_noise, most_repeats, most_readings).run();
 }
 
-Series next_series(const std::vector<Plan>& plans, const std::vector<Rival>& rivals,
+Series next_series(const std::vector<Plan>& plans, const std::vector<FittedModel>& rivals,
                    const std::vector<Point>& points, const Eigen::Vector2d& relative_noise,
                    const Rig& rig) {
     const Plan& best = plans.front();

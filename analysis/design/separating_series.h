@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/design/rival.h"
+#include "analysis/design/point.h"
 
 namespace pendular {
 
@@ -29,7 +29,7 @@ struct Series {
 /// in the symbols of `separating_plans`. S contains the correlations between points: errors that
 /// all points share, such as those of the parameters, do not average out.
 /// @param most_readings largest number of readings in total; others as in `separating_plans`
-Series separating_series(const std::vector<Rival>& rivals, const std::vector<Point>& points,
+Series separating_series(const std::vector<FittedModel>& rivals, const std::vector<Point>& points,
                          const Eigen::Vector2d& relative_noise, int most_repeats,
                          int most_readings);
 

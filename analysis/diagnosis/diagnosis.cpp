@@ -41,9 +41,9 @@ class Diagnostician {
     Diagnosis run() {
         fit_base();
         scan();
-        result_.base_fits =
-            std::min(base_.lack_of_fit_p, base_.further_p) >= explanations_.half_significance();
-        if (!result_.base_fits) search();
+        result_.base.accepted = std::min(result_.base.lack_of_fit_p, result_.base.further_p) >=
+                                explanations_.half_significance();
+        if (!result_.base.accepted) search();
         order_scan();
         conclude_anew(result_, space_, options_, {});
         result_.change_errors = std::move(explanations_.errors);
@@ -71,7 +71,6 @@ class Diagnostician {
     const Evidence& evidence_;
     const DiagnosisOptions& options_;
     Explanations explanations_;
-    Explanation base_;
     std::optional<WeightedResiduals> residuals_;
     std::vector<Addition> additions_;
     std::vector<Signature> signatures_;
@@ -90,13 +89,11 @@ void Diagnostician::fit_base() {
                         entries, fitted));
     }
     say("fit", 0, 1);
-    base_ = explanations_.refit({}, {}, start_of(*model));
-    residuals_ = explanations_.residuals_of(base_);
-    result_.fit = base_.fit;
-    result_.chi2 = base_.chi2;
+    result_.base = explanations_.refit({}, {}, start_of(*model));
+    residuals_ = explanations_.residuals_of(result_.base);
     result_.dof = static_cast<int>(entries - fitted);
     result_.errors_assumed = evidence_.errors_assumed;
-    base_.lack_of_fit_p = result_.lack_of_fit_p = explanations_.lack_of_fit_p(*residuals_);
+    result_.base.lack_of_fit_p = explanations_.lack_of_fit_p(*residuals_);
 }
 
 void Diagnostician::sharpen(const Addition& addition, Signature& signature, ScoreTest& test) const {
@@ -141,7 +138,7 @@ Finding Diagnostician::finding_of(std::size_t k, const ScoreTest& test) const {
 }
 
 TestedCandidate Diagnostician::test_alone(std::size_t k) const {
-    Addition addition = explanations_.addition(base_, k);
+    Addition addition = explanations_.addition(result_.base, k);
     Signature signature = addition.signature(true);
     ScoreTest test = score_test(*residuals_, signature, is_switch(k));
     if (!is_switch(k) && test.seen() && test.estimate.size() == 1) {
@@ -172,7 +169,7 @@ void Diagnostician::scan() {
     for (const ScoreTest& test : tests) {
         smallest = std::min(smallest, test.p());
     }
-    base_.further_p = result_.further_p = family.p(smallest);
+    result_.base.further_p = family.p(smallest);
     for (Finding& finding : result_.scan) {
         finding.p = family.p(finding.test.p());
     }
@@ -206,27 +203,28 @@ void Diagnostician::judge_power(const FamilyOfTests& family) {
 void Diagnostician::search() {
     Found found = search_explanations(
         space_, evidence_, options_, explanations_,
-        {base_, *residuals_, additions_, signatures_, result_.scan, suspect_tests_});
-    for (const Explanation& each : found.tried) {
+        {result_.base, *residuals_, additions_, signatures_, result_.scan, suspect_tests_});
+    for (const FittedModel& each : found.tried) {
         if (each.chosen.size() == 1 && !each.suspect) {
-            result_.scan[each.chosen.front()].refitted_reduction = base_.chi2 - each.chi2;
+            result_.scan[each.chosen.front()].refitted_reduction =
+                result_.base.fit.chi2 - each.fit.chi2;
         }
     }
     if (!found.fitting_suspects.empty()) {
         for (auto* fitting : {&found.fitting, &found.fitting_suspects}) {
-            for (Explanation& each : *fitting) {
+            for (FittedModel& each : *fitting) {
                 each.criterion = explanations_.criterion(each);
             }
         }
     }
-    for (const Explanation& each : found.fitting_suspects) {
+    for (const FittedModel& each : found.fitting_suspects) {
         result_.suspect_names.push_back(evidence_.suspects[*each.suspect].name);
     }
     result_.tried = std::move(found.tried);
     result_.fitting = std::move(found.fitting);
     result_.fitting_suspects = std::move(found.fitting_suspects);
     if (result_.fitting.empty() && result_.fitting_suspects.empty()) {
-        result_.leading = find_leaders(result_.chi2, result_.dof, result_.tried, explanations_);
+        result_.leading = find_leaders(result_.excess(), result_.tried, explanations_);
     }
 }
 
@@ -239,7 +237,7 @@ void Diagnostician::order_scan() {
 /// Cosines between the signatures of the effects that a diagnosis names.
 Eigen::MatrixXd cosines_between(const Diagnosis& d, const std::vector<Candidate>& candidates) {
     const auto count = static_cast<Eigen::Index>(d.effects.size());
-    Eigen::MatrixXd directions(d.fit.prediction.value.size(), count);
+    Eigen::MatrixXd directions(d.base.fit.prediction.value.size(), count);
     for (const Finding& finding : d.scan) {
         const auto named = std::ranges::find(d.effects, candidates[finding.candidate].name);
         if (named != d.effects.end())

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "analysis/diagnosis/explanation.h"
+#include "analysis/diagnosis/evidence.h"
 #include "analysis/diagnosis/verdict.h"
 
 namespace pendular {
@@ -18,7 +18,7 @@ struct Diagnosis : TestResults, Conclusion {
 
     /// Returns the residuals of the study's model without further effects.
     WeightedResiduals residuals(const Evidence& evidence) const {
-        return {evidence.measured, fit.prediction};
+        return {evidence.measured, base.fit.prediction};
     }
 };
 

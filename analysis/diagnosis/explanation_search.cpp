@@ -74,13 +74,13 @@ class Search {
     /// Refits the models and tests whether they fit, in parallel where there are enough of them.
     /// `what` names the work for the progress report.
     void try_all(std::string_view what, const std::vector<Trial>& trials);
-    void take(Explanation explanation);
+    void take(FittedModel explanation);
     /// Akaike's criterion of the model, for errors as large as the best refitted model needs.
-    double criterion(const Explanation& model) const {
+    double criterion(const FittedModel& model) const {
         return explanations_.criterion(model, factor_on_variance(found_.tried));
     }
     /// Criterion of the best of the models; infinite if there is none.
-    double best_of(const std::vector<Explanation>& models) const;
+    double best_of(const std::vector<FittedModel>& models) const;
     /// chi2 below which a pair may be clearly better than all models that fit; infinite if none
     /// fits.
     double chi2_to_beat() const;
@@ -128,11 +128,11 @@ Eigen::VectorXd Search::start_with(const EffectSet& chosen, const Eigen::MatrixX
 
 /// Model refitted with candidates or a suspect measurement and tested; empty where the fit reaches
 /// an amplitude that is impossible for these readings.
-std::optional<Explanation> explained(const Explanations& explanations, const EffectSet& chosen,
+std::optional<FittedModel> explained(const Explanations& explanations, const EffectSet& chosen,
                                      std::optional<std::size_t> suspect,
                                      const Eigen::VectorXd& start) {
     try {
-        Explanation explanation = explanations.refit(chosen, suspect, start);
+        FittedModel explanation = explanations.refit(chosen, suspect, start);
         explanations.judge(explanation);
         return explanation;
     } catch (const std::domain_error&) {
@@ -141,7 +141,7 @@ std::optional<Explanation> explained(const Explanations& explanations, const Eff
 }
 
 void Search::try_all(std::string_view what, const std::vector<Trial>& trials) {
-    std::vector<std::optional<Explanation>> found(trials.size());
+    std::vector<std::optional<FittedModel>> found(trials.size());
     side_by_side(
         trials.size(), options_.threads, [&](std::size_t k) { say(what, k, trials.size()); },
         [&](std::size_t k) {
@@ -154,16 +154,16 @@ void Search::try_all(std::string_view what, const std::vector<Trial>& trials) {
     }
 }
 
-void Search::take(Explanation explanation) {
+void Search::take(FittedModel explanation) {
     if (explanation.accepted) {
         (explanation.suspect ? found_.fitting_suspects : found_.fitting).push_back(explanation);
     }
     found_.tried.push_back(std::move(explanation));
 }
 
-double Search::best_of(const std::vector<Explanation>& models) const {
+double Search::best_of(const std::vector<FittedModel>& models) const {
     double best = INFINITY;
-    for (const Explanation& each : models) {
+    for (const FittedModel& each : models) {
         best = std::min(best, criterion(each));
     }
     return best;
@@ -172,22 +172,22 @@ double Search::best_of(const std::vector<Explanation>& models) const {
 double Search::chi2_to_beat() const {
     double best = INFINITY;
     for (const auto* models : {&found_.fitting, &found_.fitting_suspects}) {
-        for (const Explanation& each : *models)
-            best = std::min(best, each.chi2);
+        for (const FittedModel& each : *models)
+            best = std::min(best, each.fit.chi2);
     }
     return best - clearly_better * factor_on_variance(found_.tried);
 }
 
 void Search::prefer_one_effect() {
-    std::vector<Explanation> singles, pairs;
-    for (Explanation& each : found_.fitting) {
+    std::vector<FittedModel> singles, pairs;
+    for (FittedModel& each : found_.fitting) {
         (each.chosen.size() == 1 ? singles : pairs).push_back(std::move(each));
     }
     if (singles.empty()) {
         // Less probable models with one effect, unless others explain the readings better.
         const double limit =
             std::min(best_of(found_.fitting_suspects), best_of(pairs) + clearly_better);
-        for (Explanation& each : found_.tried) {
+        for (FittedModel& each : found_.tried) {
             if (each.suspect || each.chosen.size() != 1 || !each.fit.converged) continue;
             if (each.p() < options_.least_p || criterion(each) > limit) continue;
             each.accepted = true;
@@ -196,7 +196,7 @@ void Search::prefer_one_effect() {
     }
     if (!pairs.empty()) {
         const double limit = best_of(singles) - clearly_better;
-        std::erase_if(pairs, [&](const Explanation& each) { return criterion(each) > limit; });
+        std::erase_if(pairs, [&](const FittedModel& each) { return criterion(each) > limit; });
     }
     found_.fitting = std::move(singles);
     found_.fitting.insert(found_.fitting.end(), pairs.begin(), pairs.end());
@@ -243,9 +243,9 @@ void Search::search_suspects() {
 
 bool Search::may_do_better(double drop) const {
     double best = 0;
-    for (const Explanation& each : found_.tried) {
+    for (const FittedModel& each : found_.tried) {
         if (!each.accepted && each.fit.converged)
-            best = std::max(best, scanned_.base.chi2 - each.chi2);
+            best = std::max(best, scanned_.base.fit.chi2 - each.fit.chi2);
     }
     return drop * (1 + foretelling_error) + all_the_same > best;
 }
@@ -323,7 +323,7 @@ void Search::search_pairs() {
             const double left = left_by({i, j});
             // Where one member of a pair adds nothing, the other was not sufficient alone.
             if (left < std::min({enough, left_alone[i], left_alone[j]}) - worth_a_pair &&
-                may_do_better(scanned_.base.chi2 - left)) {
+                may_do_better(scanned_.base.fit.chi2 - left)) {
                 pairs.push_back({{i, j}, left});
             }
         }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "analysis/diagnosis/explanation.h"
+#include "analysis/diagnosis/evidence.h"
 #include "analysis/diagnosis/explanations.h"
 #include "analysis/diagnosis/signature.h"
 
@@ -10,7 +10,7 @@ namespace pendular {
 
 /// Study's model with the score tests of every candidate and suspect measurement, in their order.
 struct Scanned {
-    const Explanation& base;  ///< fitted and tested, without further effects
+    const FittedModel& base;  ///< fitted and tested, without further effects
     const WeightedResiduals& residuals;
     const std::vector<Addition>& additions;       ///< `base` with each candidate
     const std::vector<Signature>& signatures;     ///< change of the readings by each candidate
@@ -20,11 +20,11 @@ struct Scanned {
 
 /// Models that were refitted to explain the residuals.
 struct Found {
-    std::vector<Explanation> tried;  ///< all of them, whether they fit or not
+    std::vector<FittedModel> tried;  ///< all of them, whether they fit or not
     /// Models that fit: with one further effect, and with two if these are clearly better (Akaike's
     /// criterion) or if no model with one fits.
-    std::vector<Explanation> fitting;
-    std::vector<Explanation> fitting_suspects;  ///< models that fit with an error of measurement
+    std::vector<FittedModel> fitting;
+    std::vector<FittedModel> fitting_suspects;  ///< models that fit with an error of measurement
 };
 
 /// Whether the score test of a candidate is significant enough for a refit: p < 0.05, not corrected
@@ -37,7 +37,7 @@ bool looks_missing(const Finding& finding);
 /// not refitted if its predicted reduction of chi2 is clearly smaller than that by a model that was
 /// refitted and rejected.
 ///
-/// A model fits if Explanation::p() is at least DiagnosisOptions::significance. If no model with
+/// A model fits if FittedModel::p() is at least DiagnosisOptions::significance. If no model with
 /// one effect fits, those with p() of at least DiagnosisOptions::least_p are accepted too, unless a
 /// model with a suspect measurement explains the readings better or a pair of effects clearly
 /// better.

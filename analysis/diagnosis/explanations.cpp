@@ -100,25 +100,26 @@ Explanations::Explanations(const ModelSpace& space, const Explanations& other)
     errors.resize(space.candidates().size());
 }
 
-Explanation Explanations::refit(const EffectSet& chosen, std::optional<std::size_t> suspect,
+FittedModel Explanations::refit(const EffectSet& chosen, std::optional<std::size_t> suspect,
                                 const Eigen::VectorXd& start) const {
-    Explanation result{.chosen = chosen, .suspect = suspect};
+    FittedModel result{.chosen = chosen, .suspect = suspect};
+    for (const std::size_t k : chosen) {
+        result.effects.push_back(space_.candidates()[k].name);
+    }
     const std::shared_ptr<const Model> model = space_.with(chosen);
     result.fit = suspect ? fit(WithSuspect(*model, evidence_.suspects[*suspect]),
                                evidence_.measured, start, refit_effort)
                          : fit(*model, evidence_.measured, start, refit_effort);
-    result.chi2 = result.fit.chi2;
     return result;
 }
 
-WeightedResiduals Explanations::residuals_of(const Explanation& explanation) const {
+WeightedResiduals Explanations::residuals_of(const FittedModel& explanation) const {
     return pendular::residuals_of(*space_.with(explanation.chosen), evidence_.measured,
                                   explanation.fit);
 }
 
-double Explanations::criterion(const Explanation& explanation, double variance_factor) const {
-    return akaike(explanation.chi2, explanation.fit.parameters.size(), variance_factor,
-                  residuals_of(explanation).log_determinant());
+double Explanations::criterion(const FittedModel& explanation, double variance_factor) const {
+    return akaike(explanation, variance_factor, residuals_of(explanation).log_determinant());
 }
 
 double Explanations::lack_of_fit_p(const WeightedResiduals& residuals, bool roughly) const {
@@ -147,7 +148,7 @@ std::vector<ScoreTest> Explanations::suspect_tests(const WeightedResiduals& resi
     return tests;
 }
 
-Addition Explanations::addition(const Explanation& explanation, std::size_t candidate) const {
+Addition Explanations::addition(const FittedModel& explanation, std::size_t candidate) const {
     const std::shared_ptr<const Model> model = space_.with(explanation.chosen);
     const Eigen::VectorXd parameters =
         explanation.fit.parameters.head(std::ssize(model->parameters()));
@@ -159,7 +160,7 @@ Addition Explanations::addition(const Explanation& explanation, std::size_t cand
 }
 
 std::vector<ScoreTest> Explanations::further_tests(const WeightedResiduals& residuals,
-                                                   const Explanation& explanation) const {
+                                                   const FittedModel& explanation) const {
     std::vector<ScoreTest> tests = suspect_tests(residuals, explanation.suspect);
     for (std::size_t k = 0; k < space_.candidates().size(); ++k) {
         if (std::ranges::find(explanation.chosen, k) == explanation.chosen.end()) {
@@ -171,7 +172,7 @@ std::vector<ScoreTest> Explanations::further_tests(const WeightedResiduals& resi
     return tests;
 }
 
-void Explanations::judge(Explanation& explanation) const {
+void Explanations::judge(FittedModel& explanation) const {
     const WeightedResiduals residuals = residuals_of(explanation);
     explanation.lack_of_fit_p = lack_of_fit_p(residuals, true);
     if (!explanation.fit.converged || explanation.lack_of_fit_p < options_.least_p / 2) {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "analysis/diagnosis/explanation.h"
+#include "analysis/diagnosis/evidence.h"
 
 namespace pendular {
 
@@ -35,17 +35,17 @@ class Explanations {
     /// @param start parameters of the model, then the amplitudes of the errors of `suspect`
     /// @throws std::domain_error if no true state of the cell gives the conditions that the
     ///         instrument shows with the parameters `start`
-    Explanation refit(const EffectSet& chosen, std::optional<std::size_t> suspect,
+    FittedModel refit(const EffectSet& chosen, std::optional<std::size_t> suspect,
                       const Eigen::VectorXd& start) const;
     /// Sets the p values and `accepted` of a refitted model. Further effects are not tested if the
     /// fit did not converge or if the p value for lack of fit is below half of
     /// DiagnosisOptions::least_p.
-    void judge(Explanation& explanation) const;
+    void judge(FittedModel& explanation) const;
 
     /// Returns the whitened residuals of a refitted model, as the function of that name.
-    WeightedResiduals residuals_of(const Explanation& explanation) const;
+    WeightedResiduals residuals_of(const FittedModel& explanation) const;
     /// Returns Akaike's criterion [1] of a refitted model (ranking.h), with ln det Sigma.
-    double criterion(const Explanation& explanation, double variance_factor = 1) const;
+    double criterion(const FittedModel& explanation, double variance_factor = 1) const;
     /// Returns the p value [1] of the test for lack of fit.
     /// @param roughly whether only the first 600 draws count if the statistic is far above them all
     double lack_of_fit_p(const WeightedResiduals& residuals, bool roughly = false) const;
@@ -53,7 +53,7 @@ class Explanations {
     std::vector<ScoreTest> suspect_tests(const WeightedResiduals& residuals,
                                          std::optional<std::size_t> but = {}) const;
     /// Returns a refitted model with one more candidate added.
-    Addition addition(const Explanation& explanation, std::size_t candidate) const;
+    Addition addition(const FittedModel& explanation, std::size_t candidate) const;
 
     const NullDraws& draws() const { return *draws_; }
     /// Returns the p value [1] below which one of the two tests of a model rejects it.
@@ -67,7 +67,7 @@ class Explanations {
   private:
     /// Returns the score tests of all candidates and suspect measurements that a model lacks.
     std::vector<ScoreTest> further_tests(const WeightedResiduals& residuals,
-                                         const Explanation& explanation) const;
+                                         const FittedModel& explanation) const;
 
     const ModelSpace& space_;
     const Evidence& evidence_;

@@ -47,7 +47,7 @@ class Impacts {
         : space_(space),
           evidence_(evidence),
           diagnosis_(diagnosis),
-          fit_(diagnosis.fit),
+          fit_(diagnosis.base.fit),
           bare_(space.with({})),
           residuals_(residuals_of(*bare_, evidence.measured, fit_)),
           covariance_(evidence.measured.covariance + fit_.prediction.covariance) {
@@ -72,7 +72,7 @@ class Impacts {
         return !impact.measurement && space_.candidates()[impact.index].is_switch();
     }
     /// The diagnosis' refit with a candidate alone; null where there is none.
-    const Explanation* refit_of(std::size_t candidate) const;
+    const FittedModel* refit_of(std::size_t candidate) const;
     /// Shift of the parameters by an effect that changes the readings by `change`.
     Eigen::VectorXd shift_by(const Eigen::VectorXd& change) const {
         return -residuals_.parameter_shift_of(residuals_.whiten(change));
@@ -113,8 +113,8 @@ bool Impacts::is_named(const Impact& impact) const {
     return std::ranges::find(names, impact.name) != names.end();
 }
 
-const Explanation* Impacts::refit_of(std::size_t candidate) const {
-    const auto found = std::ranges::find_if(diagnosis_.tried, [&](const Explanation& each) {
+const FittedModel* Impacts::refit_of(std::size_t candidate) const {
+    const auto found = std::ranges::find_if(diagnosis_.tried, [&](const FittedModel& each) {
         return each.chosen == EffectSet{candidate} && !each.suspect;
     });
     return found == diagnosis_.tried.end() ? nullptr : &*found;
@@ -147,7 +147,7 @@ std::vector<Impact> Impacts::impact_of(const Finding& finding) const {
         estimate = finding.value;
         impact.error = finding.standard_error;
     }
-    const Explanation* refit = is_switch ? nullptr : refit_of(k);
+    const FittedModel* refit = is_switch ? nullptr : refit_of(k);
     const auto last = [&] { return refit->fit.parameters.size() - 1; };
     if (refit != nullptr &&
         !(refit->fit.converged && std::isfinite(refit->fit.standard_error(last())))) {

@@ -13,15 +13,14 @@ namespace {
 constexpr double sure = 0.95;
 
 /// Criterion of each model in each repetition: draws x models.
-Eigen::MatrixXd criteria(const std::vector<Explanation>& tried, const Explanations& explanations) {
+Eigen::MatrixXd criteria(const std::vector<FittedModel>& tried, const Explanations& explanations) {
     const double factor = factor_on_variance(tried);
     const NullDraws& draws = explanations.draws();
     Eigen::MatrixXd result(draws.count(), static_cast<Eigen::Index>(tried.size()));
     for (std::size_t m = 0; m < tried.size(); ++m) {
         const WeightedResiduals residuals = explanations.residuals_of(tried[m]);
         const Eigen::MatrixXd along = draws.along(residuals, residuals.residuals());
-        const double level = akaike(tried[m].chi2, tried[m].fit.parameters.size(), factor,
-                                    residuals.log_determinant());
+        const double level = akaike(tried[m], factor, residuals.log_determinant());
         result.col(static_cast<Eigen::Index>(m)) =
             along.row(0).transpose().array() * (2 / std::sqrt(factor)) + level;
     }
@@ -30,12 +29,12 @@ Eigen::MatrixXd criteria(const std::vector<Explanation>& tried, const Explanatio
 
 }  // namespace
 
-double share_explained(double chi2, int dof, const Explanation& by) {
-    const double excess = chi2 - dof, left = std::max(0.0, by.chi2 - by.fit.dof);
+double share_explained(double excess, const FittedModel& by) {
+    const double left = std::max(0.0, by.fit.chi2 - by.fit.dof);
     return excess > 0 ? 1 - left / excess : 0;
 }
 
-std::optional<Leaders> find_leaders(double chi2, int dof, const std::vector<Explanation>& tried,
+std::optional<Leaders> find_leaders(double excess, const std::vector<FittedModel>& tried,
                                     const Explanations& explanations) {
     if (tried.empty()) return {};
     const Eigen::MatrixXd criterion = criteria(tried, explanations);
@@ -54,11 +53,11 @@ std::optional<Leaders> find_leaders(double chi2, int dof, const std::vector<Expl
     for (const auto& [candidate, of_draws] : share) {
         if (of_draws >= sure) leaders.push_back(candidate);
     }
-    const auto alone = std::ranges::find_if(tried, [&](const Explanation& each) {
+    const auto alone = std::ranges::find_if(tried, [&](const FittedModel& each) {
         return each.chosen == leaders && !each.suspect && each.fit.converged;
     });
     if (leaders.empty() || alone == tried.end()) return {};
-    Leaders result{.model = *alone, .explained = share_explained(chi2, dof, *alone)};
+    Leaders result{.model = *alone, .explained = share_explained(excess, *alone)};
     const auto rivals = std::ranges::count_if(
         leading, [&](std::size_t m) { return !std::ranges::includes(tried[m].chosen, leaders); });
     result.rival_share = static_cast<double>(rivals) / static_cast<double>(draws);

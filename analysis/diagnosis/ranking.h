@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
-#include "analysis/diagnosis/explanation.h"
+#include "calib/fit/fitted_model.h"
 
 // Ranking of models that were fitted to the same readings, by Akaike's criterion,
 //     chi2/s^2 + ln det Sigma + 2 k,
@@ -30,14 +32,21 @@ inline constexpr double ruled_out = 7;
 inline constexpr double worth_simulating = 6;
 
 /// Returns Akaike's criterion [1].
-inline double akaike(double chi2, Eigen::Index parameters, double variance_factor = 1,
+inline double akaike(const FittedModel& model, double variance_factor = 1,
                      double log_determinant = 0) {
-    return chi2 / variance_factor + log_determinant + 2.0 * static_cast<double>(parameters);
+    return model.fit.chi2 / variance_factor + log_determinant +
+           2.0 * static_cast<double>(model.fit.parameters.size());
 }
 
 /// Returns the factor s^2 [1]: the smallest chi2/dof of the refitted models, at least 1; 1 without
 /// any. A misfit that even the best model leaves is taken as a sign of larger errors, so that
 /// differences of chi2 are not overrated.
-double factor_on_variance(const std::vector<Explanation>& tried);
+inline double factor_on_variance(const std::vector<FittedModel>& tried) {
+    double least = INFINITY;
+    for (const FittedModel& each : tried) {
+        least = std::min(least, each.fit.chi2 / std::max(1, each.fit.dof));
+    }
+    return std::isfinite(least) ? std::max(1.0, least) : 1;
+}
 
 }  // namespace pendular

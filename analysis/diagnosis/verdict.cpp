@@ -26,7 +26,7 @@ class Rules {
           circumstances_(circumstances) {}
 
     Conclusion apply() {
-        if (tests_.base_fits) {
+        if (tests_.base.accepted) {
             study_model_stands();
         } else {
             gather_models_that_fit();
@@ -71,12 +71,7 @@ class Rules {
 };
 
 void Rules::study_model_stands() {
-    Explanation base{.fit = tests_.fit,
-                     .chi2 = tests_.chi2,
-                     .lack_of_fit_p = tests_.lack_of_fit_p,
-                     .further_p = tests_.further_p,
-                     .accepted = true};
-    result_.confidence_set.push_back(std::move(base));
+    result_.confidence_set.push_back(tests_.base);
     bool any_seen = false;
     std::set<std::size_t> open;
     for (const Finding& finding : tests_.scan) {
@@ -95,7 +90,7 @@ void Rules::gather_models_that_fit() {
     // Beside effects that fit, a suspect measurement is a rival only if it explains the readings at
     // least as well as the best of them: with many files, an error of one of them often fits.
     double best = INFINITY;
-    for (const Explanation& each : tests_.fitting) {
+    for (const FittedModel& each : tests_.fitting) {
         best = std::min(best, each.criterion);
     }
     for (std::size_t k = 0; k < tests_.fitting_suspects.size(); ++k) {
@@ -105,9 +100,9 @@ void Rules::gather_models_that_fit() {
     const auto& all = tests_.fitting.empty() ? tests_.fitting_suspects : tests_.fitting;
     // Of two levels of one ladder that fit, the lower one says what is missing.
     std::ranges::copy_if(
-        all, std::back_inserter(result_.confidence_set), [&](const Explanation& each) {
+        all, std::back_inserter(result_.confidence_set), [&](const FittedModel& each) {
             return std::ranges::none_of(
-                all, [&](const Explanation& other) { return contains(each.chosen, other.chosen); });
+                all, [&](const FittedModel& other) { return contains(each.chosen, other.chosen); });
         });
 }
 
@@ -136,7 +131,7 @@ void Rules::some_models_fit() {
     }
     std::set<std::size_t> shared(set.front().chosen.begin(), set.front().chosen.end());
     std::set<std::size_t> any;
-    for (const Explanation& each : set) {
+    for (const FittedModel& each : set) {
         std::erase_if(shared, [&](std::size_t k) { return !includes(each.chosen, k); });
         any.insert(each.chosen.begin(), each.chosen.end());
     }
@@ -166,11 +161,11 @@ void Rules::decide_on_candidates() {
 
 Decision Rules::decision_on(const Finding& finding) const {
     const std::size_t k = finding.candidate;
-    const auto in_set = [k](const Explanation& each) { return includes(each.chosen, k); };
-    const auto fits_alone = [k](const Explanation& each) {
+    const auto in_set = [k](const FittedModel& each) { return includes(each.chosen, k); };
+    const auto fits_alone = [k](const FittedModel& each) {
         return each.accepted && each.chosen == EffectSet{k};
     };
-    if (!tests_.base_fits) {
+    if (!tests_.base.accepted) {
         if (is_named(k)) {
             if (!result_.complete) return Decision::missing_with_others;
             return result_.verdict == Verdict::missing ? Decision::missing
@@ -186,17 +181,17 @@ Decision Rules::decision_on(const Finding& finding) const {
 
 /// Decision on an effect of which no model that fits makes use.
 Decision Rules::decision_without_model(const Finding& finding) const {
-    const auto unsettled = [&](const Explanation& each) {
+    const auto unsettled = [&](const FittedModel& each) {
         return each.chosen == EffectSet{finding.candidate} && !each.fit.converged;
     };
     if (std::ranges::any_of(tests_.tried, unsettled)) return Decision::not_converged;
     if (!finding.identifiable && !looks_missing(finding)) return Decision::not_identifiable;
-    if (tests_.base_fits) {
+    if (tests_.base.accepted) {
         return finding.power < wanted_power_ ? Decision::not_excluded : Decision::absent;
     }
     if (!looks_missing(finding)) return Decision::no_sign;
     const bool most = finding.refitted_reduction &&
-                      *finding.refitted_reduction >= most_of_misfit * (tests_.chi2 - tests_.dof);
+                      *finding.refitted_reduction >= most_of_misfit * tests_.excess();
     return most ? Decision::explains_most_not_all : Decision::does_not_explain;
 }
 
@@ -219,7 +214,7 @@ void Rules::weigh_proposals() {
     const EffectSet leading = result_.leaders->model.chosen;
     const bool better = std::ranges::any_of(circumstances_.proposals, [&](const auto& each) {
         return each.fits && each.changes <= leading.size() &&
-               each.penalised_chi2 + clearly_better < result_.leaders->model.chi2;
+               each.penalised_chi2 + clearly_better < result_.leaders->model.fit.chi2;
     });
     if (!better) {
         result_.proposals_stand = false;

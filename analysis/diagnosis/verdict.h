@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/diagnosis/explanation.h"
+#include "analysis/diagnosis/evidence.h"
 #include "analysis/diagnosis/leaders.h"
 
 // How a diagnosis decides. Tests, refits, proposals and doubts about the measurement come in; the
@@ -53,27 +53,26 @@ std::string_view to_string(Decision decision);
 
 /// Tests of a study's model and of models with further effects.
 struct TestResults {
-    Fit fit;                   ///< study's model, without further effects
-    double chi2 = 0;           ///< of all measured values in `fit` [1]
-    int dof = 0;               ///< measured values minus fitted parameters and constant cohesions
-    double lack_of_fit_p = 0;  ///< p value [1] of the study's model
-    /// p value [1] of the most significant candidate or suspect measurement, corrected for the
-    /// number of tests.
-    double further_p = 0;
-    bool base_fits = false;  ///< whether the study's model passes both tests
+    /// Study's model, without further effects. Its `further_p` is that of the most significant
+    /// candidate or suspect measurement; it is `accepted` if it passes both tests.
+    FittedModel base;
+    int dof = 0;  ///< of `base`: measured values minus fitted parameters and constant cohesions
     /// Tests of each candidate, sorted by the reduction of chi2 in a refit with it alone or,
     /// without one, the predicted reduction, the largest first.
     std::vector<Finding> scan;
     /// p value [1] of each suspect measurement, corrected for the number of tests.
     std::vector<double> suspect_p;
-    std::vector<Explanation> tried;    ///< all refitted models, whether they fit or not
-    std::vector<Explanation> fitting;  ///< models among `tried` with further effects that fit
+    std::vector<FittedModel> tried;    ///< all refitted models, whether they fit or not
+    std::vector<FittedModel> fitting;  ///< models among `tried` with further effects that fit
     /// Models among `tried` that fit with an error of a suspect measurement, and the names of
     /// these.
-    std::vector<Explanation> fitting_suspects;
+    std::vector<FittedModel> fitting_suspects;
     std::vector<std::string> suspect_names;
     std::optional<Leaders> leading;  ///< if no model fits
     bool errors_assumed = false;     ///< whether some errors are assumed, not measured
+
+    /// Returns chi2 - dof of the study's model [1], the misfit to explain.
+    double excess() const { return base.fit.chi2 - dof; }
 };
 
 /// Further evidence that has a say in a verdict beside the tests.
@@ -99,11 +98,11 @@ struct Conclusion {
     std::optional<Leaders> leaders;  ///< empty unless `missing` and not `complete`
     /// Names of the suspect measurements whose error alone would explain the misfit, such as "the
     /// readings of dry_1.csv". Beside effects that fit, only those that explain the readings at
-    /// least as well (Explanation::criterion).
+    /// least as well (FittedModel::criterion).
     std::vector<std::string> suspects;
     /// Models that fit and between which the readings cannot decide: the study's model alone if it
     /// fits; otherwise models with further effects, or else with an error of measurement.
-    std::vector<Explanation> confidence_set;
+    std::vector<FittedModel> confidence_set;
     std::vector<Decision> decisions;  ///< on each candidate, in their order
     bool overruled = false;           ///< whether a doubtful measurement decides
     bool proposals_stand = false;     ///< whether the proposals are part of the answer

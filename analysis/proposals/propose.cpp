@@ -35,15 +35,14 @@ bool needless(const FittedShape& fitted) {
 
 class ShapeSearch {
   public:
-    ShapeSearch(const ResolvedStudy& study, const StudyModels& models, const Evidence& evidence,
+    ShapeSearch(const ResolvedStudy& study, const StudyModelSpace& models, const Evidence& evidence,
                 const std::vector<Reading>& readings, const Diagnosis& diagnosis,
                 const DiagnosisOptions& options)
         : models_(models),
           explanations_(models, evidence, options),
           diagnosis_(diagnosis),
           options_(options),
-          base_{.fit = diagnosis.fit, .chi2 = diagnosis.chi2},
-          scored_(study, models, readings, base_, explanations_, options.threads) {
+          scored_(study, models, readings, diagnosis.base, explanations_, options.threads) {
         for (const Effect& effect : study.catalogue().all()) {
             taken_.insert(effect.name);
         }
@@ -74,11 +73,10 @@ class ShapeSearch {
     static void judge(std::vector<Proposal>& proposals, const Explanations& explanations);
     static std::vector<Proposal> best_of(std::vector<Proposal> found);
 
-    const StudyModels& models_;
+    const StudyModelSpace& models_;
     const Explanations explanations_;
     const Diagnosis& diagnosis_;
     const DiagnosisOptions& options_;
-    Explanation base_;
     ScoredShapes scored_;
     std::set<std::string> taken_;  ///< names that existing effects have
 };
@@ -109,20 +107,21 @@ void ShapeSearch::refit(Proposal& proposal, const Score& score, std::size_t firs
                         const Explanations& explanations) const {
     const auto added = static_cast<Eigen::Index>(proposal.shapes.size());
     EffectSet chosen;
-    Eigen::VectorXd start(base_.fit.parameters.size() + added);
-    start.head(base_.fit.parameters.size()) = base_.fit.parameters;
+    Eigen::VectorXd start(diagnosis_.base.fit.parameters.size() + added);
+    start.head(diagnosis_.base.fit.parameters.size()) = diagnosis_.base.fit.parameters;
     for (std::size_t k = 0; k < proposal.shapes.size(); ++k) {
         chosen.push_back(first + k);
-        start(base_.fit.parameters.size() + static_cast<Eigen::Index>(k)) = score.changes[k];
+        start(diagnosis_.base.fit.parameters.size() + static_cast<Eigen::Index>(k)) =
+            score.changes[k];
     }
-    proposal.explanation = explanations.refit(chosen, {}, start);
-    const Fit& fit = proposal.explanation.fit;
+    proposal.model = explanations.refit(chosen, {}, start);
+    const Fit& fit = proposal.model.fit;
     for (std::size_t k = 0; k < proposal.shapes.size(); ++k) {
-        const auto at = base_.fit.parameters.size() + static_cast<Eigen::Index>(k);
+        const auto at = diagnosis_.base.fit.parameters.size() + static_cast<Eigen::Index>(k);
         proposal.shapes[k].change = fit.parameters(at);
         proposal.shapes[k].standard_error = fit.standard_error(at);
     }
-    proposal.explained = share_explained(diagnosis_.chi2, diagnosis_.dof, proposal.explanation);
+    proposal.explained = share_explained(diagnosis_.excess(), proposal.model);
 }
 
 std::vector<Proposal> ShapeSearch::fitted(const std::vector<Score>& scores) {
@@ -134,7 +133,7 @@ std::vector<Proposal> ShapeSearch::fitted(const std::vector<Score>& scores) {
             effects.push_back(effect_from(each.effect));
         }
     }
-    const StudyModels space = models_.offering(effects);
+    const StudyModelSpace space = models_.offering(effects);
     Explanations explanations(space, explanations_);
     std::vector<std::size_t> firsts;
     std::size_t next = models_.candidates().size();
@@ -162,7 +161,7 @@ std::vector<Proposal> ShapeSearch::fitted(const std::vector<Score>& scores) {
     explanations.errors.resize(space.candidates().size());
     side_by_side(explanations.errors.size() - known, options_.threads, {}, [&](std::size_t k) {
         explanations.errors[known + k] =
-            explanations.addition(base_, known + k).signature(true).errors;
+            explanations.addition(diagnosis_.base, known + k).signature(true).errors;
     });
     judge(refitted, explanations);
     return refitted;
@@ -174,7 +173,7 @@ void ShapeSearch::judge(std::vector<Proposal>& proposals, const Explanations& ex
     double limit = INFINITY;
     for (Proposal& each : proposals) {
         if (standing == most_proposals || each.penalised_chi2() > limit) return;
-        explanations.judge(each.explanation);
+        explanations.judge(each.model);
         if (!each.fits()) continue;
         if (standing++ == 0) limit = each.penalised_chi2() + clearly_better;
     }
@@ -203,7 +202,7 @@ std::vector<Proposal> ShapeSearch::best_of(std::vector<Proposal> found) {
 
 }  // namespace
 
-std::vector<Proposal> propose(const ResolvedStudy& study, const StudyModels& models,
+std::vector<Proposal> propose(const ResolvedStudy& study, const StudyModelSpace& models,
                               const Evidence& evidence, const std::vector<Reading>& readings,
                               const Diagnosis& diagnosis, const DiagnosisOptions& options) {
     return ShapeSearch(study, models, evidence, readings, diagnosis, options).run();

@@ -5,7 +5,7 @@
 
 #include "analysis/diagnosis/diagnosis.h"
 #include "analysis/proposals/shape.h"
-#include "calib/model/study_models.h"
+#include "calib/model/study_model_space.h"
 
 namespace pendular {
 
@@ -26,7 +26,7 @@ struct Proposal {
     std::vector<FittedShape> alike;
     /// Study's model with the changes added, refitted and tested. The indices in `chosen` have no
     /// meaning outside of `propose`.
-    Explanation explanation;
+    FittedModel model;
     /// p value [1]: probability, if the model lacks nothing, that the best of all single changes
     /// that were tried reduces chi2 as much. Of two changes, that of the less important one beside
     /// the other.
@@ -35,10 +35,10 @@ struct Proposal {
     double penalty = 0;    ///< for the choice among many changes, added to chi2 [1]
 
     /// Returns chi2 plus `penalty` [1], which is lowest for the best proposal.
-    double penalised_chi2() const { return explanation.chi2 + penalty; }
+    double penalised_chi2() const { return model.fit.chi2 + penalty; }
 
     /// Whether neither lack of fit nor a further effect of the model is significant.
-    bool fits() const { return explanation.accepted; }
+    bool fits() const { return model.accepted; }
 };
 
 /// Searches for changes of unknown cause that explain a misfit. Each quantity that a formula can
@@ -52,7 +52,7 @@ struct Proposal {
 /// Returns the best proposals that fit, the lowest Proposal::penalised_chi2() first. If none fits,
 /// returns the best one if it removes at least half of the excess chi2 - dof, else nothing.
 /// @param diagnosis that of the study's model, which does not fit
-std::vector<Proposal> propose(const ResolvedStudy& study, const StudyModels& models,
+std::vector<Proposal> propose(const ResolvedStudy& study, const StudyModelSpace& models,
                               const Evidence& evidence, const std::vector<Reading>& readings,
                               const Diagnosis& diagnosis, const DiagnosisOptions& options);
 

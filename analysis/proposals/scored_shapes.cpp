@@ -41,8 +41,8 @@ bool may_oscillate(const ChangedQuantity& quantity) {
 
 }  // namespace
 
-ScoredShapes::ScoredShapes(const ResolvedStudy& study, const StudyModels& models,
-                           const std::vector<Reading>& readings, const Explanation& base,
+ScoredShapes::ScoredShapes(const ResolvedStudy& study, const StudyModelSpace& models,
+                           const std::vector<Reading>& readings, const FittedModel& base,
                            const Explanations& explanations, std::size_t threads)
     : residuals_(explanations.residuals_of(base)) {
     const auto quantities = quantities_that_may_change(study, readings);
@@ -51,7 +51,7 @@ ScoredShapes::ScoredShapes(const ResolvedStudy& study, const StudyModels& models
         const ShapeOfChange shape{quantity, same_everywhere(readings.size())};
         uniform.push_back(effect_from(shape.written(shape.name())));
     }
-    const StudyModels offering = models.offering(uniform);
+    const StudyModelSpace offering = models.offering(uniform);
     for (std::size_t q = 0; q < quantities.size(); ++q) {
         const Addition addition(offering, {}, models.candidates().size() + q, base.fit.parameters,
                                 base.fit.prediction.value);

@@ -8,7 +8,7 @@
 
 #include "analysis/diagnosis/explanations.h"
 #include "analysis/proposals/shape.h"
-#include "calib/model/study_models.h"
+#include "calib/model/study_model_space.h"
 
 namespace pendular {
 
@@ -31,8 +31,8 @@ class ScoredShapes {
     /// @param base fit of the study's model without further effects
     /// @param explanations tests of the study's model, whose random draws give p values
     /// @param threads largest number of threads for the random draws
-    ScoredShapes(const ResolvedStudy& study, const StudyModels& models,
-                 const std::vector<Reading>& readings, const Explanation& base,
+    ScoredShapes(const ResolvedStudy& study, const StudyModelSpace& models,
+                 const std::vector<Reading>& readings, const FittedModel& base,
                  const Explanations& explanations, std::size_t threads);
 
     const ShapeOfChange& shape(std::size_t index) const { return shapes_[index]; }

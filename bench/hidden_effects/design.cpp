@@ -12,7 +12,7 @@
 #include "analysis/diagnosis/signature.h"
 #include "analysis/misfit/weighted_residuals.h"
 #include "bench/hidden_effects/rig.h"
-#include "calib/model/study_models.h"
+#include "calib/model/study_model_space.h"
 #include "sim/lab/virtual_recording.h"
 #include "workflow/known_runs.h"
 
@@ -31,8 +31,9 @@ class Design {
     explicit Design(double friction)
         : plan_(rig(friction, 1)), study_(study_of(plan_)), conditions_(planned_conditions(plan_)) {
         KnownRuns known =
-            known_runs(StudyModels::with_all_effects(study_), truth_fidelity(), nullptr).value();
-        models_ = std::make_unique<StudyModels>(study_, conditions_, truth_fidelity(), known);
+            known_runs(StudyModelSpace::with_all_effects(study_), truth_fidelity(), nullptr)
+                .value();
+        models_ = std::make_unique<StudyModelSpace>(study_, conditions_, truth_fidelity(), known);
         simulation_ = std::make_shared<EmulatedSimulation>(
             study_, truth_fidelity(), Emulator(known.runs, std::move(known.hyperparameters)));
         const Eigen::VectorXd parameters = Eigen::VectorXd::Constant(1, friction);
@@ -54,7 +55,7 @@ class Design {
         base_ = prediction.value;
     }
 
-    const StudyModels& models() const { return *models_; }
+    const StudyModelSpace& models() const { return *models_; }
     /// Its first parameter; neutral where the study has it.
     const EffectParameter& parameter_of(const Effect& effect) const {
         const auto& all = models_->candidates();
@@ -111,7 +112,7 @@ class Design {
     LabPlan plan_;
     Study study_;
     std::vector<Condition> conditions_;
-    std::unique_ptr<StudyModels> models_;
+    std::unique_ptr<StudyModelSpace> models_;
     std::shared_ptr<const EmulatedSimulation> simulation_;
     std::unique_ptr<WeightedResiduals> residuals_;
     std::vector<Eigen::MatrixXd> signatures_;

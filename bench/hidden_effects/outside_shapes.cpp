@@ -118,7 +118,7 @@ ShapeOutcome diagnosed(const Truth& truth, const LabResult& laboratory, int stud
     if (!found.proposals.empty()) {
         const Proposal& first = found.proposals.front();
         outcome.stands = first.fits();
-        outcome.rms = rms_percent(found.readings, first.explanation.fit.prediction.value);
+        outcome.rms = rms_percent(found.readings, first.model.fit.prediction.value);
         outcome.noise = noise_of(found.readings, laboratory, folder.string() + " without noise");
     }
     std::filesystem::remove_all(folder);

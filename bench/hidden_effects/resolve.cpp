@@ -54,13 +54,13 @@ class Campaign {
     }
     const Diagnosis& diagnosis() const { return found_.diagnosis; }
 
-    std::vector<Rival> rivals() const { return rivals_of(found_); }
+    std::vector<FittedModel> rivals() const { return rivals_of(found_); }
     std::vector<Point> points() const {
         std::vector<Point> points = points_of(rig_of_laboratory(plan_), input_->study, 100);
         std::erase_if(points, [&](const Point& point) {
             return !point.direct &&
                    !found_.models
-                        ->why_unsupported(found_.diagnosis.fit.parameters(0), point.condition)
+                        ->why_unsupported(found_.diagnosis.base.fit.parameters(0), point.condition)
                         .empty();
         });
         return points;
@@ -155,7 +155,8 @@ bool tells_apart(const Series& series, std::size_t rival, std::size_t rivals) {
 void ask_next(const Campaign& campaign, const Truth& truth, int most_measurements,
               Resolution& result) {
     const auto rivals = campaign.rivals();
-    const auto found = std::ranges::find(rivals, truth.hidden.front().effect->name, &Rival::name);
+    const auto found =
+        std::ranges::find(rivals, truth.hidden.front().effect->name, &FittedModel::name);
     result.among = found != rivals.end();
     result.separable = result.among &&
                        tells_apart(campaign.series(campaign.points(), most_measurements),

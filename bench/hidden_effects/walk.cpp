@@ -18,7 +18,7 @@
 namespace pendular::bench {
 namespace {
 
-std::string name_of(const Explanation& explanation, const StudyModels& models,
+std::string name_of(const FittedModel& explanation, const StudyModelSpace& models,
                     const Evidence& evidence) {
     std::vector<std::string> parts;
     for (const std::size_t k : explanation.chosen) {
@@ -28,15 +28,18 @@ std::string name_of(const Explanation& explanation, const StudyModels& models,
     return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, " + "));
 }
 
-bool is_truth(const Explanation& explanation, const StudyModels& models, const Truth& truth) {
+bool is_truth(const FittedModel& explanation, const StudyModelSpace& models, const Truth& truth) {
     return !explanation.suspect && explanation.chosen.size() == truth.hidden.size() &&
            std::ranges::all_of(explanation.chosen, [&](std::size_t k) {
                return truth.hides(models.candidates()[k].name);
            });
 }
 
-Fitted fitted_with(const Study& study, const Measurements& measurements, const Fidelity& fidelity) {
-    return fitted(study, fit_study(study, measurements, {.fidelity = fidelity}, {}));
+FittedStudy fitted_with(const Study& study, const Measurements& measurements,
+                        const Fidelity& fidelity) {
+    FittedStudy result = fitted(study, fit_study(study, measurements, {.fidelity = fidelity}, {}));
+    cross_validate(result);
+    return result;
 }
 
 /// RMS scatter [%] of replicates about the means of their conditions.
@@ -87,12 +90,13 @@ namespace {
 
 Outcome::Added added(const StudyInput& input, const std::vector<std::string>& effects,
                      const Fidelity& fidelity) {
-    const Fitted before = fitted_with(input.study, input.measurements, fidelity);
+    const FittedStudy before = fitted_with(input.study, input.measurements, fidelity);
     Study more = input.study;
     for (const std::string& effect : effects) {
         more = plan_change(more, Action::add, effect).study;
     }
-    const Fitted after = effects.empty() ? before : fitted_with(more, input.measurements, fidelity);
+    const FittedStudy after =
+        effects.empty() ? before : fitted_with(more, input.measurements, fidelity);
     const boost::math::chi_squared law(after.ladder_step.dof);
     return {.p = boost::math::cdf(boost::math::complement(law, after.ladder_step.chi2)),
             .rms_before = before.ladder_step.rms_percent,
@@ -106,17 +110,17 @@ void diagnose_into(Outcome& outcome, const Truth& truth, const StudyInput& input
                    const Fidelity& fidelity) {
     const StudyDiagnosis found =
         diagnose_study(input.study, input.measurements, {.fidelity = fidelity});
-    const StudyModels& models = *found.models;
+    const StudyModelSpace& models = *found.models;
     const Evidence& evidence = found.evidence;
     const Diagnosis& d = found.diagnosis;
     outcome.verdict = to_string(d.verdict);
     outcome.complete = d.complete;
     outcome.named = d.effects;
     outcome.suspects = d.suspects;
-    outcome.chi2 = d.chi2;
+    outcome.chi2 = d.base.fit.chi2;
     outcome.dof = d.dof;
     std::vector<std::string> set;
-    for (const Explanation& each : d.confidence_set) {
+    for (const FittedModel& each : d.confidence_set) {
         set.push_back(name_of(each, models, evidence));
         outcome.set_has_truth |= is_truth(each, models, truth);
     }

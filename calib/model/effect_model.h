@@ -50,10 +50,8 @@ class EffectModel : public Predictor {
     /// Returns the effects with their parameter values in SI units; a switch has the value 1.
     std::vector<ActiveEffect> effects_at(const Eigen::VectorXd& parameters) const;
 
-    /// Returns the conditions truly imposed on the grains, at which the inner model predicts, where
-    /// the instrument shows `conditions`. They contain the changes of grains and liquid by effects.
-    std::vector<EffectiveCondition> imposed(const Eigen::VectorXd& parameters,
-                                            const std::vector<Condition>& conditions) const;
+    std::vector<EffectiveCondition> imposed(
+        const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions) const override;
 
   private:
     struct Truths;

@@ -30,6 +30,13 @@ class Predictor {
     /// Whether effects of the instrument change what it shows (`Condition::ideal_instrument`).
     virtual bool has_instrument() const { return false; }
 
+    /// Returns the conditions truly imposed on the grains where the instrument shows `conditions`,
+    /// with the changes of grains and liquid by effects.
+    virtual std::vector<EffectiveCondition> imposed(
+        const Eigen::VectorXd& /*parameters*/, const std::vector<Condition>& conditions) const {
+        return without_effects(conditions);
+    }
+
     /// Predicted stress ratio [1] (index 0) and solid fraction [1] (index 1) at one condition, with
     /// the covariance matrix of their errors.
     struct Point {

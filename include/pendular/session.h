@@ -211,23 +211,24 @@ class Session {
 
     /// Fits the study's model without and with a further physical effect. If the fit with the
     /// effect converges, adds the effect to study.toml and writes the fit to the folder for
-    /// results. This session keeps the study without the effect: open another session for the
-    /// changed study.
+    /// results. The session is then one of the changed study. If the last diagnosis of this session
+    /// found sets of effects that explain the readings as well as the added one, ladder.json keeps
+    /// them, so that later diagnoses compare with them.
     /// @param effect name of the effect, such as "torque-offset"
     /// @throws InputError if the effect is unknown, is already in the model or does not apply to
     ///         the study, if ladder.json in the folder for results cannot be read, if a fit is
     ///         impossible, or if study.toml has changed since it was read
     /// @throws Interrupted on a stop request
     /// @throws std::runtime_error if a file cannot be written
-    Change add(const std::string& effect) const;
+    Change add(const std::string& effect);
     /// Fits the study's model with and without one of the effects that study.toml lists. If the fit
     /// without the effect converges, removes the effect from study.toml and writes the fit, as
-    /// `add` does. This session keeps the study with the effect.
+    /// `add` does. The session is then one of the changed study.
     /// @param effect name of the effect
     /// @throws InputError if the study does not list the effect; else as for `add`
     /// @throws Interrupted on a stop request
     /// @throws std::runtime_error if a file cannot be written
-    Change drop(const std::string& effect) const;
+    Change drop(const std::string& effect);
 
   private:
     struct Inside;

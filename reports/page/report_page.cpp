@@ -123,7 +123,7 @@ PageTable scan_table(const PageContent& content) {
     PageTable table{.caption = "Known effects, sorted by the change of chi2",
                     .head = {"effect", "group", "value in the model", "chi2/dof left", "p",
                              "power for an effect of the smallest size of interest", "decision"}};
-    const StudyModels& models = *content.diagnosis.models;
+    const StudyModelSpace& models = *content.diagnosis.models;
     const Diagnosis& diagnosis = content.diagnosis.diagnosis;
     for (const Finding& finding : diagnosis.scan) {
         const Candidate& candidate = models.candidates()[finding.candidate];
@@ -141,7 +141,7 @@ PageTable rivals_table(const PageContent& content) {
                     .head = {"further effects", "chi2", "degrees of freedom", "friction",
                              "p: lack of fit", "p: another effect missing"}};
     const Diagnosis& d = content.diagnosis.diagnosis;
-    const auto add = [&](const Explanation& each) {
+    const auto add = [&](const FittedModel& each) {
         Cells names;
         for (const std::size_t k : each.chosen) {
             names.push_back(content.diagnosis.models->candidates()[k].name);
@@ -151,11 +151,11 @@ PageTable rivals_table(const PageContent& content) {
                             content.diagnosis.evidence.suspects[*each.suspect].name);
         }
         table.rows.push_back({names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
-                              fmt::format("{:.2f}", each.chi2), fmt::format("{}", each.fit.dof),
+                              fmt::format("{:.2f}", each.fit.chi2), fmt::format("{}", each.fit.dof),
                               estimate_text(each.fit, 0, "1"), p_text(each.lack_of_fit_p, ""),
                               p_text(each.further_p, "")});
     };
-    for (const Explanation& each : d.confidence_set) {
+    for (const FittedModel& each : d.confidence_set) {
         add(each);
     }
     if (d.leaders) add(d.leaders->model);
@@ -168,7 +168,7 @@ PageSection effects_section(const PageContent& content) {
     const auto add = [&](const std::vector<std::string>& lines) {
         section.lines.insert(section.lines.end(), lines.begin(), lines.end());
     };
-    add(proposal_lines(d.proposals, d.diagnosis.chi2, d.diagnosis.dof));
+    add(proposal_lines(d.proposals, d.diagnosis.base.fit.chi2, d.diagnosis.dof));
     add(close_effects_lines(d.diagnosis, *d.models));
     add(suspect_lines(d));
     if (std::string order = order_line(d, content.resolved.catalogue()); !order.empty())

@@ -78,7 +78,7 @@ TEST(Diagnosis, KeepsTheTruthWhereATestAtFivePerCentWouldRefuseIt) {
     for (unsigned study = 1; study <= studies; ++study) {
         const Diagnosis d = diagnose(space, measuring.of(truth), quickly(study));
         held += std::ranges::any_of(
-            d.confidence_set, [](const Explanation& each) { return each.chosen == EffectSet{1}; });
+            d.confidence_set, [](const FittedModel& each) { return each.chosen == EffectSet{1}; });
     }
     // Measured: 397, and 383 without the second limit; 374 to 388 in 99 of 100 tries of 95 %.
     EXPECT_GE(held, 389);
@@ -99,7 +99,7 @@ TEST(Diagnosis, KeepsAPairThatIsClearlyBetterThanOneEffectThatFits) {
         const Diagnosis d =
             diagnose(space, measuring.of(plain() + 2.2 * over_places(pair), true), quickly(study));
         wrong += d.verdict == Verdict::missing && d.effects == std::vector<std::string>{"imitator"};
-        both += std::ranges::any_of(d.confidence_set, [](const Explanation& each) {
+        both += std::ranges::any_of(d.confidence_set, [](const FittedModel& each) {
             return each.chosen == EffectSet{3, 4};
         });
     }
@@ -125,7 +125,7 @@ TEST(Diagnosis, FindsTheSameInSeveralThreads) {
     ASSERT_EQ(together.tried.size(), alone.tried.size());
     for (std::size_t k = 0; k < alone.tried.size(); ++k) {
         EXPECT_EQ(together.tried[k].chosen, alone.tried[k].chosen);
-        EXPECT_EQ(together.tried[k].chi2, alone.tried[k].chi2);
+        EXPECT_EQ(together.tried[k].fit.chi2, alone.tried[k].fit.chi2);
         EXPECT_EQ(together.tried[k].accepted, alone.tried[k].accepted);
     }
     EXPECT_EQ(together.effects, alone.effects);

@@ -54,7 +54,8 @@ TEST(Impact, OfARefitIsTheLinearOneForALine) {
     EXPECT_EQ(first.name, "parabola");
     const Fit& refit = d.confidence_set.front().fit;
     EXPECT_NEAR(first.at_estimate.size, refit.parameters(2), 1e-6);
-    EXPECT_NEAR(first.at_estimate.refitted(0), refit.parameters(0) - d.fit.parameters(0), 1e-6);
+    EXPECT_NEAR(first.at_estimate.refitted(0), refit.parameters(0) - d.base.fit.parameters(0),
+                1e-6);
     EXPECT_NEAR(first.pull(), refit.parameters(2) / refit.standard_error(2), 1e-6);
     std::size_t refitted = 0;
     for (const Impact& impact : table.impacts) {
@@ -89,7 +90,7 @@ TEST(Impact, HasNoPullWhereNoFitSettlesTheSize) {
         measuring.of(plain() + 5 * over_places([](double x) { return x * x; }));
     Diagnosis d = diagnosed(space, evidence);
     ASSERT_TRUE(std::isfinite(impact_of(impacts(space, evidence, d), "parabola").pull()));
-    for (Explanation& each : d.tried) {
+    for (FittedModel& each : d.tried) {
         each.fit.converged = false;
     }
     EXPECT_TRUE(std::isnan(impact_of(impacts(space, evidence, d), "parabola").pull()));
@@ -116,8 +117,8 @@ TEST(Impact, LeavesNoParameterBeyondItsBounds) {
     const ImpactTable table = impacts(space, evidence, d);
     const Shift& shift = impact_of(table, "huge").at_interest;
     const double lower = space.with({})->bounds().lower(0);
-    EXPECT_NEAR(d.fit.parameters(0) + shift.best()(0), lower, 1e-6 * std::abs(lower));
-    EXPECT_LT(d.fit.parameters(0) + shift.linear(0), 10 * lower);
+    EXPECT_NEAR(d.base.fit.parameters(0) + shift.best()(0), lower, 1e-6 * std::abs(lower));
+    EXPECT_LT(d.base.fit.parameters(0) + shift.linear(0), 10 * lower);
 }
 
 TEST(Impact, OfAGroupIsTheRootOfTheSumOfSquares) {

@@ -33,8 +33,8 @@ Finding finding(std::size_t candidate, Score score, double power, bool identifia
     return result;
 }
 
-Explanation model_with(EffectSet effects, double chi2, bool accepted) {
-    Explanation result{.chosen = std::move(effects), .chi2 = chi2, .criterion = chi2};
+FittedModel model_with(EffectSet effects, double chi2, bool accepted) {
+    FittedModel result{.chosen = std::move(effects), .fit = {.chi2 = chi2}, .criterion = chi2};
     result.accepted = accepted;
     result.fit.converged = true;
     return result;
@@ -43,7 +43,7 @@ Explanation model_with(EffectSet effects, double chi2, bool accepted) {
 /// Tests of a model that does not fit, of whose candidates each would have been seen.
 TestResults misfit() {
     TestResults tests;
-    tests.chi2 = 500, tests.dof = 50;
+    tests.base.fit.chi2 = 500, tests.dof = 50;
     for (std::size_t k = 0; k < candidates().size(); ++k) {
         tests.scan.push_back(finding(k, Score::slight, 1));
     }
@@ -53,7 +53,7 @@ TestResults misfit() {
 /// Tests of a model that fits, of whose candidates each would have been seen.
 TestResults fitting() {
     TestResults tests = misfit();
-    tests.chi2 = 50, tests.base_fits = true;
+    tests.base.fit.chi2 = 50, tests.base.accepted = true;
     return tests;
 }
 

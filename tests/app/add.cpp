@@ -85,7 +85,7 @@ std::string advice(Action change, const LadderStep& before, const LadderStep& af
 }
 
 /// A calibration made up for the purpose.
-Fitted after_fit() {
+FittedStudy after_fit() {
     Calibration c = planted::calibration(planted::readings());
     Comparison comparison = compare(c);
     LadderStep r = with_torque(ladder_step_of(c, comparison, std::nullopt));

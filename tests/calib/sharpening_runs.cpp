@@ -1,5 +1,5 @@
 // Which runs sharpen fitted models: those at the readings' own states.
-#include "calib/model/sharpening_runs.h"
+#include "calib/fit/sharpening_runs.h"
 
 #include <gtest/gtest.h>
 

@@ -69,7 +69,7 @@ TEST(LoadCellDiagnosis, HasThePublishedLackOfFit) {
     const Eigen::MatrixXd means = residuals.means_over(readings_twice.conditions);
     EXPECT_NEAR((means.transpose() * residuals.residuals()).squaredNorm() / (loads - 2), 214.7,
                 0.05);
-    EXPECT_LT(d.lack_of_fit_p, 0.001);
+    EXPECT_LT(d.base.lack_of_fit_p, 0.001);
 }
 
 TEST(LoadCellDiagnosis, NamesTheSquareAlone) {

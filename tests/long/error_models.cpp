@@ -87,8 +87,8 @@ const std::vector<Condition>& all_conditions() {
     return all;
 }
 
-const StudyModels& laboratory_models() {
-    static const StudyModels shared = models_of(all_conditions());
+const StudyModelSpace& laboratory_models() {
+    static const StudyModelSpace shared = models_of(all_conditions());
     return shared;
 }
 

@@ -55,8 +55,8 @@ struct Counts {
 };
 
 /// Models of a study that states the discrepancy.
-const StudyModels& inexact_models() {
-    static const StudyModels shared = [] {
+const StudyModelSpace& inexact_models() {
+    static const StudyModelSpace shared = [] {
         Study study = planted_study();
         study.model.discrepancy = of_model;
         return models_of(conditions(), study);

@@ -17,12 +17,12 @@ using testing::Contains;
 using testing::IsSupersetOf;
 using testing::Not;
 
-std::vector<Rival> rivals_of(const Diagnosis& d) {
-    std::vector<Rival> rivals;
-    for (const Explanation& each : d.confidence_set) {
-        rivals.push_back({models().candidates()[each.chosen.front()].name,
-                          models().predictor(each.chosen), each.fit.parameters,
-                          each.fit.covariance});
+std::vector<FittedModel> rivals_of(const Diagnosis& d) {
+    std::vector<FittedModel> rivals;
+    for (const FittedModel& each : d.confidence_set) {
+        rivals.push_back(each);
+        rivals.back().name = each.effects.front();
+        rivals.back().predictor = models().predictor(each.chosen);
     }
     return rivals;
 }
@@ -54,7 +54,7 @@ TEST(NextMeasurement, TellsAHeightOffsetFromLostBeads) {
     // It is measured, and the two are told apart.
     std::vector<Condition> all = conditions();
     all.insert(all.end(), static_cast<std::size_t>(plan.repeats), points[plan.point].condition);
-    const StudyModels more = models_of(all);
+    const StudyModelSpace more = models_of(all);
     const auto truth = more.with(place_of(planted.effect));
     const Eigen::VectorXd values =
         truth->predict(truth_of(planted, *truth), PredictionPart::values).value;
@@ -95,7 +95,7 @@ TEST(NextMeasurement, TellsADragFromATareByTheEmptyCell) {
          {std::tuple("1.08 mN m", "torque-offset", "normal-force-offset"),
           std::tuple("-0.06 mN m", "normal-force-offset", "torque-offset")}) {
         measured.direct = {{.effect = "torque-offset", .value = value, .error = "0.1 mN m"}};
-        const StudyModels more = models_of(conditions(), measured);
+        const StudyModelSpace more = models_of(conditions(), measured);
         const Diagnosis after = diagnose(more, evidence_of(readings, {}, more.direct()));
         EXPECT_THAT(after.effects, Contains(right)) << value;
         EXPECT_THAT(after.effects, Not(Contains(wrong))) << value;
@@ -105,8 +105,8 @@ TEST(NextMeasurement, TellsADragFromATareByTheEmptyCell) {
 TEST(NextMeasurement, CannotTellTheAngleFromTheTension) {
     const Diagnosis d =
         diagnose(models(), evidence_of(readings_with({"contact-angle", 0.9}, 5), {}));
-    std::vector<Rival> rivals;
-    for (Rival& rival : rivals_of(d)) {
+    std::vector<FittedModel> rivals;
+    for (FittedModel& rival : rivals_of(d)) {
         if (rival.name == "contact-angle" || rival.name == "capillary-bridges") {
             rivals.push_back(rival);
         }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/diagnosis/study_evidence.h"
-#include "calib/model/study_models.h"
+#include "calib/model/study_model_space.h"
 #include "tests/support/effect_study.h"
 
 // Readings of the laboratory that the emulator itself predicts, with an effect on or complete.
@@ -27,19 +27,19 @@ inline const Study& planted_study() {
     return study;
 }
 
-inline StudyModels models_of(const std::vector<Condition>& conditions,
-                             const Study& study = planted_study()) {
+inline StudyModelSpace models_of(const std::vector<Condition>& conditions,
+                                 const Study& study = planted_study()) {
     const Fidelity quick = fidelity_named("quick");
-    return {
-        study,
-        conditions,
-        quick,
-        {runs_serving(StudyModels::with_all_effects(planted_study()), quick, all_shipped_runs()),
-         shipped_hyperparameters(), false}};
+    return {study,
+            conditions,
+            quick,
+            {runs_serving(StudyModelSpace::with_all_effects(planted_study()), quick,
+                          all_shipped_runs()),
+             shipped_hyperparameters(), false}};
 }
 
-inline const StudyModels& models() {
-    static const StudyModels shared = models_of(conditions());
+inline const StudyModelSpace& models() {
+    static const StudyModelSpace shared = models_of(conditions());
     return shared;
 }
 

@@ -33,7 +33,7 @@ Effect unknown_effect(Show show) {
 /// Readings of the laboratory with a hidden effect and random errors.
 std::vector<Reading> readings_hiding(const Effect& hidden, std::uint64_t seed) {
     const std::vector<Effect> more = {hidden};
-    const StudyModels with_hidden = models().offering(more);
+    const StudyModelSpace with_hidden = models().offering(more);
     const std::shared_ptr<const Model> truth = with_hidden.with({models().candidates().size()});
     const Eigen::VectorXd parameters = Eigen::VectorXd::Constant(1, planted_friction);
     std::mt19937_64 random(seed);
@@ -220,7 +220,7 @@ TEST(Proposals, OfTwoChangesAreAsSignificantAsTheLesserOne) {
     const DiagnosisOptions options;
     const Diagnosis diagnosis = diagnose(models(), evidence, options);
     const Explanations explanations(models(), evidence, options);
-    const Explanation base{.fit = diagnosis.fit, .chi2 = diagnosis.chi2};
+    const FittedModel& base = diagnosis.base;
     const ScoredShapes scored(planted_study(), models(), readings, base, explanations, 1);
     EXPECT_LT(scored.p(scored.singles().front()), 0.001);
     // One change is hidden, so that a second one only follows the noise.

@@ -10,8 +10,8 @@
 namespace pendular::reports_diagnosis_test {
 
 /// A refit with the only candidate of a space: its amplitude is 0.5 with this standard error.
-Explanation refit(double standard_error, bool converged) {
-    Explanation result{.chosen = {0}, .suspect = {}, .fit = {}};
+FittedModel refit(double standard_error, bool converged) {
+    FittedModel result{.chosen = {0}, .suspect = {}, .fit = {}};
     result.fit.parameters = Eigen::Vector2d(1, 0.5);
     result.fit.covariance = Eigen::Vector2d(1, standard_error * standard_error).asDiagonal();
     result.fit.converged = converged;
@@ -35,7 +35,7 @@ TEST(EstimateOfAnEffect, IsThatOfTheRefitWhereOneConverged) {
                                             .upper = 10,
                                             .smallest_of_interest = 1}}});
     Diagnosis diagnosis;
-    diagnosis.fit.parameters = Eigen::VectorXd::Ones(1);
+    diagnosis.base.fit.parameters = Eigen::VectorXd::Ones(1);
     Finding finding;
     finding.value = 0.4, finding.standard_error = 0.02;
     const auto estimate = [&] { return estimate_of(diagnosis, finding, space); };
@@ -55,7 +55,7 @@ TEST(ImplausibleOffsets, AreThoseAboveAFifthOfTheLargestReading) {
           .values = Eigen::VectorXd::LinSpaced(4, 0, 1),
           .parameter = {.name = "amplitude", .unit = "N", .lower = 0, .upper = 10}}});
     Diagnosis diagnosis;
-    diagnosis.fit.parameters = Eigen::VectorXd::Ones(1);
+    diagnosis.base.fit.parameters = Eigen::VectorXd::Ones(1);
     diagnosis.scan.emplace_back();
     diagnosis.effects = {"drag"};
     diagnosis.tried = {refit(0.03, true)};  // 500 mN
@@ -79,13 +79,13 @@ TEST(VerdictLine, NamesWhatCouldExplainALargeMisfitOfUntestedErrors) {
     diagnosis.effects = {"drag"};
     diagnosis.scan.emplace_back();
     diagnosis.scan.front().refitted_reduction = 480;
-    diagnosis.chi2 = 489, diagnosis.dof = 13;
+    diagnosis.base.fit.chi2 = 489, diagnosis.dof = 13;
     const auto line = [&] { return verdict_line(diagnosis, space, {}); };
     EXPECT_THAT(line(), testing::HasSubstr("chi2/dof is 37.62 and drag could explain most of it"));
     diagnosis.scan.front().refitted_reduction = 100;
     EXPECT_THAT(line(), testing::HasSubstr("1 effect could go undetected at its"));
     diagnosis.scan.front().refitted_reduction = 480;
-    diagnosis.chi2 = 20;
+    diagnosis.base.fit.chi2 = 20;
     EXPECT_THAT(line(), testing::HasSubstr("1 effect could go undetected at its"));
 }
 
@@ -93,18 +93,18 @@ TEST(VerdictLine, SaysHowWellEachOfSeveralEffectsExplainsTheReadings) {
     const LinearSpace space = drag_and_slip();
     Diagnosis diagnosis;
     diagnosis.verdict = Verdict::indistinguishable;
-    diagnosis.chi2 = 400, diagnosis.dof = 100;
+    diagnosis.base.fit.chi2 = 400, diagnosis.dof = 100;
     diagnosis.confidence_set = {refit(0.1, true), refit(0.1, true)};
     diagnosis.confidence_set[1].chosen = {1};
-    for (Explanation& each : diagnosis.confidence_set) {
-        each.fit.dof = 100, each.chi2 = 90;
+    for (FittedModel& each : diagnosis.confidence_set) {
+        each.fit.dof = 100, each.fit.chi2 = 90;
     }
     const auto line = [&] { return verdict_line(diagnosis, space, {}); };
     EXPECT_THAT(line(), testing::HasSubstr("chi2/dof from 4.00 to about 0.90"));
-    diagnosis.confidence_set[1].chi2 = 95;
+    diagnosis.confidence_set[1].fit.chi2 = 95;
     EXPECT_THAT(line(), testing::HasSubstr("chi2/dof from 4.00 to between 0.90 and 0.95"));
     EXPECT_THAT(line(), testing::HasSubstr("something is missing"));
-    diagnosis.lack_of_fit_p = 0.04, diagnosis.further_p = 0.02;
+    diagnosis.base.lack_of_fit_p = 0.04, diagnosis.base.further_p = 0.02;
     EXPECT_THAT(line(), testing::AllOf(testing::HasSubstr("something may be missing"),
                                        testing::HasSubstr("is weak (p = 0.02)")));
 }
@@ -112,7 +112,7 @@ TEST(VerdictLine, SaysHowWellEachOfSeveralEffectsExplainsTheReadings) {
 TEST(DiagnosisTable, SaysWhatEachEffectLeaves) {
     const LinearSpace space = drag_and_slip();
     Diagnosis diagnosis;
-    diagnosis.chi2 = 500, diagnosis.dof = 11;
+    diagnosis.base.fit.chi2 = 500, diagnosis.dof = 11;
     diagnosis.scan.resize(2);
     diagnosis.decisions.resize(2);
     diagnosis.scan[0].refitted_reduction = 480;
@@ -131,12 +131,12 @@ TEST(CloseEffects, AreNamedWithWhatTheyWouldLeave) {
     const LinearSpace space = drag_and_slip();
     Diagnosis diagnosis;
     diagnosis.verdict = Verdict::missing;
-    diagnosis.chi2 = 1010, diagnosis.dof = 10;
+    diagnosis.base.fit.chi2 = 1010, diagnosis.dof = 10;
     diagnosis.tried = {refit(0.1, true), refit(0.1, true)};
     diagnosis.tried[0].accepted = true;
     diagnosis.tried[1].chosen = {1};
-    for (Explanation& each : diagnosis.tried) {
-        each.fit.dof = 9, each.chi2 = 27;
+    for (FittedModel& each : diagnosis.tried) {
+        each.fit.dof = 9, each.fit.chi2 = 27;
     }
     EXPECT_THAT(close_effects_lines(diagnosis, space),
                 testing::ElementsAre(testing::AllOf(testing::HasSubstr("slip"),
@@ -146,7 +146,7 @@ TEST(CloseEffects, AreNamedWithWhatTheyWouldLeave) {
     diagnosis.confidence_set[0].chosen = {0, 1};
     EXPECT_THAT(close_effects_lines(diagnosis, space), testing::IsEmpty());
     diagnosis.confidence_set.clear();
-    diagnosis.tried[1].chi2 = 300;  // more than a tenth of the misfit is left
+    diagnosis.tried[1].fit.chi2 = 300;  // more than a tenth of the misfit is left
     EXPECT_THAT(close_effects_lines(diagnosis, space), testing::IsEmpty());
 }
 

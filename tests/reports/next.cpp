@@ -46,9 +46,11 @@ class Offset : public KnownFlow {
     double offset_, error_;
 };
 
-Rival rival(const std::string& name, const Offset& model, double friction, double error) {
-    return {name, std::make_shared<Offset>(model), Eigen::VectorXd::Constant(1, friction),
-            Eigen::MatrixXd::Constant(1, 1, error * error)};
+FittedModel rival(const std::string& name, const Offset& model, double friction, double error) {
+    return {.name = name,
+            .predictor = std::make_shared<Offset>(model),
+            .fit = {.parameters = Eigen::VectorXd::Constant(1, friction),
+                    .covariance = Eigen::MatrixXd::Constant(1, 1, error * error)}};
 }
 
 std::vector<Point> at(const std::vector<double>& stresses) {
@@ -64,8 +66,8 @@ const Eigen::Vector2d noise(0.01, 0.002);
 TEST(NextMeasurement, IsWhereRivalsDifferMost) {
     // 3 Pa more, or a friction that makes up for it at 1 kPa.
     const Offset plain(0), with_offset(3);
-    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 1e-4),
-                                       rival("b", with_offset, 0.3, 1e-4)};
+    const std::vector<FittedModel> rivals = {rival("a", plain, 0.303, 1e-4),
+                                             rival("b", with_offset, 0.3, 1e-4)};
     const auto points = at({100, 300, 1000, 3000});
     const auto plans = separating_plans(rivals, points, noise, 10);
     EXPECT_EQ(points[plans.front().point].condition.normal_stress, 100);
@@ -82,8 +84,8 @@ TEST(NextMeasurement, IsWhereRivalsDifferMost) {
 
 TEST(NextMeasurement, TakesAsManyReadingsAsTellThemApart) {
     const Offset plain(0), with_offset(3);
-    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 1e-6),
-                                       rival("b", with_offset, 0.3, 1e-6)};
+    const std::vector<FittedModel> rivals = {rival("a", plain, 0.303, 1e-6),
+                                             rival("b", with_offset, 0.3, 1e-6)};
     const auto plans = separating_plans(rivals, at({500}), noise, 30);
     // They differ by 1.5 Pa with 1.515 Pa of noise: n (1.5/1.515)^2 = 9.63.
     EXPECT_EQ(plans.front().repeats, 10);
@@ -102,15 +104,15 @@ TEST(NextMeasurement, TakesAsManyReadingsAsTellThemApart) {
 
 TEST(NextMeasurement, IsNotWhereTheSimulationIsTooUncertain) {
     const Offset plain(0, 0.05), with_offset(3, 0.05);
-    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 1e-4),
-                                       rival("b", with_offset, 0.3, 1e-4)};
+    const std::vector<FittedModel> rivals = {rival("a", plain, 0.303, 1e-4),
+                                             rival("b", with_offset, 0.3, 1e-4)};
     EXPECT_TRUE(separating_plans(rivals, at({100, 300}), noise, 100).front().separated.empty());
 }
 
 TEST(NextMeasurement, WeighsItsCost) {
     const Offset plain(0), with_offset(3);
-    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 1e-4),
-                                       rival("b", with_offset, 0.3, 1e-4)};
+    const std::vector<FittedModel> rivals = {rival("a", plain, 0.303, 1e-4),
+                                             rival("b", with_offset, 0.3, 1e-4)};
     auto points = at({100, 150});
     points[0].first_cost = 5;  // another filling
     const auto plans = separating_plans(rivals, points, noise, 10);
@@ -121,8 +123,8 @@ TEST(NextMeasurement, WeighsItsCost) {
 TEST(NextMeasurement, TakesSeveralPointsWhereNoneTellsAlone) {
     // A friction known to 3 % only takes over what the rivals differ by at any point, not at two.
     const Offset plain(0), with_offset(3);
-    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 0.01),
-                                       rival("b", with_offset, 0.3, 0.01)};
+    const std::vector<FittedModel> rivals = {rival("a", plain, 0.303, 0.01),
+                                             rival("b", with_offset, 0.3, 0.01)};
     const auto points = at({100, 300, 1000, 3000});
     const auto plans = separating_plans(rivals, points, noise, 20);
     ASSERT_TRUE(plans.front().separated.empty());
@@ -169,16 +171,16 @@ TEST(NextMeasurement, TakesSeveralPointsWhereNoneTellsAlone) {
 TEST(NextMeasurement, TakesNoSeriesWhereFrictionMakesUpForAll) {
     // What differs is a friction, and neither is known: any number of points says the same.
     const Offset plain(0);
-    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 0.01),
-                                       rival("b", plain, 0.3, 0.01)};
+    const std::vector<FittedModel> rivals = {rival("a", plain, 0.303, 0.01),
+                                             rival("b", plain, 0.3, 0.01)};
     EXPECT_TRUE(separating_series(rivals, at({100, 300, 1000, 3000}), noise, 20, 40).steps.empty());
 }
 
 TEST(NextMeasurement, SpendsNothingOnPairsThatStayTogether) {
     const Offset plain(0), same(0), with_offset(3);
-    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 1e-4),
-                                       rival("a again", same, 0.303, 1e-4),
-                                       rival("b", with_offset, 0.3, 1e-4)};
+    const std::vector<FittedModel> rivals = {rival("a", plain, 0.303, 1e-4),
+                                             rival("a again", same, 0.303, 1e-4),
+                                             rival("b", with_offset, 0.3, 1e-4)};
     const Series series = separating_series(rivals, at({100, 300, 1000, 3000}), noise, 20, 40);
     EXPECT_THAT(series.separated,
                 testing::UnorderedElementsAre(std::pair(0u, 2u), std::pair(1u, 2u)));
@@ -197,7 +199,8 @@ Point sled(double standard_error, double cost) {
 TEST(NextMeasurement, IsADirectOneWhereThatTellsMore) {
     // Alike in every reading; but one has the friction as its parameter.
     const Offset has("friction"), has_not("wall.slip");
-    const std::vector<Rival> rivals = {rival("a", has, 0.3, 0.01), rival("b", has_not, 0.3, 0.01)};
+    const std::vector<FittedModel> rivals = {rival("a", has, 0.3, 0.01),
+                                             rival("b", has_not, 0.3, 0.01)};
     auto points = at({100, 1000});
     points.push_back(sled(0.02, 1));
     const auto plans = separating_plans(rivals, points, noise, 20);
@@ -218,8 +221,8 @@ TEST(NextMeasurement, TakesADirectOneAmongSeveral) {
     // One fits an offset of 3 Pa with 0.3 of friction, the other 0.303 without: what is known of
     // the friction to 3 % only. Neither a reading nor the sled tells alone, both together do.
     const Offset plain(0), with_offset(3);
-    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 0.01),
-                                       rival("b", with_offset, 0.3, 0.01)};
+    const std::vector<FittedModel> rivals = {rival("a", plain, 0.303, 0.01),
+                                             rival("b", with_offset, 0.3, 0.01)};
     auto points = at({300});
     points.push_back(sled(1e-4, 0.1));
     ASSERT_TRUE(separating_plans(rivals, at({300}), noise, 20).front().separated.empty());

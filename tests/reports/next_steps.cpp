@@ -83,7 +83,8 @@ TEST_F(NextSteps, CheckTheSensorAndRepeatSuspectReadings) {
     });
     ASSERT_NE(suspect, d_.evidence.suspects.end());
     d_.diagnosis.suspects = {suspect->name};
-    Explanation error{.fit = d_.diagnosis.fit, .chi2 = 47};
+    FittedModel error{.fit = d_.diagnosis.base.fit};
+    error.fit.chi2 = 47;
     error.suspect = static_cast<std::size_t>(suspect - d_.evidence.suspects.begin());
     const auto size = error.fit.parameters.size() + 2;
     error.fit.parameters.conservativeResize(size);
@@ -122,8 +123,8 @@ TEST_F(NextSteps, CheckTheSensorBeforeAProposalIsAdded) {
     Proposal proposal;
     proposal.shapes = {change_of("stress_ratio")};
     proposal.alike = {change_of("torque")};
-    proposal.explanation.fit = d_.diagnosis.fit;
-    proposal.explanation.chi2 = 1e6;
+    proposal.model.fit = d_.diagnosis.base.fit;
+    proposal.model.fit.chi2 = 1e6;
     d_.proposals.push_back(proposal);
     const auto list = steps();
     ASSERT_EQ(list.size(), 2u);
@@ -143,7 +144,7 @@ TEST_F(NextSteps, CheckTheSensorBeforeAProposalIsAdded) {
 TEST_F(NextSteps, RuleOutWhatWouldShiftTheFriction) {
     forget(Verdict::inconclusive);
     d_.diagnosis.effects = {"rolling-resistance", "torque-gain"};
-    d_.diagnosis.chi2 = d_.diagnosis.dof;
+    d_.diagnosis.base.fit.chi2 = d_.diagnosis.dof;
     EXPECT_THAT(
         texts().front(),
         AllOf(HasSubstr("To rule out torque-gain, measure it directly, by a known torque"),
@@ -237,25 +238,25 @@ TEST_F(NextSteps, TellCausesInTheBeadsApart) {
     Proposal proposal;
     proposal.shapes = {change_of("stress_ratio")};
     proposal.alike = {change_of("torque"), change_of("solid_fraction")};
-    proposal.explanation.fit = d_.diagnosis.fit;
+    proposal.model.fit = d_.diagnosis.base.fit;
     d_.proposals.push_back(proposal);
     // Models that the readings rule out are left out, as are changes of what a sensor shows.
-    d_.proposals[0].explanation.chi2 = 0;
+    d_.proposals[0].model.fit.chi2 = 0;
     const auto proposed = proposal_rivals(d_);
     ASSERT_EQ(proposed.size(), 1u);
     EXPECT_EQ(proposed[0].name, "proposal 1: stress-ratio-everywhere");
-    d_.proposals[0].explanation.chi2 = 1e6;
+    d_.proposals[0].model.fit.chi2 = 1e6;
     const auto other = proposal_rivals(d_);
     ASSERT_EQ(other.size(), 1u);
     EXPECT_EQ(other[0].name, "solid-fraction-everywhere");
-    EXPECT_EQ(other[0].parameters.size(), d_.diagnosis.fit.parameters.size() + 1);
-    EXPECT_EQ(other[0].model->parameters().back().name, "solid-fraction-everywhere.change");
-    Eigen::VectorXd parameters = other[0].parameters;
+    EXPECT_EQ(other[0].fit.parameters.size(), d_.diagnosis.base.fit.parameters.size() + 1);
+    EXPECT_EQ(other[0].predictor->parameters().back().name, "solid-fraction-everywhere.change");
+    Eigen::VectorXd parameters = other[0].fit.parameters;
     const std::vector<Condition> at = {d_.readings.front().condition};
     parameters.tail<1>()(0) = 0;
-    const double before = other[0].model->predict(parameters, at).value(1);
+    const double before = other[0].predictor->predict(parameters, at).value(1);
     parameters.tail<1>()(0) = 0.1;
-    EXPECT_NEAR(other[0].model->predict(parameters, at).value(1), 1.1 * before, 1e-6);
+    EXPECT_NEAR(other[0].predictor->predict(parameters, at).value(1), 1.1 * before, 1e-6);
 }
 
 }  // namespace pendular::next_steps_test

@@ -14,7 +14,7 @@ Proposal change_of(const std::string& target) {
     Proposal proposal;
     proposal.shapes = {{.shape = {.quantity = {.target = target}}, .change = 0.1}};
     proposal.shapes.front().effect.name = target + "-change";
-    proposal.explanation.fit.dof = 10;
+    proposal.model.fit.dof = 10;
     return proposal;
 }
 

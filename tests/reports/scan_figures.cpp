@@ -26,7 +26,7 @@ Finding finding(std::size_t candidate, const Eigen::Vector2d& direction, double 
 
 Diagnosis diagnosis(double chi2) {
     Diagnosis d;
-    d.chi2 = chi2, d.dof = 10;
+    d.base.fit.chi2 = chi2, d.dof = 10;
     d.scan = {finding(0, {1, 0}, 50), finding(1, {3, -4}, 20), finding(2, {0, 0}, 0)};
     d.scan[0].refitted_reduction = 60;
     return d;
@@ -46,7 +46,7 @@ TEST(ScanFigures, ShowPredictedAndRefittedReductions) {
 TEST(ScanFigures, ShowTheLargestReductionsOfMany) {
     std::vector<LinearSpace::Column> columns;
     Diagnosis many;
-    many.chi2 = 100, many.dof = 10;
+    many.base.fit.chi2 = 100, many.dof = 10;
     for (std::size_t k = 0; k < 25; ++k) {
         columns.push_back({"effect-" + std::to_string(k), Eigen::Vector2d(1, 0)});
         many.scan.push_back(finding(k, {1, 0}, static_cast<double>(k)));

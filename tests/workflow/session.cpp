@@ -17,6 +17,7 @@ namespace pendular::workflow_session_test {
 namespace fs = std::filesystem;
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 /// A copy of a study of friction 0.09 whose walls rub.
 class Sessions : public testing::Test {
@@ -79,19 +80,19 @@ TEST_F(Sessions, FitOneModelOnce) {
     const Fit calibrated = session.calibrate({.confirm = false}).calibration.fit;
     const Diagnosis diagnosed = session.diagnose().diagnosis;
     EXPECT_GT(calibrated.chi2, 2 * calibrated.dof);
-    EXPECT_NEAR(calibrated.parameters(0), diagnosed.fit.parameters(0),
+    EXPECT_NEAR(calibrated.parameters(0), diagnosed.base.fit.parameters(0),
                 0.01 * calibrated.standard_error(0));
-    EXPECT_NEAR(calibrated.chi2, diagnosed.chi2, 1e-3 * diagnosed.chi2);
+    EXPECT_NEAR(calibrated.chi2, diagnosed.base.fit.chi2, 1e-3 * diagnosed.base.fit.chi2);
 }
 
 TEST_F(Sessions, GoFromRecordingsToTheEffectThatWasMissing) {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     {
-        const Session before = session();
+        Session before = session();
         EXPECT_THAT(input_error([&] { before.predict({}); }), HasSubstr("no calibration yet"));
         EXPECT_EQ(before.measurements().readings.size(), 24u);
-        const CalibratedStudy calibrated = before.calibrate();
+        const FittedStudy calibrated = before.calibrate();
         EXPECT_FALSE(calibrated.belief.believable());
         EXPECT_TRUE(fs::exists(study_ / "out/fit.json"));
         EXPECT_EQ(before.compare().calibration.fit.parameters(0),
@@ -113,12 +114,20 @@ TEST_F(Sessions, GoFromRecordingsToTheEffectThatWasMissing) {
         // Both fits use all readings, and the diagnosis has the same one before the change.
         EXPECT_EQ(added.before.calibration.fitted, 24u);
         EXPECT_EQ(added.after.calibration.fitted, 24u);
-        EXPECT_NEAR(added.before.ladder_step.chi2, diagnosis.diagnosis.chi2,
-                    1e-3 * diagnosis.diagnosis.chi2);
-        // The session is of the study as it was.
+        EXPECT_NEAR(added.before.ladder_step.chi2, diagnosis.diagnosis.base.fit.chi2,
+                    1e-3 * diagnosis.diagnosis.base.fit.chi2);
+        // The session is one of the changed study.
+        EXPECT_THAT(names_of(before.study().model.effects), testing::ElementsAre("wall-friction"));
+        EXPECT_EQ(before.study().model.effects[0].position.line,
+                  read_study(study_).model.effects[0].position.line);
+        EXPECT_EQ(before.compare().calibration.fit.parameters,
+                  added.after.calibration.fit.parameters);
+        EXPECT_THAT(input_error([&] { before.add("wall-friction"); }),
+                    Not(HasSubstr("has changed")));
+        std::ofstream(study_ / "study.toml", std::ios::app) << "# by hand";
         EXPECT_THAT(input_error([&] { before.add("lid-slip"); }), HasSubstr("has changed"));
     }
-    const Session after(study_ / "study.toml", options());
+    Session after(study_ / "study.toml", options());
     EXPECT_EQ(after.study().model.effects.size(), 1u);
     const StudyDiagnosis diagnosis = after.diagnose();
     EXPECT_FALSE(after.next(diagnosis).sharpenings.empty());
@@ -145,7 +154,7 @@ TEST_F(Sessions, ConfirmNothingWithoutTime) {
     EXPECT_FALSE(confirmed.confirmed->settled);
     EXPECT_EQ(confirmed.confirmed->open, "no simulation was made");
     EXPECT_EQ(confirmed.diagnosis.effects, plain.diagnosis.effects);
-    EXPECT_EQ(confirmed.diagnosis.chi2, plain.diagnosis.chi2);
+    EXPECT_EQ(confirmed.diagnosis.base.fit.chi2, plain.diagnosis.base.fit.chi2);
 }
 
 TEST_F(Sessions, TellTheImpactOfWhatMayBeMissing) {
@@ -171,7 +180,7 @@ TEST_F(Sessions, EndAtACleanPointWhenToldToStop) {
     std::stop_source stop;
     SessionOptions stopped = options();
     stopped.stop = stop.get_token();
-    const Session session(study_, stopped);
+    Session session(study_, stopped);
     stop.request_stop();
     EXPECT_THROW(session.diagnose(), dem::Interrupted);
     EXPECT_THROW(session.add("wall-friction"), dem::Interrupted);
@@ -196,7 +205,9 @@ TEST_F(Sessions, KeepTheRivalOfAnAddedEffect) {
         << R"({"model_effects": [], "confidence_set": [["gain-a"], ["gain-b"], ["lid-slip"]]})";
     EXPECT_THAT(rivals_in(study_ / "out/diagnosis.json", session().study(), "torque-gain"),
                 testing::IsEmpty());
-    const ChangedStudy added = session().add("gain-a");
+    const ChangedStudy added = session().add(
+        "gain-a",
+        {.rivals = rivals_in(study_ / "out/diagnosis.json", session().study(), "gain-a")});
     ASSERT_TRUE(added.written);
     EXPECT_THAT(
         added.after.ladder_step.rivals,
@@ -209,14 +220,14 @@ TEST_F(Sessions, KeepTheRivalOfAnAddedEffect) {
     ASSERT_EQ(diagnosis.rivals.size(), 1u);
     EXPECT_EQ(diagnosis.rivals[0].in_place_of, "gain-a");
     EXPECT_THAT(diagnosis.rivals[0].effects, testing::ElementsAre("gain-b"));
-    EXPECT_NEAR(diagnosis.rivals[0].fitted.chi2, diagnosis.diagnosis.chi2,
-                0.01 * diagnosis.diagnosis.chi2);
+    EXPECT_NEAR(diagnosis.rivals[0].fit.chi2, diagnosis.diagnosis.base.fit.chi2,
+                0.01 * diagnosis.diagnosis.base.fit.chi2);
     diagnosis.diagnosis.confidence_set.clear();
     diagnosis.diagnosis.leaders.reset();
     ASSERT_EQ(rivals_of(diagnosis).size(), 2u);
     EXPECT_EQ(rivals_of(diagnosis).back().name, "gain-b in place of gain-a");
-    const std::string line =
-        rivals_line(diagnosis.rivals, diagnosis.diagnosis.chi2, after.resolved().catalogue());
+    const std::string line = rivals_line(diagnosis.rivals, diagnosis.diagnosis.base.fit.chi2,
+                                         after.resolved().catalogue());
     EXPECT_THAT(line, HasSubstr("gain-b in place of gain-a"));
     // An effect that the study lists by now stays in the model beside the rival.
     Ladder ladder = added.ladder;

@@ -39,7 +39,7 @@ TEST_F(SwitchedModelsTest, HaveTheNumbersOfTheStudyWithTheirEffects) {
     ASSERT_THAT(all.switches, ElementsAre("wall-friction", "polydispersity", "torque-gain"));
     EXPECT_EQ(all.current, 0u);
     ASSERT_EQ(all.models.size(), 8u);
-    const auto expect_same = [&](std::size_t index, const Fitted& fitted) {
+    const auto expect_same = [&](std::size_t index, const FittedStudy& fitted) {
         ASSERT_TRUE(all.models[index]) << all.why_not[index];
         const SwitchedModel& model = *all.models[index];
         const Misfit &ours = model.comparison.total, &theirs = fitted.comparison.total;

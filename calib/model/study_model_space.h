@@ -23,7 +23,7 @@ struct UntestableEffect {
 /// Set of all models of a study: the model with the effects that the study lists, and each model
 /// with candidates in addition: all further effects that apply to the study and that the emulator
 /// can predict. All models use one emulator, trained on earlier runs only.
-class StudyModels : public ModelSpace {
+class StudyModelSpace : public ModelSpace {
   public:
     /// Trains the emulator on earlier runs and finds the candidates.
     /// @param conditions conditions of the readings that the models predict
@@ -31,8 +31,8 @@ class StudyModels : public ModelSpace {
     /// @throws InputError if the study lists or directly measures an effect on grains, such as
     ///         rolling resistance, that no earlier run has as its only effect
     /// @throws std::invalid_argument if none of the earlier runs can serve as a training run
-    StudyModels(const ResolvedStudy& study, std::vector<Condition> conditions,
-                const Fidelity& fidelity, KnownRuns known);
+    StudyModelSpace(const ResolvedStudy& study, std::vector<Condition> conditions,
+                    const Fidelity& fidelity, KnownRuns known);
 
     const std::vector<Candidate>& candidates() const override { return candidates_; }
     std::shared_ptr<const Model> with(const EffectSet& chosen) const override;
@@ -48,7 +48,7 @@ class StudyModels : public ModelSpace {
                                                  const std::vector<std::string>& added) const;
     /// Returns a copy with the effects `more` as further candidates, after the present ones. They
     /// must not act on grains inside a simulation and must outlive the copy.
-    StudyModels offering(const std::vector<Effect>& more) const;
+    StudyModelSpace offering(const std::vector<Effect>& more) const;
     int internally_fitted_values() const override;
     ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
                                std::size_t added, double value) const override;

@@ -1,11 +1,11 @@
-#include "analysis/design/point_predictions.h"
+#include "analysis/design/point.h"
 
 #include <cmath>
 
 namespace pendular {
 
-Prediction predicted_at(const Rival& rival, const std::vector<Point>& points) {
-    const auto& parameters = rival.model->parameters();
+Prediction predicted_at(const FittedModel& rival, const std::vector<Point>& points) {
+    const auto& parameters = rival.predictor->parameters();
     std::vector<Condition> conditions;
     Eigen::Index size = 0;
     for (const Point& point : points) {
@@ -18,12 +18,12 @@ Prediction predicted_at(const Rival& rival, const std::vector<Point>& points) {
                    .covariance = Eigen::MatrixXd::Zero(size, size),
                    .run_noise = {}};
     Prediction predicted;
-    if (!conditions.empty()) predicted = rival.model->predict(rival.parameters, conditions);
+    if (!conditions.empty()) predicted = rival.predictor->predict(rival.fit.parameters, conditions);
     std::vector<Eigen::Index> place;  // index in `all` of each entry of the readings
     Eigen::Index entry = 0;
     for (const Point& point : points) {
         if (point.direct) {
-            all.value(entry) = predicted_value(*point.direct, parameters, rival.parameters);
+            all.value(entry) = predicted_value(*point.direct, parameters, rival.fit.parameters);
             if (const auto own = place_of(*point.direct, parameters)) all.jacobian(entry, *own) = 1;
             ++entry;
             continue;

@@ -1,4 +1,4 @@
-#include "calib/model/sharpening_runs.h"
+#include "calib/fit/sharpening_runs.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -45,20 +45,20 @@ Eigen::Vector2d weight_of(const Reading& reading) {
 /// along the direction in which they are known worst, in units of their standard errors, within
 /// their bounds.
 std::vector<Eigen::VectorXd> likely_parameters(const FittedModel& fitted) {
-    const Eigen::VectorXd errors = fitted.covariance.diagonal().cwiseSqrt();
-    const ParameterBounds bounds = fitted.model->bounds();
-    std::vector<Eigen::VectorXd> likely = {fitted.parameters};
+    const Eigen::VectorXd errors = fitted.fit.covariance.diagonal().cwiseSqrt();
+    const ParameterBounds bounds = fitted.predictor->bounds();
+    std::vector<Eigen::VectorXd> likely = {fitted.fit.parameters};
     if (!errors.allFinite() || (errors.array() <= 0).any()) {
         return likely;
     }
     const Eigen::VectorXd scale = errors.cwiseInverse();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> correlation(
-        scale.asDiagonal() * fitted.covariance * scale.asDiagonal());
+        scale.asDiagonal() * fitted.fit.covariance * scale.asDiagonal());
     const Eigen::Index last = errors.size() - 1;  // eigenvalues increase
     const Eigen::VectorXd step = std::sqrt(correlation.eigenvalues()(last)) *
                                  correlation.eigenvectors().col(last).cwiseProduct(errors);
     for (const double way : {-1.0, 1.0}) {
-        const Eigen::VectorXd moved = fitted.parameters + way * step;
+        const Eigen::VectorXd moved = fitted.fit.parameters + way * step;
         likely.push_back(moved.cwiseMax(bounds.lower).cwiseMin(bounds.upper));
     }
     return likely;
@@ -72,7 +72,7 @@ RunChoice sharpening_choice(const EmulatedSimulation& simulation,
     WeightedStates targets, from;
     for (const FittedModel& each : fitted) {
         for (const Eigen::VectorXd& parameters : likely_parameters(each)) {
-            const auto imposed = each.model->imposed(parameters, conditions_of(readings));
+            const auto imposed = each.predictor->imposed(parameters, conditions_of(readings));
             for (std::size_t k = 0; k < readings.size(); ++k) {
                 EffectiveCondition simulated = imposed[k];
                 simulated.inertial_number =

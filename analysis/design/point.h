@@ -1,28 +1,11 @@
 #pragma once
 
-#include <memory>
 #include <optional>
-#include <string>
+#include <vector>
 
-#include "calib/model/predictor.h"
-#include "data/reading.h"
-#include "data/study/study.h"
+#include "calib/fit/fitted_model.h"
 
 namespace pendular {
-
-/// Name of the rival that is the study's model itself.
-inline constexpr const char* present_model = "the model as it is";
-
-/// One of several fitted models of a study that measurements are to tell apart.
-struct Rival {
-    /// Effects added to the study's model, joined by " + ", after a number such as "proposal 1: "
-    /// if Pendular proposed them; `present_model` without any.
-    std::string name;
-    std::shared_ptr<const Predictor> model;
-    Eigen::VectorXd parameters;  ///< fitted, in the order and units of `model->parameters()`
-    Eigen::MatrixXd covariance;  ///< of the errors of `parameters`
-    double chi2 = 0;             ///< of all readings and direct measurements [1]
-};
 
 /// Possible next measurement: a reading of steady shear at one condition, or a direct measurement.
 /// Costs are in units of the cost of one dry reading.
@@ -44,6 +27,24 @@ struct Forecast {
     Eigen::MatrixXd from_parameters;  ///< covariance by errors of the fitted parameters
     Eigen::MatrixXd from_simulation;  ///< covariance by errors of the simulation
 };
+
+/// Returns the number of values that a measurement at a point gives.
+inline Eigen::Index entries_at(const Point& point) {
+    return point.direct ? 1 : 2;
+}
+
+/// Returns what a rival with its fitted parameters predicts at the points, in their order: shear
+/// stress [Pa] and solid fraction [1] of a reading, or the parameter [its unit] of a direct
+/// measurement. The covariance is that of the simulation's errors.
+Prediction predicted_at(const FittedModel& rival, const std::vector<Point>& points);
+
+/// Returns the variances of the errors of measurement [squared unit of each value], in the order of
+/// `predicted_at`.
+/// @param shown expected measured values
+/// @param relative_noise relative standard errors [1] of shear stress and solid fraction of a
+///        reading; direct measurements state their own
+Eigen::VectorXd noise_at(const std::vector<Point>& points, const Eigen::VectorXd& shown,
+                         const Eigen::Vector2d& relative_noise);
 
 /// Smallest noncentrality [1] at which a chi2 test at 5 % significance has a power of 0.8: with the
 /// two degrees of freedom of a reading, also used for readings at several points together, and with

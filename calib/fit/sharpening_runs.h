@@ -1,22 +1,13 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <memory>
 #include <vector>
 
-#include "calib/model/effect_model.h"
+#include "calib/fit/fitted_model.h"
 #include "calib/model/emulated_simulation.h"
 #include "calib/model/informative_runs.h"
 #include "data/reading.h"
 
 namespace pendular {
-
-/// Model of a study's readings with its fitted parameters.
-struct FittedModel {
-    std::shared_ptr<const EffectModel> model;
-    Eigen::VectorXd parameters;  ///< in the order of EffectModel::parameters()
-    Eigen::MatrixXd covariance;  ///< of the fitted `parameters`
-};
 
 /// Returns the choice of the runs that most reduce the contribution of simulation noise to the chi2
 /// of the models `fitted`. The targets are the states at which each model predicts the readings:

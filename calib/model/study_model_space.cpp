@@ -1,4 +1,4 @@
-#include "calib/model/study_models.h"
+#include "calib/model/study_model_space.h"
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ std::string group_of(const Effect& effect) {
 
 }  // namespace
 
-Study StudyModels::with_all_effects(const ResolvedStudy& study) {
+Study StudyModelSpace::with_all_effects(const ResolvedStudy& study) {
     Study all = study;
     all.model.effects.clear();
     for (const Effect& effect : study.catalogue().all()) {
@@ -32,8 +32,8 @@ Study StudyModels::with_all_effects(const ResolvedStudy& study) {
     return all;
 }
 
-StudyModels::StudyModels(const ResolvedStudy& study, std::vector<Condition> conditions,
-                         const Fidelity& fidelity, KnownRuns known)
+StudyModelSpace::StudyModelSpace(const ResolvedStudy& study, std::vector<Condition> conditions,
+                                 const Fidelity& fidelity, KnownRuns known)
     : study_(study), conditions_(std::move(conditions)) {
     simulation_ = std::make_shared<EmulatedSimulation>(
         study, fidelity, Emulator(known.runs, std::move(known.hyperparameters)));
@@ -65,7 +65,7 @@ StudyModels::StudyModels(const ResolvedStudy& study, std::vector<Condition> cond
     }
 }
 
-std::vector<std::string> StudyModels::why_unsupported(double friction) const {
+std::vector<std::string> StudyModelSpace::why_unsupported(double friction) const {
     std::vector<std::string> texts;
     for (const Condition& condition : conditions_) {
         const std::string text = why_unsupported(friction, condition);
@@ -76,15 +76,15 @@ std::vector<std::string> StudyModels::why_unsupported(double friction) const {
     return texts;
 }
 
-std::string StudyModels::why_unsupported(double friction, const Condition& condition) const {
+std::string StudyModelSpace::why_unsupported(double friction, const Condition& condition) const {
     return known_range_->why_unsupported(simulation_->flow_state_at(friction, condition));
 }
 
-bool StudyModels::has_runs(const Effect& effect) const {
+bool StudyModelSpace::has_runs(const Effect& effect) const {
     return !effect.of_grains() || simulation_->emulator().knows(effect.name);
 }
 
-void StudyModels::add_candidate(const Effect& effect) {
+void StudyModelSpace::add_candidate(const Effect& effect) {
     if (const auto why = why_not(effect, study_)) {
         untestable_effects_.push_back({effect.name, *why});
     } else if (!has_runs(effect)) {
@@ -104,7 +104,7 @@ void StudyModels::add_candidate(const Effect& effect) {
     }
 }
 
-std::shared_ptr<const EffectModel> StudyModels::predictor(const EffectSet& chosen) const {
+std::shared_ptr<const EffectModel> StudyModelSpace::predictor(const EffectSet& chosen) const {
     std::vector<const Effect*> effects = study_.effects();
     for (const std::size_t k : chosen) {
         effects.push_back(offered_.at(k));
@@ -112,15 +112,15 @@ std::shared_ptr<const EffectModel> StudyModels::predictor(const EffectSet& chose
     return assemble_model(study_, simulation_, effects);
 }
 
-StudyModels StudyModels::offering(const std::vector<Effect>& more) const {
-    StudyModels models = *this;
+StudyModelSpace StudyModelSpace::offering(const std::vector<Effect>& more) const {
+    StudyModelSpace models = *this;
     for (const Effect& effect : more) {
         models.add_candidate(effect);
     }
     return models;
 }
 
-std::shared_ptr<const EffectModel> StudyModels::with_only(
+std::shared_ptr<const EffectModel> StudyModelSpace::with_only(
     const std::vector<std::string>& names) const {
     std::vector<const Effect*> effects;
     for (const std::string& name : names) {
@@ -133,7 +133,7 @@ std::shared_ptr<const EffectModel> StudyModels::with_only(
     return assemble_model(study_, simulation_, effects);
 }
 
-std::shared_ptr<const EffectModel> StudyModels::exchanged(
+std::shared_ptr<const EffectModel> StudyModelSpace::exchanged(
     const std::string& removed, const std::vector<std::string>& added) const {
     std::vector<std::string> names;
     for (const Effect* effect : study_.effects()) {
@@ -143,18 +143,18 @@ std::shared_ptr<const EffectModel> StudyModels::exchanged(
     return with_only(names);
 }
 
-std::shared_ptr<const Model> StudyModels::with(const EffectSet& chosen) const {
+std::shared_ptr<const Model> StudyModelSpace::with(const EffectSet& chosen) const {
     return std::make_shared<ModelOfReadings>(predictor(chosen), conditions_, direct());
 }
 
-int StudyModels::internally_fitted_values() const {
+int StudyModelSpace::internally_fitted_values() const {
     const Study& study = study_.study();
     return fitted_cohesions(study.model, study.grains, study.liquid);
 }
 
-ModelSpace::ChangeErrors StudyModels::change_errors(const EffectSet& chosen,
-                                                    const Eigen::VectorXd& parameters,
-                                                    std::size_t added, double value) const {
+ModelSpace::ChangeErrors StudyModelSpace::change_errors(const EffectSet& chosen,
+                                                        const Eigen::VectorXd& parameters,
+                                                        std::size_t added, double value) const {
     if (offered_[added]->of_closure()) {
         return {};  // a closure has no known error
     }

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,8 +9,7 @@
 
 #include "analysis/diagnosis/score_statistic.h"
 #include "analysis/misfit/null_draws.h"
-#include "calib/fit/fit.h"
-#include "calib/model/model_space.h"
+#include "calib/fit/fitted_model.h"
 
 namespace pendular {
 
@@ -39,30 +36,6 @@ struct Evidence {
     /// measurement. Each value is in one group.
     std::vector<std::vector<Eigen::Index>> conditions;
     std::vector<SuspectMeasurement> suspects;
-};
-
-/// Study's model with further effects, or with an error of a suspect measurement, refitted to the
-/// readings, with the tests whether it fits.
-struct Explanation {
-    EffectSet chosen;  ///< added effects, as indices into ModelSpace::candidates()
-    /// Index into Evidence::suspects of the suspect measurement whose error is fitted with the
-    /// parameters.
-    std::optional<std::size_t> suspect;
-    Fit fit;
-    double chi2 = 0;  ///< of all measured values [1]
-    /// Akaike's criterion [1] (ranking.h), set in TestResults::fitting and ::fitting_suspects if
-    /// there are any of the latter.
-    double criterion = 0;
-    double lack_of_fit_p = 0;  ///< p value [1] of the test for lack of fit
-    /// p value [1] of the most significant effect or suspect measurement that the model does not
-    /// contain, corrected for the number of tests; 1 if none was tested.
-    double further_p = 1;
-    /// Whether the model counts as fitting: the fit converged, and p() is at least
-    /// DiagnosisOptions::significance or, for one effect, `least_p` (`search_explanations`).
-    bool accepted = false;
-
-    /// Returns the p value [1] of both tests together, by Bonferroni's inequality.
-    double p() const { return std::min(1.0, 2 * std::min(lack_of_fit_p, further_p)); }
 };
 
 /// Tests of one candidate effect, which the study's model lacks.
