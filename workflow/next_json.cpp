@@ -109,11 +109,11 @@ Json to_json(const NextMeasurement& next) {
     json["point"] = point_json(next.points[best.point], next.study);
     json["repeats"] = next.most_repeats;
     json["standard_errors"] = Json::object();
-    const auto& parameters = next.rivals.front().model->parameters();
+    const auto& parameters = next.rivals.front().predictor->parameters();
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
         json["standard_errors"][parameters[k].name] = {
-            {"before", std::sqrt(next.rivals.front().covariance(i, i))},
+            {"before", std::sqrt(next.rivals.front().fit.covariance(i, i))},
             {"after", best.standard_errors(i)}};
     }
     return json;

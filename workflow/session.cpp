@@ -1,5 +1,6 @@
 #include "workflow/session.h"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "calib/model/mohr_coulomb.h"

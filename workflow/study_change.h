@@ -75,9 +75,6 @@ struct ChangeOptions {
     /// (`rivals_among`), which ladder.json is to keep.
     EffectNames rivals = {};
 };
-bool same_fidelity = true;     ///< whether to use the fidelity of the fit in `folder`, if any
-std::filesystem::path folder;  ///< folder for results, also of earlier commands
-};
 
 /// Adds an effect to a study or drops one, and fits the study before and after the change. The fit
 /// in the results folder serves as the fit before the change if its fidelity and its choice of

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "calib/model/effect_model.h"
 #include "tests/support/emulator_support.h"
 
 namespace pendular::calib_sharpening_runs_test {
@@ -27,7 +28,10 @@ TEST(SharpeningRuns, AreAtTheStatesOfTheReadingsWithAndWithoutEffects) {
     Eigen::Matrix2d covariance;
     covariance << 9e-4, -8.1e-4, -8.1e-4, 9e-4;
     const RunChoice choice = sharpening_choice(
-        *simulation, {{model, Eigen::Vector2d(0.4, 0.2), covariance}}, readings, 0.003);
+        *simulation,
+        {{.predictor = model,
+          .fit = {.parameters = Eigen::Vector2d(0.4, 0.2), .covariance = covariance}}},
+        readings, 0.003);
     ASSERT_EQ(choice.targets.size(), 6u);
     EXPECT_EQ(choice.from.size(), 12u);
     std::vector<double> frictions, coefficients;
