@@ -2,19 +2,16 @@
 // allows: seeds are fixed, ranges hold 99 %.
 #include "analysis/diagnosis/diagnosis.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "data/input_error.h"
+#include "tests/support/golden.h"
 #include "tests/support/line_study.h"
 
 using namespace pendular;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAre;
 
 TEST(Diagnosis, NamesWhatIsMissingAndWhatItsAdditionBrings) {
@@ -335,12 +332,7 @@ TEST(Diagnosis, NeedsMoreReadingsThanParameters) {
     evidence.measured = {Eigen::VectorXd::Ones(3), Eigen::MatrixXd::Identity(3, 3)};
     evidence.errors = ErrorKnowledge::known(3);
     evidence.conditions = {{0}, {1}, {2}};
-    try {
-        diagnose(space, evidence, quickly());
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("3 measured values and 3 fitted values"));
-    }
+    expect_told({input_error([&] { diagnose(space, evidence, quickly()); })});
 }
 
 namespace {

@@ -1,13 +1,10 @@
 // What the errors of a study's readings rest on, in words.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "analysis/misfit/believable.h"
 #include "data/recordings/replicates.h"
+#include "tests/support/golden.h"
 
 namespace pendular::error_basis_test {
-
-using testing::HasSubstr;
 
 /// Two readings at one condition with stated errors of 1 %, `apart` from each other.
 Measurements pair_of_readings(double apart) {
@@ -24,10 +21,7 @@ Measurements pair_of_readings(double apart) {
 }
 
 TEST(ErrorBasis, IsWhatTheUserStatesUnlessReplicatesRefuteIt) {
-    EXPECT_THAT(error_basis(pair_of_readings(0.01)),
-                HasSubstr("those given with the readings; 2 repeated readings agree with them"));
-    EXPECT_THAT(error_basis(pair_of_readings(0.1)),
-                HasSubstr("estimated from the scatter of 2 repeated readings"));
+    expect_told({error_basis(pair_of_readings(0.01)), error_basis(pair_of_readings(0.1))});
 }
 
 }  // namespace pendular::error_basis_test

@@ -16,24 +16,10 @@
 namespace app_add_test {
 
 using namespace pendular;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
 namespace fs = std::filesystem;
 
-const std::string start = R"(# Beads, dry.
-[grains]
-diameter = "500 um"
-density = "1050 kg/m^3"
-[[readings]]
-file = "points.csv"
-liquid_content = 0
-)";
-const std::string cell = R"([cell]
-inner_radius = "21 mm"
-outer_radius = "45 mm"
-bead_mass = "60 g"
-)";
+const std::string start = "# Beads, dry.\n" + grains_table + points_table + "liquid_content = 0\n";
+const std::string cell = cell_table();
 
 /// A study of ready-made dry readings whose list of effects is changed.
 class StudyChanges : public testing::Test {
@@ -44,10 +30,10 @@ class StudyChanges : public testing::Test {
                       "1000,0.3,0.6,0.01\n2000,0.3,0.6,0.01\n");
         return folder_.write("study.toml", start + more);
     }
-    /// Expects that these words are refused and that nothing changes.
-    void expect_refused_whole(const std::string& words, const std::string& why) {
+    /// Expects that these commands are refused and that nothing changes.
+    void expect_refused_whole(const std::vector<std::string>& commands) {
         const std::string before = content_of(folder_.path() / "study.toml");
-        expect_refused(words, why);
+        expect_refused(commands);
         EXPECT_EQ(content_of(folder_.path() / "study.toml"), before);
         EXPECT_FALSE(fs::exists(folder_.path() / "out" / "fit.json"));
     }
@@ -97,35 +83,21 @@ FittedStudy after_fit() {
 TEST_F(StudyChanges, AreRefusedBeforeAnyWork) {
     const std::string path =
         study(cell + "[model]\neffects = [\"torque-offset\"] # drag\n").string();
-    expect_refused_whole("add " + path + " torque-gian",
-                         "unknown effect 'torque-gian'; did you mean 'torque-gain'?");
-    expect_refused_whole("add " + path + " torque-offset", "lists \"torque-offset\" already");
-    expect_refused_whole("add " + path + " contact-angle",
-                         "contact-angle acts on wet grains, but this study has no [liquid]");
-    expect_refused_whole("drop " + path + " torque-gain",
-                         "does not list the effect \"torque-gain\"");
-    expect_refused_whole("drop " + path + " torque-ofset", "did you mean 'torque-offset'?");
-    expect_refused_whole(
-        "add " + path,
-        "argument EFFECT (the name of an effect) is not given; usage: pendular add STUDY EFFECT");
-    expect_refused_whole("drop",
-                         "argument STUDY (the folder of a study or its file study.toml) is not "
-                         "given; usage: pendular drop");
-    expect_refused_whole("add " + path + " lid-slip torque-gain", "too many arguments");
+    expect_refused_whole({"add " + path + " torque-gian", "add " + path + " torque-offset",
+                          "add " + path + " contact-angle", "drop " + path + " torque-gain",
+                          "drop " + path + " torque-ofset", "add " + path, "drop",
+                          "add " + path + " lid-slip torque-gain"});
     const std::string none = study(cell).string();
-    expect_refused_whole("drop " + none + " torque-gain", "the study lists no effects");
+    expect_refused_whole({"drop " + none + " torque-gain"});
     const std::string no_cell = study("").string();
-    expect_refused_whole("add " + no_cell + " torque-gain",
-                         "study.toml: torque-gain acts on the "
-                         "instrument, but this study has no");
+    expect_refused_whole({"add " + no_cell + " torque-gain"});
 }
 
 TEST_F(StudyChanges, AreRefusedWhereTheLadderIsBroken) {
     const std::string path = study(cell).string();
     fs::create_directories(folder_.path() / "out");
     const auto ladder = folder_.write("out/ladder.json", "{\"rungs\": [{\"step\"");
-    expect_refused_whole("add " + path + " torque-gain",
-                         "ladder.json: not a complete ladder of a study");
+    expect_refused_whole({"add " + path + " torque-gain"});
     EXPECT_EQ(content_of(ladder), "{\"rungs\": [{\"step\"");
 }
 
@@ -134,7 +106,7 @@ TEST_F(StudyChanges, ArePlannedInMemory) {
     const StudyChange added = plan(Action::add, "lid-slip");
     ASSERT_EQ(added.study.study().model.effects.size(), 2u);
     EXPECT_EQ(added.study.study().model.effects[1].name, "lid-slip");
-    EXPECT_THAT(added.new_text, HasSubstr("[\"torque-gain\", \"lid-slip\"]"));
+    expect_told({added.new_text});
     EXPECT_TRUE(plan(Action::drop, "torque-gain").study.study().model.effects.empty());
     EXPECT_EQ(content_of(file()), text);
 }
@@ -142,7 +114,7 @@ TEST_F(StudyChanges, ArePlannedInMemory) {
 TEST_F(StudyChanges, TakeOverAProposedEffect) {
     const std::string path = study(cell + "[model]\neffects = []  # none yet\n").string();
     const fs::path proposed = folder_.path() / "out" / "proposed.toml";
-    expect_refused_whole("add " + path + " --proposed 1", "proposed.toml: holds no proposal");
+    expect_refused_whole({"add " + path + " --proposed 1"});
     const WrittenEffect drag{
         .name = "torque-with-speed",
         .parameter = "change",
@@ -155,8 +127,7 @@ TEST_F(StudyChanges, TakeOverAProposedEffect) {
         .formulas = {{"torque", "torque + (change - 0.1)*angular_velocity/3", {}}},
         .position = {}};
     write_proposed(proposed, {{{drag.name}}, {drag}});
-    expect_refused_whole("add " + path + " --proposed 2",
-                         "holds the proposal 1; there is no proposal 2");
+    expect_refused_whole({"add " + path + " --proposed 2"});
     EXPECT_EQ(proposal(proposed, 1), std::vector<std::string>{drag.name});
     const StudyChange change =
         plan_change(read_study(file()), Action::add, drag.name, read_proposed(proposed).effects);
@@ -168,7 +139,7 @@ TEST_F(StudyChanges, TakeOverAProposedEffect) {
     EXPECT_EQ(again.effects()[0]->parameters[0].upper, 0.5);
     EXPECT_EQ(again.effects()[0]->neutral(), std::vector<double>{0.1});
     EXPECT_EQ(change.study.effects()[0]->equation, again.effects()[0]->equation);
-    EXPECT_THAT(change.new_text, HasSubstr("# none yet"));
+    expect_told({change.new_text});
     write_proposed(proposed, {});
     EXPECT_FALSE(fs::exists(proposed));
 }
@@ -181,7 +152,7 @@ TEST_F(StudyChanges, AreCarriedOutWhole) {
     apply_change(change, ladder_step(400, 41, 4, 4.3), after_fit().ladder_step, after_fit(), ladder,
                  out);
     EXPECT_EQ(content_of(file()), change.new_text);
-    EXPECT_THAT(content_of(file()), HasSubstr("effects = [\"torque-offset\"]  # none yet"));
+    expect_told({content_of(file())});
     EXPECT_TRUE(nlohmann::json::parse(content_of(out / "fit.json")).contains("parameters"));
     const Ladder kept = read_ladder(out / "ladder.json");
     ASSERT_EQ(kept.size(), 2u);
@@ -199,7 +170,7 @@ TEST_F(StudyChanges, LeaveAStudyThatWasEditedMeanwhile) {
         apply_change(change, ladder_step(400, 41, 4, 4.3), after_fit().ladder_step, after_fit(),
                      ladder, folder_.path() / "out");
     });
-    EXPECT_THAT(message, HasSubstr("nothing was written"));
+    expect_told({message});
     EXPECT_EQ(content_of(file()), edited);
     EXPECT_FALSE(fs::exists(folder_.path() / "out"));
 }
@@ -219,21 +190,10 @@ TEST_F(StudyChanges, AreToldInOneLineWithTheErrorBeforeAndAfter) {
     const StudyChange change = plan(Action::add, "torque-offset");
     const LadderStep before = ladder_step(401.8, 41, 4.12, 4.31),
                      after = with_torque(ladder_step(44, 40, 1, 1.1));
-    EXPECT_EQ(verdict_of(change, before, after),
-              "torque-offset added: chi2/dof falls from 9.80 to 1.10, the relative RMS error of "
-              "shear stress falls from 4.12 % to 1.00 %.");
-    const auto errors = error_changes(before, after);
-    ASSERT_EQ(errors.size(), 6u);
-    EXPECT_THAT(errors[2],
-                AllOf(HasSubstr("shear stress [%]"), HasSubstr("4.120"), HasSubstr("1.000")));
-    EXPECT_THAT(errors[4], AllOf(HasSubstr("left-out"), HasSubstr("4.310"), HasSubstr("1.100")));
-    const auto lines = parameter_changes(before, after);
-    ASSERT_EQ(lines.size(), 3u);
-    EXPECT_THAT(lines[1], AllOf(HasSubstr("friction  "), HasSubstr("0.1000 +- 0.0020"),
-                                HasSubstr("0.0900 +- 0.0030"), HasSubstr("-0.0100")));
-    EXPECT_THAT(lines[2], AllOf(HasSubstr("torque-offset.torque"), HasSubstr("1.040 +- 0.031 mN m"),
-                                HasSubstr("new")));
-    EXPECT_THAT(parameter_changes(after, before)[2], HasSubstr("removed"));
+    expect_told({verdict_of(change, before, after)});
+    expect_told(error_changes(before, after));
+    expect_told(parameter_changes(before, after));
+    expect_told(parameter_changes(after, before));
     const auto json = to_json(change, before, after, true);
     EXPECT_EQ(json["change"], "add");
     EXPECT_EQ(json["effect"], "torque-offset");
@@ -249,24 +209,7 @@ TEST(StudyChangeAdvice, SaysWhenAnEffectDidNotHelp) {
     const auto added = [&](double chi2, double left_out) {
         return advice(Action::add, before, with_torque(ladder_step(chi2, 40, 3, left_out)));
     };
-    EXPECT_THAT(added(51, 4.3),
-                AllOf(HasSubstr("added, but it does not improve the model: chi2/dof rises"),
-                      HasSubstr("The fitted friction depends strongly on torque-offset: it changes "
-                                "by 3.3 standard errors."),
-                      HasSubstr("pendular drop beads torque-offset")));
-    EXPECT_THAT(added(48, 4.3),
-                AllOf(HasSubstr("added, but the readings do not need it"),
-                      HasSubstr("lowers chi2 by only 2.0 (from 50 to 48): chance explains "
-                                "such a reduction"),
-                      HasSubstr("pendular drop beads torque-offset")));
-    EXPECT_THAT(added(20, 5),
-                AllOf(HasSubstr("added, but left-out conditions are predicted worse"),
-                      HasSubstr("the error of shear stress rises from 4.3 % to 5 %, that of solid "
-                                "fraction stays at 0.31 %"),
-                      HasSubstr("pendular drop beads torque-offset")));
-    EXPECT_THAT(added(20, 2),
-                AllOf(HasSubstr("torque-offset added: chi2/dof falls"),
-                      HasSubstr("by 3.3 standard errors"), HasSubstr("pendular compare beads")));
+    expect_told({added(51, 4.3), added(48, 4.3), added(20, 5), added(20, 2)});
 }
 
 // Found in use: the shear stress of left-out conditions halved, the solid fraction rose a little,
@@ -275,38 +218,23 @@ TEST(StudyChangeAdvice, CallsAnEffectBetterThatHalvesOneErrorAndRaisesTheOtherAL
     const LadderStep before = ladder_step(402, 41, 2.06, 2.2);
     LadderStep after = with_torque(ladder_step(44, 40, 1.03, 1.1));
     (*after.left_out_percent)[1] = 0.35;
-    const auto texts = advice(Action::add, before, after);
-    EXPECT_THAT(texts, Not(HasSubstr("worse")));
+    expect_told({advice(Action::add, before, after)});
     (*after.left_out_percent)[1] = 0.9;
-    EXPECT_THAT(advice(Action::add, before, after),
-                HasSubstr("the error of shear stress falls from 2.2 % to 1.1 %, that of solid "
-                          "fraction rises from 0.31 % to 0.9 %"));
+    expect_told({advice(Action::add, before, after)});
 }
 
 TEST(StudyChangeAdvice, DoesNotNeedAnEffectThatLeavesTheMisfit) {
     const LadderStep without = ladder_step(655, 41, 7.7, 7.7),
                      with = with_torque(ladder_step(634, 40, 7.5, 7.6));
-    EXPECT_THAT(
-        advice(Action::add, without, with),
-        AllOf(HasSubstr("added, but it leaves the misfit as it is"),
-              HasSubstr("little beside the misfit that remains"), Not(HasSubstr("pendular drop"))));
-    EXPECT_THAT(advice(Action::drop, with, without),
-                AllOf(HasSubstr("dropped; the misfit is as with it"), Not(HasSubstr("needs it"))));
+    expect_told({advice(Action::add, without, with), advice(Action::drop, with, without)});
 }
 
 TEST(StudyChangeAdvice, IsTheSameWhenTheEffectIsDropped) {
     const LadderStep before = with_torque(ladder_step(44, 40, 1, 1.1));
-    EXPECT_THAT(advice(Action::drop, before, ladder_step(402, 41, 4, 4.3)),
-                AllOf(HasSubstr("dropped, but the model needs it or a similar effect"),
-                      HasSubstr("by 3.3 standard errors")));
-    EXPECT_THAT(advice(Action::drop, before, ladder_step(46, 41, 1, 1.1)),
-                AllOf(HasSubstr("dropped; the readings do not need it"),
-                      HasSubstr("chance explains such a reduction")));
-    EXPECT_THAT(
-        advice(Action::drop, before, ladder_step(43, 41, 1, 1.1)),
-        AllOf(HasSubstr("dropped; it did not improve the model"), Not(HasSubstr("drop beads"))));
-    EXPECT_THAT(advice(Action::drop, before, ladder_step(50, 41, 1, 1)),
-                HasSubstr("dropped; left-out conditions are predicted better without it"));
+    expect_told({advice(Action::drop, before, ladder_step(402, 41, 4, 4.3)),
+                 advice(Action::drop, before, ladder_step(46, 41, 1, 1.1)),
+                 advice(Action::drop, before, ladder_step(43, 41, 1, 1.1)),
+                 advice(Action::drop, before, ladder_step(50, 41, 1, 1))});
 }
 
 TEST(WithError, IsReadableForSmallForces) {

@@ -7,14 +7,10 @@
 #include <string>
 
 #include "tests/support/app_support.h"
-#include "tests/support/data_support.h"
 
 namespace app_diagnose_test {
 
 using namespace pendular;
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 /// Dry readings as of friction 0.09, shear stresses short by a constant that a tare could be.
 class DiagnoseCommand : public testing::Test {
@@ -25,8 +21,8 @@ class DiagnoseCommand : public testing::Test {
                "[1],solid_fraction_sd [1],inertial_number [1]\n"
             << points;
         std::ofstream(folder_.path() / "study.toml")
-            << "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n"
-               "[[readings]]\nfile = \"points.csv\"\nliquid_content = 0.0\n"
+            << grains_table << points_table
+            << "liquid_content = 0.0\n"
                "[[effect]]\nname = \"lost-stress\"\nparameter = \"stress\"\nunit = \"Pa\"\n"
                "lower = -200.0\nupper = "
             << upper
@@ -46,13 +42,6 @@ const std::string short_by_20_pascals =
     "1000,266.67,2.84,0.6127,0.0012,0.03\n"
     "3000,831.46,8.53,0.6141,0.0012,0.03\n";
 
-TEST_F(DiagnoseCommand, IsDescribed) {
-    EXPECT_THAT(run_pendular("--help").output, HasSubstr("diagnose"));
-    EXPECT_THAT(run_pendular("diagnose --help").output,
-                AllOf(HasSubstr("Usage: pendular diagnose STUDY"), HasSubstr("Examples:"),
-                      HasSubstr("indistinguishable")));
-}
-
 TEST_F(DiagnoseCommand, NamesAnEffectThatTheStudyWrites) {
     const std::string path = study(short_by_20_pascals);
     const Outcome run = run_pendular("diagnose " + path + " --quiet --json -");
@@ -66,16 +55,13 @@ TEST_F(DiagnoseCommand, NamesAnEffectThatTheStudyWrites) {
                                 "decision", "refit_drop"})
             EXPECT_TRUE(row.contains(key)) << key;
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "diagnosis.json"));
-    EXPECT_THAT(run.errors, HasSubstr("lost-stress"));
 }
 
 TEST_F(DiagnoseCommand, SaysWhereTheBoundOfAWrittenEffectStopsIt) {
     const std::string path = study(short_by_20_pascals, 0.02);
     const Outcome run = run_pendular("diagnose " + path + " --quiet");
     ASSERT_EQ(run.code, 0) << run.errors;
-    EXPECT_THAT(run.output + run.errors,
-                AllOf(HasSubstr("The estimate of the effect lost-stress is at a bound"),
-                      HasSubstr("widen 'lower' or 'upper'")));
+    expect_told({run.output + run.errors});
 }
 
 /// Readings as emulated at friction 0.09, and points of failure with 1.2 times the shear stress.
@@ -96,8 +82,7 @@ TEST_F(DiagnoseCommand, NamesThePeakStrengthOfPointsOfFailure) {
     std::ofstream(folder_.path() / "study.toml", std::ios::app)
         << "[[readings]]\nfile = \"failure.csv\"\nstate = \"failure\"\nliquid_content = 0.0\n";
     const Outcome compared = run_pendular("import " + path + " --all");
-    EXPECT_THAT(compared.output, AllOf(HasSubstr("3 of 9 readings are points of failure"),
-                                       HasSubstr("failure.csv:2 (peak)")));
+    expect_told({compared.output});
     const Outcome run = run_pendular("diagnose " + path + " --quiet --json -");
     ASSERT_EQ(run.code, 0) << run.errors;
     const auto json = nlohmann::json::parse(run.output);
@@ -117,7 +102,7 @@ TEST_F(DiagnoseCommand, NamesThePeakStrengthOfPointsOfFailure) {
 TEST_F(DiagnoseCommand, OffersPeakStrengthOnlyForPointsOfFailure) {
     const std::string path = study("300,76.91,0.77,0.6189,0.0012,0.003\n");
     const Outcome run = run_pendular("effects peak-strength --study " + path);
-    EXPECT_THAT(run.output + run.errors, HasSubstr("state = \"failure\""));
+    expect_told({run.output + run.errors});
 }
 
 TEST_F(DiagnoseCommand, SaysWhatCannotBeDiagnosed) {
@@ -126,8 +111,7 @@ TEST_F(DiagnoseCommand, SaysWhatCannotBeDiagnosed) {
         "300,78,0.8,0.5995,0.0012,0.003\n");
     const Outcome run = run_pendular("diagnose " + path);
     EXPECT_EQ(run.code, 2);
-    EXPECT_THAT(run.errors, AllOf(HasSubstr("study.toml"), HasSubstr("at one condition"),
-                                  HasSubstr("measure at two or more normal stresses")));
+    expect_told({run.errors});
 }
 
 TEST_F(DiagnoseCommand, SaysWhatToMeasureNext) {
@@ -147,7 +131,6 @@ TEST_F(DiagnoseCommand, SaysWhatToMeasureNext) {
     EXPECT_TRUE(json.contains("rivals"));
     EXPECT_TRUE(json.contains("repeats"));
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "next.json"));
-    EXPECT_THAT(run_pendular("next --help").output, HasSubstr("[rig]"));
 }
 
 TEST_F(DiagnoseCommand, ListsTheStepsWhereNoReadingCanBePlanned) {
@@ -160,11 +143,11 @@ TEST_F(DiagnoseCommand, ListsTheStepsWhereNoReadingCanBePlanned) {
         << "[rig]\nnormal_stress = \"1 kPa\"\ninertial_number = 3\n";
     const Outcome run = run_pendular("next " + path);
     EXPECT_EQ(run.code, 0) << run.errors;
-    EXPECT_THAT(run.output + run.errors, HasSubstr("No reading can be planned: the simulations"));
+    expect_told({run.output + run.errors});
     std::ifstream written(folder_.path() / "out" / "next.json");
     const auto json = nlohmann::json::parse(written);
     EXPECT_FALSE(json.contains("point"));
-    EXPECT_THAT(json.at("to_do").dump(), Not(HasSubstr("pendular next")));
+    expect_told({json.at("to_do").dump(1)});
 }
 
 TEST_F(DiagnoseCommand, RefusesARigThatCannotBe) {
@@ -173,7 +156,7 @@ TEST_F(DiagnoseCommand, RefusesARigThatCannotBe) {
         << "[rig]\nnormal_stress = \"2 kg\"\ninertial_number = 0.01\n";
     const Outcome run = run_pendular("next " + path);
     EXPECT_EQ(run.code, 2);
-    EXPECT_THAT(run.errors, AllOf(HasSubstr("study.toml:"), HasSubstr("normal_stress")));
+    expect_told({run.errors});
 }
 
 }  // namespace app_diagnose_test

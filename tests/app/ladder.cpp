@@ -209,9 +209,7 @@ TEST(Ladder, RefusesAFileThatIsCutOrSomethingElse) {
          {whole.substr(0, whole.size() / 2), std::string(), std::string("[]"), std::string("{}"),
           std::string("null"), std::string("{\"rungs\": [{\"step\": \"one\"}]}"), strange.dump()}) {
         folder.write("ladder.json", broken);
-        const std::string message = input_error([&] { read_ladder(file); });
-        EXPECT_THAT(message, HasSubstr("ladder.json: not a complete ladder of a study")) << broken;
-        EXPECT_THAT(message, HasSubstr("move it away"));
+        expect_told({input_error([&] { read_ladder(file); })});
         EXPECT_EQ(content_of(file), broken);  // nothing is lost
     }
 }

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -11,20 +12,10 @@ namespace app_program_test {
 
 using pendular::TemporaryFolder;
 using testing::HasSubstr;
-using testing::Not;
 
-const std::string grains = R"([grains]
-diameter = "500 um"
-density = "1050 kg/m^3"
-)";
-const std::string cell = R"([cell]
-inner_radius = "21 mm"
-outer_radius = "45 mm"
-bead_mass = "20 g"
-)";
+const std::string grains = pendular::grains_table, cell = pendular::cell_table("20 g");
 const std::string recording = "[[recording]]\nfile = \"run.csv\"\n";
-const std::string header =
-    "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+const std::string header = pendular::recording_header;
 
 /// A study whose only recording is broken in one place.
 Outcome import_with(const std::string& table, const std::string& toml = grains + cell + recording) {
@@ -98,29 +89,18 @@ TEST(Simulate, StopsCleanlyWhenInterrupted) {
 }
 
 TEST(BadInput, IsAnsweredWithFileLineColumnAndExitCode2) {
-    const struct {
-        std::string what, table, where, message;
-    } cases[] = {
-        {"missing column", "Time [s],Torque [mN m],Gap [mm],Angular velocity [rad/s]\n0,1,6,1\n",
-         "run.csv:1", "normal_force"},
-        {"unknown unit",
-         "Time [s],Torque [mN blorp],Normal force [N],Gap [mm],Angular velocity [rad/s]\n" +
-             rows(30),
-         "run.csv:1:", "blorp"},
-        {"text in a number", header + rows(3) + "3,twelve,5.0,6.2,1.1\n" + rows(30, "12.5", 4),
-         "run.csv:5:3", "twelve"},
-        {"decimal comma", header + "0,\"12,5\",5,6.2,1.1\n", "run.csv:2:3", "12,5"},
-        {"empty file", "", "run.csv", "empty"},
-        {"not a number", header + rows(3) + "3,nan,5.0,6.2,1.1\n" + rows(30, "12.5", 4),
-         "run.csv:5:3", "nan"},
-        {"mixed torque signs", header + rows(40) + rows(40, "-12.5", 40), "run.csv:", "sign"},
-    };
-    for (const auto& c : cases) {
-        const Outcome outcome = import_with(c.table);
-        EXPECT_EQ(outcome.code, 2) << c.what << ": " << outcome.errors;
-        EXPECT_THAT(outcome.errors, HasSubstr(c.where)) << c.what;
-        EXPECT_THAT(outcome.errors, HasSubstr(c.message)) << c.what;
-        EXPECT_EQ(outcome.output, "") << c.what;
+    for (const std::string& table :
+         {std::string("Time [s],Torque [mN m],Gap [mm],Angular velocity [rad/s]\n0,1,6,1\n"),
+          "Time [s],Torque [mN blorp],Normal force [N],Gap [mm],Angular velocity [rad/s]\n" +
+              rows(30),
+          header + rows(3) + "3,twelve,5.0,6.2,1.1\n" + rows(30, "12.5", 4),
+          header + "0,\"12,5\",5,6.2,1.1\n", std::string(),
+          header + rows(3) + "3,nan,5.0,6.2,1.1\n" + rows(30, "12.5", 4),
+          header + rows(40) + rows(40, "-12.5", 40)}) {
+        const Outcome outcome = import_with(table);
+        EXPECT_EQ(outcome.code, 2) << table;
+        EXPECT_EQ(outcome.output, "") << table;
+        expect_told({outcome.errors});
     }
 }
 
@@ -129,19 +109,18 @@ TEST(BadInput, InTheStudyIsAnsweredAtItsLine) {
         "[cell]\ninner_radius = \"45 mm\"\nouter_radius = \"21 mm\"\nbead_mass = \"20 g\"\n";
     const Outcome radii = import_with(header + rows(30), grains + swapped + recording);
     EXPECT_EQ(radii.code, 2);
-    EXPECT_THAT(radii.errors, HasSubstr("study.toml:5:"));
+    expect_told({radii.errors});
     const Outcome key =
         import_with(header + rows(30), "[grains]\ndiametre = \"500 um\"\n" + cell + recording);
     EXPECT_EQ(key.code, 2);
-    EXPECT_THAT(key.errors, HasSubstr("study.toml:2:1"));
-    EXPECT_THAT(key.errors, HasSubstr("'diameter'"));
+    expect_told({key.errors});
 }
 
 TEST(BadInput, OfWetStudiesIsAnsweredWithTheReason) {
     const Outcome dry =
         import_with(header + rows(40), grains + cell + recording + "liquid_content = 0.03\n");
     EXPECT_EQ(dry.code, 2);
-    EXPECT_THAT(dry.errors, HasSubstr("no [liquid]; add it"));
+    expect_told({dry.errors});
 
     const TemporaryFolder folder;
     folder.write(
@@ -154,14 +133,11 @@ TEST(BadInput, OfWetStudiesIsAnsweredWithTheReason) {
                      "[[readings]]\nfile = \"points.csv\"\n");
     const Outcome wet = run_pendular("import " + folder.path().string());
     EXPECT_EQ(wet.code, 3);  // more readings are set aside than kept
-    EXPECT_THAT(wet.output + wet.errors,
-                HasSubstr("liquid content 0.2 is above the pendular range"));
-    EXPECT_THAT(wet.output + wet.errors, HasSubstr("liquid content 0.0005 is below"));
-    EXPECT_THAT(wet.output + wet.errors, Not(HasSubstr("liquid content 0.03 is")));
+    expect_told({wet.output + wet.errors});
     // Nothing dry to fit, and the way out.
     const Outcome fit = run_pendular("calibrate --quiet " + folder.path().string());
     EXPECT_EQ(fit.code, 2);
-    EXPECT_THAT(fit.errors, HasSubstr("fit_to = \"all\""));
+    expect_told({fit.errors});
 }
 
 TEST(Import, WritesReadingsAndWhatItLeftOut) {
@@ -173,8 +149,9 @@ TEST(Import, WritesReadingsAndWhatItLeftOut) {
     const auto json = nlohmann::json::parse(outcome.output);
     EXPECT_EQ(json["readings"].size(), 9u);
     EXPECT_EQ(json["excluded"].size(), 9u);  // the start of every step
-    EXPECT_THAT(content_of(folder.path() / "readings.csv"), HasSubstr("shear_stress [Pa]"));
-    EXPECT_THAT(content_of(folder.path() / "excluded.csv"), HasSubstr("transient"));
+    const std::string table = content_of(folder.path() / "readings.csv");
+    expect_told({table.substr(0, table.find('\n')), json["excluded"][0]["reason"]});
+    EXPECT_EQ(std::ranges::count(content_of(folder.path() / "excluded.csv"), '\n'), 10);
     for (const auto& reading : json["readings"]) {
         EXPECT_NEAR(
             reading["shear_stress"]["value"].get<double>() / reading["normal_stress"].get<double>(),
@@ -188,7 +165,7 @@ TEST(Compare, AsksForACalibrationFirst) {
     const Outcome outcome = run_pendular(
         "compare " PENDULAR_SOURCE_DIR "/examples/polystyrene --out " + folder.path().string());
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_THAT(outcome.errors, HasSubstr("pendular calibrate"));
+    expect_told({outcome.errors});
 }
 
 }  // namespace app_program_test

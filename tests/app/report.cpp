@@ -41,12 +41,11 @@ TEST_F(ReportTest, OfASingleReadingSaysWhatIsNeeded) {
                  "normal_stress [Pa],stress_ratio [1],solid_fraction [1],inertial_number [1]\n"
                  "1000,0.28,0.61,0.01\n");
     folder.write("study.toml",
-                 "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n\n"
-                 "[[readings]]\nfile = \"one.csv\"\nliquid_content = 0\n");
+                 grains_table + "[[readings]]\nfile = \"one.csv\"\nliquid_content = 0\n");
     study = folder.path().string();
     const Outcome outcome = report();
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_THAT(outcome.errors, HasSubstr("measure at two or more normal stresses"));
+    expect_told({outcome.errors});
     EXPECT_FALSE(fs::exists(folder.path() / "out/report.html"));
 }
 
@@ -65,8 +64,7 @@ TEST_F(ReportTest, NeedsNoGnuplot) {
 TEST_F(ReportTest, SaysThatTheFolderCannotBeWritten) {
     folder.write("a-file", "");
     const std::string file = (folder.path() / "a-file").string();
-    expect_refused("report " + study + " --out " + file + "/results",
-                   "cannot be written: " + file + " is no folder");
+    expect_refused({"report " + study + " --out " + file + "/results"});
     EXPECT_FALSE(fs::exists(fs::path(study) / "out"));
 }
 

@@ -25,7 +25,6 @@ namespace reports_test {
 
 using namespace pendular;
 using testing::HasSubstr;
-using testing::Not;
 
 Reading reading(double normal_stress, double inertial_number, double ratio, double fraction) {
     Reading r;
@@ -102,9 +101,7 @@ TEST(Compare, SaysWhereTheModelFails) {
     EXPECT_LT(trend->statistic, 0);
     EXPECT_LT(trend->p, 0.01);
     EXPECT_LT(where.checks.p, 0.05);
-    const auto lines = failure_table(where);
-    EXPECT_THAT(lines, testing::Contains(HasSubstr("residual of the shear stress (measured minus "
-                                                   "model) decreases with the normal stress")));
+    expect_told(failure_table(where));
 }
 
 TEST(Compare, FindsAFailureOfAModelThatHoldsAsOftenAsItSays) {
@@ -144,7 +141,7 @@ TEST(Compare, NamesTheFileThatIsOff) {
     }
     const WhereItFails where = where_it_fails(e.readings, {}, e.prediction, {{.name = "friction"}});
     ASSERT_FALSE(where.offending.empty());
-    EXPECT_THAT(where.offending.front().readings, HasSubstr("first.csv"));
+    expect_told({where.offending.front().readings});
     const Comparison c = compare(e.readings, e.prediction, 1, e.readings.size());
     ASSERT_EQ(c.by_file.size(), 2u);
     EXPECT_EQ(c.by_file[0].readings, 3u);
@@ -248,14 +245,11 @@ TEST(FitFile, NamesItsRunsWhichStandBesideIt) {
     EXPECT_EQ(predicted(of_older).value, predicted(c).value);
 
     std::filesystem::remove(runs);
-    EXPECT_THAT(input_error([&] { read_calibration(file, study(), c.readings); }),
-                testing::AllOf(HasSubstr("simulations that this fit rests on"),
-                               HasSubstr("run 'pendular calibrate' again")));
+    expect_told({input_error([&] { read_calibration(file, study(), c.readings); })});
     older["format"] = 7;
     folder.write("newer.json", older.dump());
-    EXPECT_THAT(
-        input_error([&] { read_calibration(folder.path() / "newer.json", study(), c.readings); }),
-        HasSubstr("has the format 7"));
+    expect_told({input_error(
+        [&] { read_calibration(folder.path() / "newer.json", study(), c.readings); })});
 }
 
 TEST(FitFile, HoldsWetReadingsAndCohesionLines) {
@@ -352,17 +346,13 @@ TEST(Tables, SayWhyAPValueIsLargerThanThatOfChi2) {
     ASSERT_LT(known.p(), 1e-3);
     ASSERT_GT(estimated.p(), 1e-3);
     EXPECT_EQ(misfit_text(known), "chi2 = 56.0 for 11 degrees of freedom (p < 0.001)");
-    EXPECT_THAT(misfit_text(estimated), HasSubstr("errors estimated from few repetitions"));
     const Misfit many{.chi2 = 12, .dof = 11, .freedom = 40};
-    EXPECT_THAT(misfit_text(many), Not(HasSubstr("few repetitions")));
+    expect_told({misfit_text(estimated), misfit_text(many)});
 }
 
 TEST(Tables, NameEveryReadingAndUnit) {
     const Example e;
-    const auto lines = predictions_table(compare(e.readings, e.prediction, 1, e.readings.size()));
-    EXPECT_THAT(lines[1], HasSubstr("[Pa]"));
-    EXPECT_THAT(lines[2], HasSubstr("points.csv:3"));
-    EXPECT_GT(lines.size(), 5u);
+    expect_told(predictions_table(compare(e.readings, e.prediction, 1, e.readings.size())));
 }
 
 }  // namespace reports_test

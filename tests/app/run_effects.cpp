@@ -35,11 +35,10 @@ TEST(RunEffects, AreOptionsOfSimulateWhereARunCanHaveThem) {
     for (const auto& effect : pendular::built_in_effects()) {
         for (const auto& parameter : effect.parameters) {
             const std::string option = "--" + effect.name + "." + parameter.name + " ";
-            if (pendular::why_not_in_run(effect).empty()) {
-                EXPECT_THAT(help.output, HasSubstr(option));
-            } else {
-                EXPECT_THAT(help.output, Not(HasSubstr(option)));
-                expect_refused("simulate " + option + "1", pendular::why_not_in_run(effect));
+            const std::string why = pendular::why_not_in_run(effect);
+            EXPECT_EQ(help.output.find(option) == std::string::npos, !why.empty()) << option;
+            if (!why.empty()) {
+                EXPECT_THAT(run_pendular("simulate " + option + "1").errors, HasSubstr(why));
             }
         }
     }
@@ -83,21 +82,16 @@ TEST(RunEffects, ChangeNothingAtNeutralOrWithoutAny) {
 }
 
 TEST(RunEffects, RefuseWhatContradictsTheRun) {
-    const auto refused = [](const std::string& words, const std::string& why) {
-        expect_refused(small_run + words, why);
-    };
-    refused("--willett-bridges.on 1", "add a reduced pressure");
-    refused("--reduced-pressure 2 --dry-adhesion.force 1e-6", "these are wet");
-    refused("--reduced-pressure 2 --normal-stress \"1 kPa\"", "contradict each other");
-    refused("--surface-tension \"20 mN/m\"", "without it the grains are dry");
-    refused("--diameter 500", "has no unit");
-    refused("--diameter \"-1 mm\"", "above 0");
-    refused("--density \"1 kPa\"", "--density");
-    refused("--rolling-resistance.coefficient 0.9", "between 0 and 0.5");
-    refused("--rolling-resistance.coeficient 0.1", "did you mean 'coefficient'");
-    refused("--reduced-pressure 2 --wet-friction.difference -0.4", "friction -0.2");
-    refused("--reduced-pressure 2 --bridge-volume 0.5 --rupture-distance.factor 2",
-            "a quarter of the box");
+    std::vector<std::string> commands;
+    for (const std::string words :
+         {"--willett-bridges.on 1", "--reduced-pressure 2 --dry-adhesion.force 1e-6",
+          "--reduced-pressure 2 --normal-stress \"1 kPa\"", "--surface-tension \"20 mN/m\"",
+          "--diameter 500", "--diameter \"-1 mm\"", "--density \"1 kPa\"",
+          "--rolling-resistance.coefficient 0.9", "--rolling-resistance.coeficient 0.1",
+          "--reduced-pressure 2 --wet-friction.difference -0.4",
+          "--reduced-pressure 2 --bridge-volume 0.5 --rupture-distance.factor 2"})
+        commands.push_back(small_run + words);
+    expect_refused(commands);
 }
 
 TEST(RunEffects, GoWithStartsThreadsAndCheckpoints) {
@@ -113,8 +107,8 @@ TEST(RunEffects, GoWithStartsThreadsAndCheckpoints) {
     EXPECT_EQ(run_json(rolling + "--threads 3"), run_json(rolling + "--threads 3"));
     EXPECT_TRUE(run_json(rolling + "--start nearest" + store).contains("start"));
     run_json("--polydispersity.deviation 0.2" + store);
-    expect_refused(small_run + "--start 3" + store, "no final state to start from");
-    expect_refused(small_run + "--start 1 --polydispersity.deviation 0.1" + store, "other sizes");
+    expect_refused({small_run + "--start 3" + store,
+                    small_run + "--start 1 --polydispersity.deviation 0.1" + store});
 }
 
 TEST(RunEffects, StandInTheStoreAndItsTables) {
@@ -125,8 +119,7 @@ TEST(RunEffects, StandInTheStoreAndItsTables) {
     run_json("--rolling-resistance.coefficient 0.1" + store);
     EXPECT_THAT(run_pendular("runs list" + store).output,
                 HasSubstr("rolling-resistance.coefficient=0.1\n"));
-    EXPECT_THAT(run_pendular("runs list --where \"effects IS NULL\"" + store).output,
-                HasSubstr("1 simulation."));
+    EXPECT_EQ(json_of("runs list --where \"effects IS NULL\"" + store)["runs"].size(), 1u);
     EXPECT_THAT(run_pendular("runs show 2" + store).output,
                 HasSubstr("effects = rolling-resistance.coefficient=0.1"));
     EXPECT_THAT(run_pendular("runs compare 1 2" + store).output,
@@ -139,7 +132,7 @@ TEST(RunEffects, StandInTheStoreAndItsTables) {
     const std::string table = (folder.path() / "runs.csv").string(),
                       other = " --store " + (folder.path() / "other.sqlite").string();
     EXPECT_EQ(run_pendular("runs export " + table + store).code, 0);
-    EXPECT_THAT(run_pendular("runs import " + table + other).output, HasSubstr("2 runs added"));
+    expect_told({run_pendular("runs import " + table + other).output});
     const auto list = [](const std::string& where) {
         return run_pendular("runs list" + where).output;
     };

@@ -21,7 +21,6 @@ using namespace pendular;
 using namespace pendular::app;
 using namespace std::chrono_literals;
 using testing::ElementsAre;
-using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 const ServerAddress address{.port = 8080, .token = std::string(64, 'a')};
@@ -173,7 +172,7 @@ TEST_F(StoredRecording, ReplacesNoFile) {
     EXPECT_EQ(store("dry_1.csv", recording).status, 200);
     const Answer other = store("dry_2.csv", recording);
     EXPECT_EQ(other.status, 409);
-    EXPECT_THAT(other.text, HasSubstr("another file of this name"));
+    expect_told({other.text});
     EXPECT_NE(content_of(study / "dry_2.csv"), recording);
     fs::create_symlink("/nowhere", study / "dry_7.csv");
     EXPECT_EQ(store("dry_7.csv", recording).status, 409);
@@ -185,11 +184,10 @@ TEST_F(StoredRecording, IsRefusedWhereItWouldNotBeRead) {
     const auto before = files();
     const Answer unmatched = store("wet_1.csv", recording);
     EXPECT_EQ(unmatched.status, 422);
-    EXPECT_THAT(unmatched.text, HasSubstr("'file' is \"dry_*.csv\""));
+    expect_told({unmatched.text});
     const Answer broken = store("dry_4.csv", "Time [s],Torque [mN m]\n1,x\n");
     EXPECT_EQ(broken.status, 422);
-    EXPECT_THAT(broken.text, HasSubstr("dry_4.csv was not stored: dry_4.csv:2:3: column 'Torque"));
-    EXPECT_THAT(store("dry_4.csv", "Time [s],Torque [mN m]\n1,2\n").text, HasSubstr("has no"));
+    expect_told({broken.text, store("dry_4.csv", "Time [s],Torque [mN m]\n1,2\n").text});
     EXPECT_EQ(store("dry_4.csv", "").status, 422);
     EXPECT_EQ(store("dry_4.csv", std::string(100, '\0')).status, 422);
     EXPECT_EQ(store("study.toml", recording).status, 422);
@@ -445,10 +443,9 @@ TEST_F(LiveStudyTest, IsAskedByManyThreadsAtOnce) {
 
 TEST(Serve, RefusesWhatIsNoStudyAndWrongOptions) {
     const TemporaryFolder folder;
-    expect_refused("serve " + folder.path().string(), "has no study.toml");
+    expect_refused({"serve " + folder.path().string()});
     const std::string study = PENDULAR_SOURCE_DIR "/examples/dry-recordings";
-    expect_refused("serve " + study + " --port 65536", "--port must be from 1 to 65535");
-    expect_refused("serve " + study + " --switches 9", "--switches must be from 0 to 8");
+    expect_refused({"serve " + study + " --port 65536", "serve " + study + " --switches 9"});
 }
 
 }  // namespace app_serve_test

@@ -52,31 +52,16 @@ TEST(VirtualLabCommand, WritesAStudyThatImports) {
 TEST(VirtualLabCommand, RefusesBeforeItSimulates) {
     const TemporaryFolder folder;
     folder.write("kept.txt", "mine");
-    const std::string taken = folder.path().string(), free = taken + "/lab";
-    const struct {
-        std::string words, message;
-    } cases[] = {
-        {"", "usage: pendular virtual-lab OUT"},
-        {taken, "is not empty; name a new folder"},
-        {taken + "/kept.txt", "is a file"},
-        {taken + "/kept.txt/lab", "cannot be written"},
-        {free + " --friction=-1", "friction -1"},
-        {free + " --dry-normal-stresses \"1, 2\"", "--dry-normal-stresses: \"2\" has no unit"},
-        {free + " --wet-normal-stresses \"1 mm\"", "--wet-normal-stresses"},
-        {free + " --liquid-contents wet", "--liquid-contents"},
-        {free + " --bead-mass \"1 g, 2 g\"", "--bead-mass"},
-        {free + " --surface-tension \"20 mN\"", "--surface-tension"},
-        {free + " --replicates 0", "--replicates 0"},
-        {free + " --dry --liquid-contents 0.01", "--dry"},
-        {free + " --out elsewhere", "leave out --out"},
-        {free + " --frction 0.1", "did you mean '--friction'"},
-    };
-    for (const auto& c : cases) {
-        const Outcome outcome = run_pendular("virtual-lab " + c.words);
-        EXPECT_EQ(outcome.code, 2) << c.words;
-        EXPECT_THAT(outcome.errors, HasSubstr(c.message)) << c.words;
-        EXPECT_EQ(outcome.output, "");
-    }
+    const std::string taken = folder.path().string();
+    std::vector<std::string> commands = {"virtual-lab", "virtual-lab " + taken,
+                                         "virtual-lab " + taken + "/kept.txt",
+                                         "virtual-lab " + taken + "/kept.txt/lab"};
+    for (const std::string option :
+         {"--friction=-1", "--dry-normal-stresses \"1, 2\"", "--wet-normal-stresses \"1 mm\"",
+          "--liquid-contents wet", "--bead-mass \"1 g, 2 g\"", "--surface-tension \"20 mN\"",
+          "--replicates 0", "--dry --liquid-contents 0.01", "--out elsewhere", "--frction 0.1"})
+        commands.push_back("virtual-lab " + taken + "/lab " + option);
+    expect_refused(commands);
     EXPECT_EQ(entries(folder.path()), 1u);
 }
 

@@ -23,7 +23,6 @@ namespace reports_wet_test {
 
 using namespace pendular;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// A planted study, calibrated, with its model.
@@ -206,7 +205,7 @@ TEST(WetFigures, ShowEveryReadingOnceAtOneInertialNumber) {
     }
     const Planted study(readings);
     for (const auto& figure : study.figures()) {
-        EXPECT_THAT(figure.title, HasSubstr("readings brought to I → 0"));
+        expect_told({figure.title});
     }
     const auto numbers = numbers_of(study.figures().front());
     EXPECT_EQ(numbers.at("measured, " + of_content).size(), 2 * planted::pressures.size());

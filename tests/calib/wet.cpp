@@ -1,6 +1,4 @@
 // Wet readings: from liquid content to bridge volume, surface, prediction and calibration.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "calib/model/run_planner.h"
 #include "sim/runs/run_request.h"
 #include "tests/support/emulator_support.h"
+#include "tests/support/golden.h"
 #include "tests/support/known_flow.h"
 #include "tests/support/small_wet_study.h"
 
@@ -19,7 +18,6 @@ namespace calib_wet_test {
 
 using namespace pendular;
 using namespace small_wet;
-using testing::HasSubstr;
 
 /// Where not even the behaviour needs good averages.
 const Fidelity least{"least", 100, 300, 0.05, 1};
@@ -265,13 +263,7 @@ TEST(CalibrateStudy, RefusesWetReadingsItCannotSimulateBeforeAnyRun) {
     Measurements m = dry_and_wet();
     m.readings.push_back(reading_of(condition(0.02, 0.03), 0.5, 0.58));
     m.readings.back().origin = {"wet.csv", 9};
-    try {
-        calibrate_study(wet_study(), m, {.fidelity = least}, {});
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("wet.csv:9"));
-        EXPECT_THAT(error.what(), HasSubstr("reduced pressure 0.02"));
-    }
+    expect_told({input_error([&] { calibrate_study(wet_study(), m, {.fidelity = least}, {}); })});
 }
 
 TEST(CalibrateStudy, FitsWetReadingsTooWhereAsked) {

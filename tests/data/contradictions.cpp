@@ -129,9 +129,7 @@ class ContradictoryStudy : public testing::Test {
                                 fmt::format(fmt::runtime(more_cells), r.shear_stress[i]));
         folder_.write("run.csv", text);
         folder_.write("study.toml",
-                      "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n"
-                      "[cell]\ninner_radius = \"21 mm\"\nouter_radius = \"45 mm\"\n"
-                      "bead_mass = \"20 g\"\n[[recording]]\nfile = \"run.csv\"\n");
+                      grains_table + cell_table("20 g") + "[[recording]]\nfile = \"run.csv\"\n");
         return read_measurements(read_study(folder_.path()));
     }
     TemporaryFolder folder_;

@@ -28,24 +28,14 @@ std::vector<Row> measured(unsigned seed, std::size_t rows = 200) {
 
 /// As a file; the formats are of time, torque and gap.
 std::string table(const std::vector<Row>& rows, const std::string& row = "{:.1f},{:.4f},5,{:.5f}") {
-    std::string text =
-        "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+    std::string text = recording_header;
     for (const Row& each : rows)
         text += fmt::format(fmt::runtime(row + ",0.1\n"), each.time, each.torque, each.gap);
     return text;
 }
 
-const std::string study_text = R"([grains]
-diameter = "500 um"
-density = "1050 kg/m^3"
-[cell]
-inner_radius = "21 mm"
-outer_radius = "45 mm"
-bead_mass = "20 g"
-[[recording]]
-file = "*_dry.csv"
-liquid_content = 0
-)";
+const std::string study_text =
+    grains_table + cell_table("20 g") + "[[recording]]\nfile = \"*_dry.csv\"\nliquid_content = 0\n";
 
 class Copies : public testing::Test {
   protected:

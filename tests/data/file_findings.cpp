@@ -88,16 +88,8 @@ TEST_F(FileFindings, FindSetPointsOfSpeedInTablesWithRowsOfUnits) {
 }
 
 TEST_F(FileFindings, AreMadeByTheImportOfAStudy) {
-    folder_.write("study.toml", R"([grains]
-diameter = "500 um"
-density = "1050 kg/m^3"
-[cell]
-inner_radius = "21 mm"
-outer_radius = "45 mm"
-bead_mass = "10 g"
-[[recording]]
-file = "run.csv"
-)");
+    folder_.write("study.toml",
+                  grains_table + cell_table("10 g") + "[[recording]]\nfile = \"run.csv\"\n");
     const auto file = folder_.write("run.csv", recording("# Inner radius: 20 mm\n", 0.9));
     const Study study = read_study(folder_.path());
     const Measurements measurements = read_measurements(study);

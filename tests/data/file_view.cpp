@@ -157,8 +157,7 @@ TEST(FileViewTest, CallsARestARestWhateverTorqueIsLeft) {
 
 TEST(FileViewTest, SaysThatASpeedChangesWithinAnInterval) {
     const TemporaryFolder folder;
-    std::string text =
-        "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+    std::string text = recording_header;
     for (int row = 0; row < 200; ++row)
         text += fmt::format("{},50,5,6.2,{}\n", row, 0.05 + 0.05 * row);
     const FileView view = view_of_file(folder.write("t.csv", text));

@@ -19,25 +19,16 @@ namespace pendular::data_measurements_test {
 std::string recording(double scale, unsigned seed) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
-    std::string text =
-        "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+    std::string text = recording_header;
     for (int i = 0; i < 200; ++i)
         text += fmt::format("{},{},5,{},0.1\n", 0.1 * i, 30 * scale * (1 + 0.01 * normal(random)),
                             4 * (1 + 0.001 * normal(random)));
     return text;
 }
 
-const std::string study_text = R"([grains]
-diameter = "500 um"
-density = "1050 kg/m^3"
-[liquid]
-surface_tension = "20.6 mN/m"
-contact_angle = "0 deg"
-[cell]
-inner_radius = "21 mm"
-outer_radius = "45 mm"
-bead_mass = "10 g"
-[[recording]]
+const std::string study_text =
+    grains_table + "[liquid]\nsurface_tension = \"20.6 mN/m\"\ncontact_angle = \"0 deg\"\n" +
+    cell_table("10 g") + R"([[recording]]
 file = "wet_*.csv"
 liquid_content = 0.03
 bead_mass = "11 g"
@@ -123,9 +114,7 @@ TEST_F(ReadMeasurements, AreTheSameAfterWritingAndReadingThem) {
 }
 
 TEST_F(ReadMeasurements, ListsWhatItLeftOut) {
-    folder_.write("dry_3.csv",
-                  "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n"
-                  "0,30,5,4,0.1\n");
+    folder_.write("dry_3.csv", recording_header + "0,30,5,4,0.1\n");
     const Measurements all = read_measurements(read_study(folder_.path()));
     EXPECT_EQ(all.excluded.back().last_line, 2);
     expect_told(told_of(all));
@@ -219,8 +208,8 @@ TEST_F(ReadMeasurements, DoubtVelocitiesThatDifferByAFactorBetweenUnits) {
     const auto said = [](const std::vector<Doubt>& found) {
         return std::ranges::find(found, "angular_velocity", &Doubt::quantity)->what;
     };
-    expect_told({said(doubts(rpm, 1.04)), said(doubts(1 / rpm, 1.04)),
-                 said(doubts(2 * std::numbers::pi))});
+    expect_told(
+        {said(doubts(rpm, 1.04)), said(doubts(1 / rpm, 1.04)), said(doubts(2 * std::numbers::pi))});
     // Ratios of ordinary speeds: a decade, with dilated beads; series of 5 and 10 for each decade.
     for (const double other : {1.0, 5.0, 6.25, 6.3, 6.3096, 9.5, 10.0})
         for (const double gap : {1.0, 1.03, 1.047})
@@ -305,12 +294,10 @@ TEST(FewBeads, AreNotedOnce) {
     const auto notes_of = [](const char* diameter) {
         const TemporaryFolder folder;
         folder.write("run.csv", csv_of(ordinary_recording("", 1)));
-        folder.write("study.toml", fmt::format("[grains]\ndiameter = \"{}\"\n"
-                                               "density = \"1050 kg/m^3\"\n[cell]\n"
-                                               "inner_radius = \"21 mm\"\n"
-                                               "outer_radius = \"45 mm\"\nbead_mass = \"20 g\"\n"
-                                               "[[recording]]\nfile = \"run.csv\"\n",
-                                               diameter));
+        folder.write("study.toml",
+                     fmt::format("[grains]\ndiameter = \"{}\"\ndensity = \"1050 kg/m^3\"\n{}"
+                                 "[[recording]]\nfile = \"run.csv\"\n",
+                                 diameter, cell_table("20 g")));
         return read_measurements(read_study(folder.path())).notes;
     };
     const auto many = notes_of("500 um"), few = notes_of("2 mm");  // 3 beads high

@@ -12,17 +12,8 @@ namespace pendular::data_plausibility_test {
 using testing::IsEmpty;
 using testing::Not;
 
-const std::string study_text = R"([grains]
-diameter = "500 um"
-density = "1050 kg/m^3"
-[liquid]
-surface_tension = "20.6 mN/m"
-contact_angle = "0 deg"
-[cell]
-inner_radius = "21 mm"
-outer_radius = "45 mm"
-bead_mass = "{} g"
-)";
+const std::string study_text =
+    grains_table + "[liquid]\nsurface_tension = \"20.6 mN/m\"\ncontact_angle = \"0 deg\"\n";
 
 /// A study in a folder of its own.
 class ImplausibleStudy : public testing::Test {
@@ -40,8 +31,7 @@ class ImplausibleStudy : public testing::Test {
                               const std::string& torque = "") {
         std::mt19937_64 random(1);
         std::normal_distribution<double> normal;
-        std::string text =
-            "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+        std::string text = recording_header;
         for (int i = 0; i < 200; ++i) {
             const double noisy = 30 * (1 + 0.01 * normal(random));
             text += fmt::format("{:.1f},{},5,{:.5g},0.1\n", 0.1 * i,
@@ -55,7 +45,7 @@ class ImplausibleStudy : public testing::Test {
 
   private:
     Measurements read(const std::string& mass, const std::string& sources) {
-        folder_.write("study.toml", fmt::format(fmt::runtime(study_text), mass) + sources);
+        folder_.write("study.toml", study_text + cell_table(mass + " g") + sources);
         return read_measurements(read_study(folder_.path()));
     }
     TemporaryFolder folder_;

@@ -10,8 +10,7 @@ namespace pendular::data_recording_test {
 
 using testing::ElementsAre;
 
-const std::string header =
-    "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]";
+const std::string header = recording_header.substr(0, recording_header.size() - 1);
 
 class ReadRecording : public testing::Test {
   protected:

@@ -7,22 +7,11 @@
 namespace pendular::data_study_test {
 
 // Lines are counted in the tests below.
-const std::string grains = R"([grains]
-diameter = "500 um"
-density = "1050 kg/m^3"
-)";
+const std::string grains = grains_table, cell = cell_table(), readings = points_table;
 const std::string liquid = R"([liquid]
 surface_tension = "20.6 mN/m"
 contact_angle = "5 deg"
 viscosity = "50 mPa.s"
-)";
-const std::string cell = R"([cell]
-inner_radius = "21 mm"
-outer_radius = "45 mm"
-bead_mass = "60 g"
-)";
-const std::string readings = R"([[readings]]
-file = "points.csv"
 )";
 
 class ReadStudy : public testing::Test {

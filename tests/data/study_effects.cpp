@@ -7,12 +7,7 @@
 
 namespace pendular::study_effects_test {
 
-const std::string start = R"([grains]
-diameter = "500 um"
-density = "1050 kg/m^3"
-[[readings]]
-file = "points.csv"
-)";
+const std::string start = grains_table + points_table;
 
 const std::string drag = R"([[effect]]
 name = "speed-drag"

@@ -114,9 +114,7 @@ std::string table_text(const std::vector<Column>& columns, char delimiter) {
 std::vector<Reading> readings_of(const std::string& table) {
     const TemporaryFolder folder;
     folder.write("points.csv", table);
-    folder.write("study.toml",
-                 "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n"
-                 "[[readings]]\nfile = \"points.csv\"\n");
+    folder.write("study.toml", grains_table + points_table);
     const Study study = read_study(folder.path());
     return read_points(study.sources.front().files.front(), study.sources.front(), study).readings;
 }

@@ -1,10 +1,8 @@
 // Texts of a diagnosis, from results made up for the purpose.
 #include "reports/diagnosis_report.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "reports/diagnosis_table.h"
+#include "tests/support/golden.h"
 #include "tests/support/linear_space.h"
 
 namespace pendular::reports_diagnosis_test {
@@ -45,7 +43,7 @@ TEST(EstimateOfAnEffect, IsThatOfTheRefitWhereOneConverged) {
     diagnosis.tried = {refit(0.03, false)};
     EXPECT_EQ(estimate(), "400 +- 20 mN");
     diagnosis.tried = {refit(1e5, true)};  // a refit at which the effect vanishes
-    EXPECT_THAT(estimate(), testing::EndsWith(", not determined"));
+    expect_told({estimate()});
 }
 
 TEST(ImplausibleOffsets, AreThoseAboveAFifthOfTheLargestReading) {
@@ -65,7 +63,7 @@ TEST(ImplausibleOffsets, AreThoseAboveAFifthOfTheLargestReading) {
         reading.condition.normal_stress = normal_stress(force, cell);
         return implausible_offsets(diagnosis, space, {reading}, cell);
     };
-    EXPECT_THAT(notes_at(2), testing::ElementsAre(testing::HasSubstr("500 mN (drag)")));
+    expect_told(notes_at(2));
     EXPECT_THAT(notes_at(3), testing::IsEmpty());
     diagnosis.effects.clear();
     EXPECT_THAT(notes_at(2), testing::IsEmpty());
@@ -81,12 +79,12 @@ TEST(VerdictLine, NamesWhatCouldExplainALargeMisfitOfUntestedErrors) {
     diagnosis.scan.front().refitted_reduction = 480;
     diagnosis.base.fit.chi2 = 489, diagnosis.dof = 13;
     const auto line = [&] { return verdict_line(diagnosis, space, {}); };
-    EXPECT_THAT(line(), testing::HasSubstr("chi2/dof is 37.62 and drag could explain most of it"));
+    expect_told({line()});
     diagnosis.scan.front().refitted_reduction = 100;
-    EXPECT_THAT(line(), testing::HasSubstr("1 effect could go undetected at its"));
+    expect_told({line()});
     diagnosis.scan.front().refitted_reduction = 480;
     diagnosis.base.fit.chi2 = 20;
-    EXPECT_THAT(line(), testing::HasSubstr("1 effect could go undetected at its"));
+    expect_told({line()});
 }
 
 TEST(VerdictLine, SaysHowWellEachOfSeveralEffectsExplainsTheReadings) {
@@ -100,13 +98,11 @@ TEST(VerdictLine, SaysHowWellEachOfSeveralEffectsExplainsTheReadings) {
         each.fit.dof = 100, each.fit.chi2 = 90;
     }
     const auto line = [&] { return verdict_line(diagnosis, space, {}); };
-    EXPECT_THAT(line(), testing::HasSubstr("chi2/dof from 4.00 to about 0.90"));
+    expect_told({line()});
     diagnosis.confidence_set[1].fit.chi2 = 95;
-    EXPECT_THAT(line(), testing::HasSubstr("chi2/dof from 4.00 to between 0.90 and 0.95"));
-    EXPECT_THAT(line(), testing::HasSubstr("something is missing"));
+    expect_told({line()});
     diagnosis.base.lack_of_fit_p = 0.04, diagnosis.base.further_p = 0.02;
-    EXPECT_THAT(line(), testing::AllOf(testing::HasSubstr("something may be missing"),
-                                       testing::HasSubstr("is weak (p = 0.02)")));
+    expect_told({line()});
 }
 
 TEST(DiagnosisTable, SaysWhatEachEffectLeaves) {
@@ -121,10 +117,8 @@ TEST(DiagnosisTable, SaysWhatEachEffectLeaves) {
     EXPECT_EQ(remaining_chi2_text(diagnosis, diagnosis.scan[0], space),
               "2.00");  // one parameter more
     EXPECT_EQ(remaining_chi2_text(diagnosis, diagnosis.scan[1], space), "~40.00");
-    const auto rows = diagnosis_table(diagnosis, space, false);
-    EXPECT_THAT(rows.front(), testing::Not(testing::HasSubstr("power")));
-    EXPECT_THAT(rows.back(), testing::HasSubstr("now 45.45"));
-    EXPECT_THAT(diagnosis_table(diagnosis, space, true).front(), testing::HasSubstr("power"));
+    expect_told(diagnosis_table(diagnosis, space, false));
+    expect_told({diagnosis_table(diagnosis, space, true).front()});
 }
 
 TEST(CloseEffects, AreNamedWithWhatTheyWouldLeave) {
@@ -138,9 +132,7 @@ TEST(CloseEffects, AreNamedWithWhatTheyWouldLeave) {
     for (FittedModel& each : diagnosis.tried) {
         each.fit.dof = 9, each.fit.chi2 = 27;
     }
-    EXPECT_THAT(close_effects_lines(diagnosis, space),
-                testing::ElementsAre(testing::AllOf(testing::HasSubstr("slip"),
-                                                    testing::HasSubstr("chi2/dof at 3.00"))));
+    expect_told(close_effects_lines(diagnosis, space));
     // An effect of a set that fits is no other effect.
     diagnosis.confidence_set = {refit(0.1, true)};
     diagnosis.confidence_set[0].chosen = {0, 1};

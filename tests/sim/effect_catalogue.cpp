@@ -3,19 +3,13 @@
 
 #include <stdexcept>
 
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::effect_catalogue_test {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
-
-const std::string grains = "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n";
+const std::string grains = grains_table, cell = cell_table(), readings = points_table;
 const std::string liquid = "[liquid]\nsurface_tension = \"20 mN/m\"\ncontact_angle = \"0 deg\"\n";
 const std::string empty_cell = "[cell]\ninner_radius = \"21 mm\"\nouter_radius = \"45 mm\"\n";
-const std::string cell = empty_cell + "bead_mass = \"60 g\"\n";
-const std::string readings = "[[readings]]\nfile = \"points.csv\"\n";
 const std::string drag =
     "[[effect]]\nname = \"speed-drag\"\nparameter = \"drag\"\nunit = \"mN m s\"\nlower = -5\n"
     "upper = 5\ntorque = \"torque + drag*angular_velocity\"\n";
@@ -26,9 +20,6 @@ class Catalogue : public testing::Test {
         folder_.write("points.csv", "a\n1\n");
         folder_.write("study.toml", content);
         return read_study(folder_.path());
-    }
-    auto at(const std::string& position) const {
-        return StartsWith((folder_.path() / "study.toml").string() + position);
     }
     std::vector<std::string> active(const std::string& content) {
         const Study study = read(content);
@@ -75,21 +66,17 @@ TEST_F(Catalogue, NamesTheNearestEffect) {
         }
         return "";
     };
-    EXPECT_THAT(message("torque-ofset"), HasSubstr("did you mean 'torque-offset'?"));
-    EXPECT_THAT(message("sped-drag"), HasSubstr("did you mean 'speed-drag'?"));
+    expect_told({message("torque-ofset"), message("sped-drag")});
 }
 
 TEST_F(Catalogue, RefusesTheNameOfABuiltInEffect) {
     std::string text = drag;
     text.replace(text.find("speed-drag"), 10, "torque-offset");
-    EXPECT_THAT(active_error(grains + readings + text),
-                AllOf(at(":7:8: 'name': "),
-                      HasSubstr("\"torque-offset\" is the name of a built-in effect")));
+    expect_told({active_error(grains + readings + text)});
 }
 
 TEST_F(Catalogue, RefusesAWrittenEffectThatIsNotSwitchedOnToo) {
-    EXPECT_THAT(active_error(grains + readings + drag + "height = \"height + 1\"\n"),
-                at(":13:10: 'height' of effect 'speed-drag': "));
+    expect_told({active_error(grains + readings + drag + "height = \"height + 1\"\n")});
 }
 
 TEST_F(Catalogue, GivesTheListedEffectsInTheirOrder) {
@@ -101,19 +88,14 @@ TEST_F(Catalogue, GivesTheListedEffectsInTheirOrder) {
 
 TEST_F(Catalogue, RefusesUnknownAndUselessEffectsAtTheirPlaceInTheList) {
     const std::string list = "[model]\neffects = [\"torque-offset\", \"torque-ofset\"]\n";
-    EXPECT_THAT(active_error(grains + cell + readings + list),
-                AllOf(at(":11:29: 'effects': unknown effect 'torque-ofset'; did you mean "
-                         "'torque-offset'?")));
-    EXPECT_THAT(active_error(grains + readings + list),
-                AllOf(at(":7:12: 'effects': torque-offset acts on the instrument"),
-                      HasSubstr("has no [cell]: add it")));
+    expect_told(
+        {active_error(grains + cell + readings + list), active_error(grains + readings + list)});
 }
 
 TEST_F(Catalogue, KnowsWhatInstrumentEffectsNeed) {
     const Effect offset = built_in_effect("torque-offset");
-    EXPECT_THAT(why_not(offset, read(grains + readings)).value_or(""), HasSubstr("no [cell]"));
-    EXPECT_THAT(why_not(offset, read(grains + empty_cell + readings)).value_or(""),
-                AllOf(HasSubstr("entry of line 7"), HasSubstr("bead_mass")));
+    expect_told({why_not(offset, read(grains + readings)).value_or(""),
+                 why_not(offset, read(grains + empty_cell + readings)).value_or("")});
     EXPECT_EQ(why_not(offset, read(grains + cell + readings)), std::nullopt);
     EXPECT_EQ(why_not(offset, read(grains + empty_cell + readings + "bead_mass = \"60 g\"\n")),
               std::nullopt);
@@ -142,15 +124,10 @@ TEST_F(Catalogue, KnowsWhatWetAndDryEffectsNeed) {
     const auto why = [&](const Effect& effect, const std::string& text) {
         return why_not(effect, read(grains + text)).value_or("");
     };
-    EXPECT_THAT(why(wet, readings),
-                AllOf(StartsWith("acting acts on wet grains, but this study has no [liquid]"),
-                      HasSubstr("add it")));
-    EXPECT_THAT(why(wet, liquid + readings + "liquid_content = 0\n"),
-                HasSubstr("no reading with a liquid_content above 0"));
+    expect_told({why(wet, readings), why(wet, liquid + readings + "liquid_content = 0\n")});
     EXPECT_EQ(why(wet, liquid + readings), "");  // a column may say so
     EXPECT_EQ(why(wet, liquid + readings + "liquid_content = 0.03\n"), "");
-    EXPECT_THAT(why(dry, liquid + readings + "liquid_content = 0.03\n"),
-                HasSubstr("this study has no dry reading"));
+    expect_told({why(dry, liquid + readings + "liquid_content = 0.03\n")});
     EXPECT_EQ(why(dry, readings), "");
 }
 
@@ -161,13 +138,9 @@ TEST_F(Catalogue, KnowsWhichBaseAnEffectBelongsTo) {
     const auto why = [](Level level, const Study& study) {
         return why_not(acting(ChangeClosure{.level = level}), study).value_or("");
     };
-    EXPECT_THAT(why(Level::strength2, dem),
-                HasSubstr("only to base = \"mohr-coulomb\" or \"rumpf\""));
-    EXPECT_THAT(why(Level::rumpf, dem), HasSubstr("only to base = \"mohr-coulomb\"; this"));
     EXPECT_EQ(why(Level::strength2, rumpf), "");
-    for (const Level level : {Level::rumpf, Level::strength3}) {
-        EXPECT_THAT(why(level, rumpf), HasSubstr("part of base = \"rumpf\" already"));
-    }
+    expect_told({why(Level::strength2, dem), why(Level::rumpf, dem), why(Level::rumpf, rumpf),
+                 why(Level::strength3, rumpf)});
     for (const Study& study : {dem, rumpf}) {
         EXPECT_EQ(why_not(acting(ChangeFlow{}), study), std::nullopt);
         EXPECT_EQ(why_not(acting(dem::ChangePairs{}), study), std::nullopt);
@@ -185,13 +158,13 @@ TEST_F(Catalogue, LetsTheLadderOfClosuresBeClimbed) {
     EXPECT_EQ(level_of(study), Level::mohr_coulomb);
     EXPECT_EQ(why("rumpf-cohesion"), "");
     EXPECT_EQ(why("contact-stress"), "");
-    EXPECT_THAT(why("contact-angle"), HasSubstr("add rumpf-cohesion or a higher level"));
+    expect_told({why("contact-angle")});
     study.model.effects.push_back({"capillary-shear-stress", {}});
     EXPECT_EQ(level_of(study), Level::strength2);
     EXPECT_EQ(why("capillary-shear-stress"), "");
     EXPECT_EQ(why("capillary-normal-stress"), "");
     EXPECT_EQ(why("contact-angle"), "");
-    EXPECT_THAT(why("rumpf-cohesion"), HasSubstr("part of capillary-shear-stress already"));
+    expect_told({why("rumpf-cohesion")});
     study.model.effects.push_back({"rumpf-cohesion", {}});
     EXPECT_EQ(why("rumpf-cohesion"), "") << "a listed level below another one changes nothing";
     EXPECT_EQ(level_of(study), Level::strength2);

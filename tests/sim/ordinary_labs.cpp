@@ -38,9 +38,7 @@ Measurements study_of(std::uint64_t seed, const Instrument& instrument, double c
         folder.write(fmt::format("dry_{}.csv", file + 1), recording_csv(recording));
     }
     folder.write("study.toml",
-                 "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n"
-                 "[cell]\ninner_radius = \"21 mm\"\nouter_radius = \"45 mm\"\n"
-                 "bead_mass = \"200 g\"\n[[recording]]\nfile = \"dry_*.csv\"\n");
+                 grains_table + cell_table("200 g") + "[[recording]]\nfile = \"dry_*.csv\"\n");
     return read_measurements(read_study(folder.path()));
 }
 

@@ -20,11 +20,9 @@
 #include "sim/runs/store/run_columns.h"
 #include "sim/runs/store/run_store.h"
 #include "sim/runs/store/run_table.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::sim_store_test {
-
-using testing::HasSubstr;
 
 dem::RunParameters small(std::uint64_t seed) {
     return {.friction = 0.2,
@@ -260,7 +258,7 @@ TEST(RunStore, KeepsItsRunsWhenTheDiskIsFull) {
     std::ifstream stream(said);
     stream >> failed;
     std::getline(stream, message);
-    EXPECT_THAT(message, HasSubstr("the runs it holds are safe"));
+    expect_told({message});
     EXPECT_GT(failed, 3u);
     EXPECT_EQ(integrity(file), "ok");
     RunStore store(file, true);
@@ -279,8 +277,7 @@ TEST(RunStore, RefusesWhatIsNoStore) {
         return std::string("accepted");
     };
     folder.write("text", std::string(5000, 'x'));
-    EXPECT_THAT(refusal("text"), HasSubstr("is no store of runs"));
-    EXPECT_THAT(refusal("nothing"), HasSubstr("no such file"));
+    expect_told({refusal("text"), refusal("nothing")});
     const auto database = [&](const std::string& name, const std::string& commands) {
         sqlite3* made = nullptr;
         sqlite3_open((folder.path() / name).c_str(), &made);
@@ -288,10 +285,10 @@ TEST(RunStore, RefusesWhatIsNoStore) {
         sqlite3_close(made);
     };
     database("other", "CREATE TABLE photographs (name TEXT)");
-    EXPECT_THAT(refusal("other"), HasSubstr("database of another program"));
+    expect_told({refusal("other")});
     { RunStore store(folder.path() / "newer"); }
     database("newer", "PRAGMA user_version = 2");
-    EXPECT_THAT(refusal("newer"), HasSubstr("newer version of pendular"));
+    expect_told({refusal("newer")});
     {
         RunStore store(folder.path() / "cut");
         for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -300,7 +297,7 @@ TEST(RunStore, RefusesWhatIsNoStore) {
     }
     const auto cut = folder.path() / "cut";
     std::filesystem::resize_file(cut, std::filesystem::file_size(cut) / 2);
-    EXPECT_THAT(refusal("cut"), HasSubstr("corrupt"));
+    expect_told({refusal("cut")});
     RunStore store(folder.path() / "good");
     EXPECT_THROW(store.select("frction = 1"), InputError);
 }
@@ -318,8 +315,7 @@ TEST(RunStore, RefusesAConditionThatFailsOnlyOnRuns) {
 TEST(RunStore, RefusesAnUnknownColumnInDoubleQuotes) {
     RunStore store(RunStore::in_memory);
     store.add(invented(1));
-    EXPECT_THAT(input_error([&] { store.numbers("NOT \"crystalized\""); }),
-                HasSubstr("did you mean 'crystallised'"));
+    expect_told({input_error([&] { store.numbers("NOT \"crystalized\""); })});
     EXPECT_EQ(store.numbers("NOT \"crystallised\"").size(), 1u);
 }
 
@@ -328,10 +324,8 @@ TEST(RunStore, EndsAConditionThatJoinsTheRunsWithThemselves) {
     RunStore store(RunStore::in_memory);
     for (std::uint64_t seed = 0; seed < 400; ++seed)
         store.add(invented(seed));
-    EXPECT_THAT(input_error([&] {
-                    store.numbers("(SELECT count(*) FROM runs a, runs b, runs c, runs d) > 1");
-                }),
-                HasSubstr("more than 1e+09 steps"));
+    expect_told({input_error(
+        [&] { store.numbers("(SELECT count(*) FROM runs a, runs b, runs c, runs d) > 1"); })});
     EXPECT_EQ(store.numbers("id > 0").size(), 400u);
 }
 
@@ -443,9 +437,8 @@ TEST(RunTable, PointsToWhatIsWrong) {
         }
         return std::string("accepted");
     };
-    EXPECT_THAT(refusal(",friction,", ",frction,"), HasSubstr("did you mean 'friction'"));
-    EXPECT_THAT(refusal(",64,", ",many,"), HasSubstr("runs.csv:2:"));
-    EXPECT_THAT(refusal(",64,", ",12,"), HasSubstr("12 grains"));
+    expect_told(
+        {refusal(",friction,", ",frction,"), refusal(",64,", ",many,"), refusal(",64,", ",12,")});
 }
 
 }  // namespace pendular::sim_store_test

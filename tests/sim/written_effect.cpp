@@ -8,14 +8,11 @@
 
 #include "data/study/study_table.h"
 #include "sim/catalogue/formula.h"
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 
 namespace pendular::written_effect_test {
 
-using testing::AllOf;
 using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 /// Effect that the study's reader makes from an [[effect]] with parameter `x` from -2 to 2; its
 /// formula is in line 6, column 10 on.
@@ -117,9 +114,7 @@ TEST(WrittenEffect, OfTheBeadsKnowsTheCondition) {
     EXPECT_EQ(shown(mine, 0, condition).stress_ratio, 0.3);
     EXPECT_FALSE(mine.of_instrument());
     condition.height.reset();
-    EXPECT_THAT(input_error([&] { shown(mine, 1, condition); }),
-                AllOf(StartsWith("study.toml:6:16: "), HasSubstr("gives nan at"),
-                      HasSubstr("height = nan")));
+    expect_told({input_error([&] { shown(mine, 1, condition); })});
 }
 
 TEST(WrittenEffect, ChangesPropertiesOfGrainsAndLiquid) {
@@ -183,28 +178,14 @@ TEST(WrittenEffect, MayBeASwitch) {
 }
 
 TEST(WrittenEffect, RefusesWhatIsNoFormula) {
-    const auto refused = [](const std::string& formula) {
-        const std::string message = error("torque = \"" + formula + "\"");
-        EXPECT_THAT(message, StartsWith("study.toml:6:10: 'torque' of effect 'mine': "));
-        return message;
-    };
-    EXPECT_THAT(refused("torque + x*anguler_velocity"),
-                AllOf(HasSubstr("unknown variable 'anguler_velocity' at character 12; did you mean "
-                                "'angular_velocity'?"),
-                      HasSubstr("known are torque, "), HasSubstr(", x")));
-    EXPECT_THAT(refused("torque + x*stress_ratio"), HasSubstr("unknown variable 'stress_ratio'"));
-    EXPECT_THAT(refused("torque + (x"), HasSubstr("Missing parenthesis at character 12"));
-    EXPECT_THAT(refused("torque + x)"), HasSubstr("parenthesis"));
-    EXPECT_THAT(refused(""), HasSubstr("the formula is empty"));
-    EXPECT_THAT(refused("  "), HasSubstr("the formula is empty"));
-    EXPECT_THAT(refused("torque +"), HasSubstr("end of expression"));
-    EXPECT_THAT(refused("torque x"), HasSubstr("'torque'"));
-    EXPECT_THAT(refused("torque \u00d7 x"), HasSubstr("character 8"));
-    EXPECT_THAT(refused("torque = torque + x"), HasSubstr("'=' at character 8"));
-    EXPECT_THAT(refused("torque + x\\u0000*1e9"), HasSubstr("a zero byte at character 11"));
-    EXPECT_THAT(refused("torque + 1,5*x"), HasSubstr("the decimal sign is '.'"));
-    EXPECT_THAT(refused("torque + sin()*x"), HasSubstr("sin"));
-    EXPECT_THAT(refused(std::string(6000, '(')), HasSubstr("correct the formula"));
+    std::vector<std::string> told;
+    for (const std::string formula :
+         {"torque + x*anguler_velocity", "torque + x*stress_ratio", "torque + (x", "torque + x)",
+          "", "  ", "torque +", "torque x", "torque \u00d7 x", "torque = torque + x",
+          "torque + x\\u0000*1e9", "torque + 1,5*x", "torque + sin()*x"})
+        told.push_back(error("torque = \"" + formula + "\""));
+    told.push_back(error("torque = \"" + std::string(6000, '(') + "\""));
+    expect_told(told);
 }
 
 TEST(WrittenEffect, TakesComparisonsForWhatTheyAre) {
@@ -214,9 +195,7 @@ TEST(WrittenEffect, TakesComparisonsForWhatTheyAre) {
 }
 
 TEST(WrittenEffect, RefusesAFormulaWithoutItsParameter) {
-    EXPECT_THAT(
-        error("torque = \"1.02*torque\""),
-        AllOf(StartsWith("study.toml:6:10: "), HasSubstr("does not contain the parameter 'x'")));
+    expect_told({error("torque = \"1.02*torque\"")});
 }
 
 TEST(WrittenEffect, RefusesAUnitThatDoesNotFitItsFormula) {
@@ -226,15 +205,10 @@ TEST(WrittenEffect, RefusesAUnitThatDoesNotFitItsFormula) {
     const std::string drag = "torque = \"torque + x*angular_velocity\"";
     EXPECT_NO_THROW(effect(with_unit("mN m s/rad", drag)));
     EXPECT_NO_THROW(effect(with_unit("N m s", drag)));  // angles count as numbers
-    EXPECT_THAT(error(with_unit("mN", drag)),
-                HasSubstr("has the unit of a torque, N m, only if 'x' is in kg m^2 s^-1; its unit "
-                          "is N"));
-    EXPECT_THAT(error(with_unit("N", "height = \"height*(1 + x^2*time)\"")),
-                HasSubstr("whatever the unit of 'x'"));
-    EXPECT_THAT(error(with_unit("N", "torque = \"torque + x*angular_velocity*time\"")),
-                HasSubstr("only if 'x' is in N m; its unit is N"));
-    EXPECT_THAT(error(with_unit("s", "torque = \"torque + x*time + x*height\"")),
-                HasSubstr("whatever the unit of 'x'"));
+    expect_told({error(with_unit("mN", drag)),
+                 error(with_unit("N", "height = \"height*(1 + x^2*time)\"")),
+                 error(with_unit("N", "torque = \"torque + x*angular_velocity*time\"")),
+                 error(with_unit("s", "torque = \"torque + x*time + x*height\""))});
     EXPECT_NO_THROW(effect(drag));  // without a unit nothing is stated that could be wrong
     // A number may have a dimension.
     EXPECT_NO_THROW(effect(with_unit("N m", "torque = \"torque + x*angular_velocity/3\"")));
@@ -242,27 +216,25 @@ TEST(WrittenEffect, RefusesAUnitThatDoesNotFitItsFormula) {
 }
 
 TEST(WrittenEffect, RefusesToChangeAnythingAtItsNeutralValue) {
-    EXPECT_THAT(error("torque = \"torque*x\""),
-                AllOf(StartsWith("study.toml:6:10: "),
-                      HasSubstr("at the neutral value x = 0 the formula must give back 'torque' "
-                                "itself; at torque = 0.012, x = 0 it gives 0")));
-    EXPECT_THAT(error("torque = \"torque + x + 1e-9\""), HasSubstr("must give back"));
-    EXPECT_THAT(error("torque = \"torque + x/x\""), HasSubstr("must give back"));
-    EXPECT_THAT(error("torque = \"torque/x\""), HasSubstr("it gives inf"));
-    EXPECT_THAT(error("torque = \"torque + x*0 + liquid_content\""), HasSubstr("must give back"));
+    expect_told({error("torque = \"torque*x\""), error("torque = \"torque + x + 1e-9\""),
+                 error("torque = \"torque/x\""),
+                 error("torque = \"torque + x*0 + liquid_content\"")});
+    // Processors give a nan this sign or that.
+    EXPECT_THAT(error("torque = \"torque + x/x\""), testing::HasSubstr("must give back"));
     EXPECT_NO_THROW(effect("neutral = 1\ntorque = \"torque*x\""));
 }
 
 TEST(WrittenEffect, RefusesWhatIsNoNumberAtABound) {
+    expect_told({error("torque = \"torque*exp(x*time)\"")});
     EXPECT_THAT(error("torque = \"torque*sqrt(1 + x)\""),
-                AllOf(StartsWith("study.toml:6:10: "), HasSubstr("nan at torque = 0.012, x = -2")));
-    EXPECT_THAT(error("torque = \"torque*exp(x*time)\""), HasSubstr("gives inf at"));
+                testing::HasSubstr("nan at torque = 0.012, x = -2"));
 }
 
 TEST(WrittenEffect, RefusesAParameterThatHidesSomething) {
+    std::vector<std::string> told;
     for (const char* name : {"torque", "stress_ratio", "time", "sin", "pi", "_e"})
-        EXPECT_THAT(error("torque = \"torque + 1\"", name),
-                    AllOf(StartsWith("study.toml:3:13: 'parameter': "), HasSubstr(name)));
+        told.push_back(error("torque = \"torque + 1\"", name));
+    expect_told(told);
 }
 
 // muParser's parsers are not thread-safe; without the lock this mixes the threads' variables.

@@ -48,13 +48,16 @@ inline Outcome run_pendular(const std::string& words) {
             content_of(folder.path() / "err")};
 }
 
-/// Expects that `pendular` refuses a command line with exit code 2.
-/// @param words words after the program's name
-/// @param why text that the program must print on standard error
-inline void expect_refused(const std::string& words, const std::string& why) {
-    const Outcome run = run_pendular(words);
-    EXPECT_EQ(run.code, 2) << words;
-    EXPECT_THAT(run.errors, testing::HasSubstr(why));
+/// Expects that `pendular` refuses each of these commands (words after the program's name) with
+/// exit code 2, in the golden words.
+inline void expect_refused(const std::vector<std::string>& commands) {
+    std::vector<std::string> transcript;
+    for (const std::string& words : commands) {
+        const Outcome run = run_pendular(words);
+        EXPECT_EQ(run.code, 2) << words;
+        transcript.push_back("$ pendular " + words + "\n" + run.errors);
+    }
+    expect_told(transcript);
 }
 
 /// Returns the JSON that `pendular` prints for a command, and expects that the command succeeds.

@@ -39,6 +39,19 @@ inline std::filesystem::path look_alike(const std::string& name) {
     return std::filesystem::path(PENDULAR_SOURCE_DIR) / "tests/data/formats" / name;
 }
 
+/// Tables of study.toml that most studies of tests have: polystyrene beads, an annular cell with
+/// this mass of beads, and readings in points.csv.
+inline const std::string grains_table =
+    "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n";
+inline std::string cell_table(const std::string& bead_mass = "60 g") {
+    return "[cell]\ninner_radius = \"21 mm\"\nouter_radius = \"45 mm\"\nbead_mass = \"" +
+           bead_mass + "\"\n";
+}
+inline const std::string points_table = "[[readings]]\nfile = \"points.csv\"\n";
+/// Header of a recording, with its line end.
+inline const std::string recording_header =
+    "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+
 /// Temporary folder that is new at construction and removed with all files at destruction.
 class TemporaryFolder {
   public:

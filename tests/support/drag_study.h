@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/data_support.h"
+
 namespace pendular {
 
 /// Writes a study to a new folder. Its three dry readings are the emulator's predictions at
@@ -16,19 +18,8 @@ inline void write_drag_study(const std::filesystem::path& folder) {
            "300,85.1,0.9,0.5985,0.0012,0.1\n"
            "1000,331.0,3.3,0.5992,0.0012,0.1\n"
            "3000,1028,10,0.5996,0.0012,0.1\n";
-    std::ofstream(folder / "study.toml") << R"([grains]
-diameter = "500 um"
-density = "1050 kg/m^3"
-[cell]
-inner_radius = "21 mm"
-outer_radius = "45 mm"
-bead_mass = "60 g"
-[[readings]]
-file = "points.csv"
-liquid_content = 0
-[model]
-effects = []
-)";
+    std::ofstream(folder / "study.toml") << grains_table << cell_table() << points_table
+                                         << "liquid_content = 0\n[model]\neffects = []\n";
 }
 
 }  // namespace pendular

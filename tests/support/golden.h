@@ -43,7 +43,8 @@ inline void expect_same_text(const std::string& golden, const std::string& now,
                                 folder.write("now", now).string() + " >" + difference.string();
     EXPECT_GE(std::system(command.c_str()), 0);
     ADD_FAILURE() << content_of(difference)
-                  << "\nIf this is what the program is to say: scripts/accept_golden.sh";
+                  << "\nIf this is what the program is to say: scripts/accept_golden.sh, or "
+                     "accept_reference.sh for a page of docs";
 }
 
 /// Returns a text with FOLDER in place of temporary folders and SOURCE in place of the project's.

@@ -27,11 +27,8 @@ inline Measurements study_of(int files, std::uint64_t seed, const OrdinaryNoise&
                      csv_of(ordinary_recording("", 1000 * seed + static_cast<std::uint64_t>(file),
                                                noise, own)));
     }
-    folder.write("study.toml",
-                 "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n"
-                 "[cell]\ninner_radius = \"21 mm\"\nouter_radius = \"45 mm\"\n"
-                 "bead_mass = \"20 g\"\n[[recording]]\nfile = \"run_*.csv\"\n" +
-                     import);
+    folder.write("study.toml", grains_table + cell_table("20 g") +
+                                   "[[recording]]\nfile = \"run_*.csv\"\n" + import);
     return read_measurements(read_study(folder.path()));
 }
 

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <set>
 
-#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
 #include "workflow/rival_effects.h"
 #include "workflow/rivals.h"
 
@@ -16,8 +16,6 @@ namespace pendular::workflow_session_test {
 
 namespace fs = std::filesystem;
 using testing::Contains;
-using testing::HasSubstr;
-using testing::Not;
 
 /// A copy of a study of friction 0.09 whose walls rub.
 class Sessions : public testing::Test {
@@ -90,7 +88,7 @@ TEST_F(Sessions, GoFromRecordingsToTheEffectThatWasMissing) {
     testing::internal::CaptureStderr();
     {
         Session before = session();
-        EXPECT_THAT(input_error([&] { before.predict({}); }), HasSubstr("no calibration yet"));
+        expect_told({input_error([&] { before.predict({}); })});
         EXPECT_EQ(before.measurements().readings.size(), 24u);
         const FittedStudy calibrated = before.calibrate();
         EXPECT_FALSE(calibrated.belief.believable());
@@ -122,10 +120,9 @@ TEST_F(Sessions, GoFromRecordingsToTheEffectThatWasMissing) {
                   read_study(study_).model.effects[0].position.line);
         EXPECT_EQ(before.compare().calibration.fit.parameters,
                   added.after.calibration.fit.parameters);
-        EXPECT_THAT(input_error([&] { before.add("wall-friction"); }),
-                    Not(HasSubstr("has changed")));
+        expect_told({input_error([&] { before.add("wall-friction"); })});
         std::ofstream(study_ / "study.toml", std::ios::app) << "# by hand";
-        EXPECT_THAT(input_error([&] { before.add("lid-slip"); }), HasSubstr("has changed"));
+        expect_told({input_error([&] { before.add("lid-slip"); })});
     }
     Session after(study_ / "study.toml", options());
     EXPECT_EQ(after.study().model.effects.size(), 1u);
@@ -170,10 +167,8 @@ TEST_F(Sessions, TellTheImpactOfWhatMayBeMissing) {
 }
 
 TEST_F(Sessions, RefuseToWriteOverTheirInputs) {
-    EXPECT_THAT(input_error([&] {
-                    session({.folder = study_, .files = {"dry_1.csv"}, .json = std::nullopt});
-                }),
-                HasSubstr("nothing was written"));
+    expect_told({input_error(
+        [&] { session({.folder = study_, .files = {"dry_1.csv"}, .json = std::nullopt}); })});
 }
 
 TEST_F(Sessions, EndAtACleanPointWhenToldToStop) {
@@ -228,7 +223,7 @@ TEST_F(Sessions, KeepTheRivalOfAnAddedEffect) {
     EXPECT_EQ(rivals_of(diagnosis).back().name, "gain-b in place of gain-a");
     const std::string line = rivals_line(diagnosis.rivals, diagnosis.diagnosis.base.fit.chi2,
                                          after.resolved().catalogue());
-    EXPECT_THAT(line, HasSubstr("gain-b in place of gain-a"));
+    expect_told({line});
     // An effect that the study lists by now stays in the model beside the rival.
     Ladder ladder = added.ladder;
     ladder.back().rivals = {{"gain-b", "gain-a"}, {"gain-a"}};
@@ -236,7 +231,7 @@ TEST_F(Sessions, KeepTheRivalOfAnAddedEffect) {
     ASSERT_EQ(alive.size(), 1u);
     EXPECT_THAT(alive[0].effects, testing::ElementsAre("gain-b"));
     std::ofstream(study_ / "out/ladder.json") << "{";
-    EXPECT_THAT(input_error([&] { after.diagnose(); }), HasSubstr("ladder.json"));
+    expect_told({input_error([&] { after.diagnose(); })});
 }
 
 }  // namespace pendular::workflow_session_test
