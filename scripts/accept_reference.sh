@@ -3,5 +3,5 @@
 # difference before you commit it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-PENDULAR_ACCEPT_REFERENCE=1 build/release/tests/app_tests --gtest_filter="ReferencePages.*"
+PENDULAR_ACCEPT_GOLDEN=1 build/release/tests/app_tests --gtest_filter="ReferencePages.*"
 git --no-pager diff --stat -- docs/reference

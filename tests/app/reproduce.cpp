@@ -20,7 +20,7 @@ const char* const figures[] = {"mustarphimu", "muphinertial", "philphis", "cexpn
                                "s12pred",     "cstarmu",      "cohcomp",  "cohgen",     "scaps",
                                "scapcd",      "fabric",       "scapdapp", "scapapp"};
 
-TEST(Reproduce, WritesThePageAndEveryFigure) {
+TEST(ReferencePages, OfTheReproductionHoldsItsNumbersAndFigures) {
     const TemporaryFolder folder;
     const Outcome run = run_pendular(
         fmt::format("reproduce --all --out {0} --store {0}/none.sqlite --json {0}/r.json",
@@ -33,10 +33,13 @@ TEST(Reproduce, WritesThePageAndEveryFigure) {
                 << figure << extension;
         }
     }
-    // The scoreboard is printed, is on the page, and is in the JSON.
+    // The scoreboard is printed, is on the page, which is that of the documentation, and is in the
+    // JSON.
     const json rows = json::parse(content_of(folder.path() / "r.json"))["rows"];
     EXPECT_GE(rows.size(), 60u);
     const std::string page = content_of(folder.path() / "reproduction.md");
+    const fs::path documented = PENDULAR_SOURCE_DIR "/docs/reproduction.md";
+    pendular::expect_same_text(content_of(documented), page, documented, page);
     for (const json& row : rows) {
         const std::string what = row["what"];
         EXPECT_THAT(run.output, HasSubstr(what));
