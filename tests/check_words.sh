@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Fails where the words of the project break its rules: docstrings that lean on the one before them,
-# names that only this program would use, misspellings, a README that is too long to read.
+# names that only this program would use, misspellings, a README that is too long to read, golden texts
+# of tests that are gone.
 #   tests/check_words.sh ROOT
 set -uo pipefail
 cd "$1"
@@ -38,6 +39,15 @@ if [ "$(wc -l < README.md)" -gt 120 ]; then
   echo "README.md has more than 120 lines: move what is not the tour to docs/"
   broken=1
 fi
+
+# A section of a golden text belongs to a test that there is.
+for golden in tests/golden/*/*.txt; do
+  folder=$(basename "$(dirname "$golden")") source=$(basename "$golden" .txt).cpp
+  [ "$folder" = terminal ] && continue
+  sed -n 's/^== \([^ .]*\)\.\([^ ]*\).*/\1 \2/p' "$golden" | sort -u | while read -r suite name; do
+    grep -Pzq "\($suite,\s*$name\)" "tests/$folder/$source" || echo "$golden: no test $suite.$name"
+  done | grep . && broken=1
+done
 
 # Misspelt names that tests give on purpose, the typedef of valijson, and words of French exports are
 # no mistakes.
