@@ -17,6 +17,7 @@
 #include "calib/fit/calibration.h"
 #include "data/input_error.h"
 #include "data/recordings/replicate_groups.h"
+#include "data/remarks/wording.h"
 #include "reports/parameter_name.h"
 #include "reports/tables.h"
 #include "sim/catalogue/effect_catalogue.h"
@@ -179,10 +180,9 @@ int calibrate(const std::vector<std::string>& arguments) {
     const Comparison& comparison = result.comparison;
     const Belief& belief = result.belief;
     print_result(console, c, comparison, belief, error_basis(measurements));
-    for (const auto& note : measurements.notes) {
-        console.note(note);
+    for (const Remark& note : measurements.notes()) {
+        console.note(text_of(note));
     }
-    if (measurements.weight_note) console.note(*measurements.weight_note);
     if (beyond_transients(measurements)) {
         console.note(fmt::format("Import excluded {}. To list them: pendular import {} --all",
                                  excluded_text(measurements), common->study_word()));

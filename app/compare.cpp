@@ -14,6 +14,7 @@
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/calibration.h"
 #include "data/recordings/replicate_groups.h"
+#include "data/remarks/wording.h"
 #include "reports/comparison_figures.h"
 #include "reports/draw_figure.h"
 #include "reports/failure_report.h"
@@ -105,8 +106,8 @@ int compare(const std::vector<std::string>& arguments) {
     console.table(predictions_table(comparison, !console.all()), 5);
     if (console.all()) console.table(misfit_table(comparison), 0);
     if (console.all()) console.table(cohesion_table(c.cohesion_lines), 0);
-    for (const auto& note : measurements.notes) {
-        console.note(note);
+    for (const Remark& note : measurements.notes()) {
+        if (note.kind != Remark::Kind::grain_weight) console.note(text_of(note));
     }
     for (const auto& notes : {c.cohesion_notes, c.notes}) {
         for (const auto& note : notes) {

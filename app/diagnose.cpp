@@ -17,6 +17,7 @@
 #include "app/open_session.h"
 #include "app/options.h"
 #include "app/progress.h"
+#include "data/remarks/wording.h"
 #include "reports/diagnosis_figure.h"
 #include "reports/diagnosis_report.h"
 #include "reports/diagnosis_table.h"
@@ -95,7 +96,8 @@ std::string caution(const StudyDiagnosis& d, const Measurements& measurements) {
         return " The verdict does not use the readings that were set aside as implausible.";
     }
     const bool said = d.diagnosis.verdict == Verdict::suspect_measurement;
-    return measurements.doubts.empty() || said ? "" : " Warnings on the readings are listed below.";
+    return measurements.doubts().empty() || said ? ""
+                                                 : " Warnings on the readings are listed below.";
 }
 
 /// Sentence on the simulations that confirmed the verdict.
@@ -170,7 +172,7 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
     if (const std::string order = order_line(d, session.resolved().catalogue()); !order.empty()) {
         console.line(order);
     }
-    if (measurements.doubts.empty() && !d.mistake) {
+    if (measurements.doubts().empty() && !d.mistake) {
         console.line(error_basis(measurements));
     }
 }
@@ -202,8 +204,8 @@ void print_notes(Console& console, const StudyDiagnosis& d, const Measurements& 
                  const std::string& study) {
     const Diagnosis& diagnosis = d.diagnosis;
     const StudyModelSpace& models = *d.models;
-    for (const auto& note : measurements.notes) {
-        console.note(note);
+    for (const Remark& note : measurements.notes()) {
+        if (note.kind != Remark::Kind::grain_weight) console.note(text_of(note));
     }
     if (const auto note = note_on_means(d.readings.size(), d.measured)) console.note(*note);
     for (const UntestableEffect& aside : models.untestable_effects()) {

@@ -10,7 +10,7 @@
 #include "app/options.h"
 #include "app/recording_views.h"
 #include "data/files/write_tables.h"
-#include "data/recordings/common_reason.h"
+#include "data/remarks/wording.h"
 #include "reports/recording_figures.h"
 #include "reports/tables.h"
 #include "workflow/json.h"
@@ -21,11 +21,10 @@ namespace {
 
 /// Heading and sentences on the findings inside the recordings; empty if there are none.
 /// Saturations are left out without `all`, since warnings name them.
-std::vector<std::string> findings_lines(std::vector<RecordingFinding> findings, bool all) {
+std::vector<std::string> findings_lines(std::vector<Remark> findings, bool all) {
     if (!all) {
-        std::erase_if(findings, [](const RecordingFinding& each) {
-            return each.kind == RecordingFinding::Kind::saturation;
-        });
+        std::erase_if(findings,
+                      [](const Remark& each) { return each.kind == Remark::Kind::saturation; });
     }
     std::vector<std::string> lines;
     for (const std::string& sentence : sentences(findings, all))
@@ -35,12 +34,12 @@ std::vector<std::string> findings_lines(std::vector<RecordingFinding> findings, 
 }
 
 /// Heading and sentences on the files' headers and set points; empty for nothing.
-std::vector<std::string> file_findings_lines(const std::vector<FileFinding>& findings, bool all) {
+std::vector<std::string> file_findings_lines(const std::vector<Remark>& findings, bool all) {
     std::vector<std::string> lines;
-    for (const FileFinding& finding : findings)
+    for (const Remark& finding : findings)
         lines.push_back(fmt::format("  {}: {}",
-                                    std::filesystem::path(finding.file).filename().string(),
-                                    text_of(finding, all ? finding.lines.size() : 8)));
+                                    std::filesystem::path(finding.file()).filename().string(),
+                                    with_lines(finding, all ? finding.lines.size() : 8)));
     if (!lines.empty()) lines.insert(lines.begin(), "Checks of the files show:");
     return lines;
 }
@@ -51,7 +50,7 @@ std::vector<Figure> figures_of_recordings(const StudyInput& input, Console& cons
     const auto note = [&](const std::string& text) { console.note(text); };
     for_each_recording(input.study.study(), note, [&](const FileView& view) {
         Figure figure =
-            recording_figure(view, input.measurements.readings, input.measurements.excluded);
+            recording_figure(view, input.measurements.readings, input.measurements.left_out());
         const std::string name = figure.name;
         for (int k = 2; std::ranges::find(figures, figure.name, &Figure::name) != figures.end();
              ++k)
@@ -114,20 +113,20 @@ int import(const std::vector<std::string>& arguments) {
                                    : fmt::format(" Excluded: {} (listed in {}).", left_out,
                                                  (common->out_folder() / "excluded.csv").string()),
                                reason.empty() ? "" : " ", reason));
-    for (const Doubt& doubt : measurements.doubts) {
-        console.line(fmt::format("Warning: {} {}", doubt.what,
-                                 doubt.set_aside ? "The affected readings are excluded."
-                                                 : "The affected readings are kept."));
+    for (const Remark& doubt : measurements.doubts()) {
+        console.line(fmt::format("Warning: {} {}", text_of(doubt),
+                                 doubt.outcome == Remark::Outcome::set_aside
+                                     ? "The affected readings are excluded."
+                                     : "The affected readings are kept."));
     }
-    console.table(findings_lines(measurements.findings, console.all()), 6);
-    console.table(file_findings_lines(measurements.file_findings, console.all()), 6);
+    console.table(findings_lines(measurements.faults(true), console.all()), 6);
+    console.table(file_findings_lines(measurements.faults(false), console.all()), 6);
     if (!measurements.readings.empty()) console.table(readings_table(measurements), 7);
     if (console.all()) console.table(excluded_table(measurements), 0);
     console.table(scatter_table(measurements), 5);
-    for (const auto& note : measurements.notes) {
-        console.note(note);
+    for (const Remark& note : measurements.notes()) {
+        console.note(text_of(note));
     }
-    if (measurements.weight_note) console.note(*measurements.weight_note);
     if (measurements.readings.empty()) {
         console.note(
             fmt::format("No step of the recordings gave a reading. 'pendular import {} --all' "

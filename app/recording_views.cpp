@@ -28,10 +28,10 @@ std::vector<PageRecording> recordings_of(const Session& session,
     }
     const std::size_t most = points_of_recordings(count);
     const Measurements& measurements = session.measurements();
+    const std::vector<Remark> left_out = measurements.left_out();
     std::vector<PageRecording> recordings;
     for_each_recording(session.study(), note, [&](const FileView& view) {
-        recordings.push_back(
-            page_recording(view, measurements.readings, measurements.excluded, most));
+        recordings.push_back(page_recording(view, measurements.readings, left_out, most));
     });
     return recordings;
 }

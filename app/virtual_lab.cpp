@@ -13,6 +13,7 @@
 #include "data/files/json_text.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
+#include "data/remarks/wording.h"
 #include "reports/truth.h"
 #include "sim/lab/lab_checks.h"
 #include "sim/lab/virtual_lab.h"

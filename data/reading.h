@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -9,8 +10,7 @@
 
 #include "data/grains.h"
 #include "data/input_error.h"
-#include "data/recordings/findings/file_finding.h"
-#include "data/recordings/findings/finding.h"
+#include "data/remarks/remark.h"
 
 namespace pendular {
 
@@ -81,37 +81,13 @@ struct Reading {
     Eigen::Matrix2d estimated_covariance() const { return covariance - widened_by; }
     /// Returns the stress ratio [1].
     double stress_ratio() const { return value(0) / condition.normal_stress; }
-};
-
-/// Rows of a file, or a whole reading, that were left out, with the reason.
-struct Excluded {
-    enum class Kind {
-        rows,                  ///< rows of a file, such as a spike or a step with the lid at rest
-        beside_plateau,        ///< rows of a step outside of its steady part, such as a transient
-        step_without_plateau,  ///< whole step whose steady part is missing or too short
-        reading
-    };
-    Position origin;  ///< file and first line
-    int last_line = 0;
-    std::string reason;  ///< for the user
-    Kind kind = Kind::rows;
-    /// Reason without what is particular to one step, for messages on many steps: `what` is a
-    /// clause such as "the normal force is negative", to be followed by "in all 30 steps"; `advice`
-    /// says what to do. Empty for rows that are not a whole step.
-    struct Cause {
-        std::string what, advice;
-    };
-    Cause cause = {};
-};
-
-/// Statement that measured values are probably wrong, such as a solid fraction above that of the
-/// densest packing.
-struct Doubt {
-    /// Message for the user: file, quantity, value, violated limit and likely cause.
-    std::string what;
-    std::string quantity;           ///< `Quantity::name` of the doubtful values
-    std::vector<Position> origins;  ///< of the readings or rows with the doubtful values
-    bool set_aside = true;          ///< whether they were moved to `Measurements::excluded`
+    /// Returns a remark on the reading and its rows.
+    Remark remark(Remark::Kind kind) const {
+        return {.kind = kind,
+                .files = {origin.file},
+                .lines = {{origin.line, std::max(last_line, origin.line)}},
+                .step = step};
+    }
 };
 
 /// Scatter between replicates, estimated (`pool_replicates`) or stated by the user. Variances and
@@ -164,21 +140,39 @@ struct ReplicateScatter {
     bool stated = false;             ///< the user stated the scatter in [scatter] of study.toml
 };
 
-/// Readings of a study, the rows that were left out, and messages for the user.
+/// Readings of a study, and what was noticed about its data.
 struct Measurements {
     /// In the order of the entries of study.toml, and of file names within one entry.
     std::vector<Reading> readings;
     ReplicateScatter scatter;  ///< included in the covariances of the readings
-    std::vector<Excluded> excluded;
-    std::vector<Doubt> doubts;
-    std::vector<RecordingFinding> findings;  ///< faults in rows, such as a wobble of the lid
-    /// Faults of whole files, such as a header that contradicts study.toml.
-    std::vector<FileFinding> file_findings;
-    /// Messages about the conversion of files to readings, such as a torque whose sign was flipped.
-    std::vector<std::string> notes;
-    /// Message that the model neglects the weight of the grains although it exceeds 10 % of the
-    /// normal stress in some readings; empty otherwise.
-    std::optional<std::string> weight_note;
+    std::vector<Remark> remarks;
+
+    /// Returns the remarks with a consequence, such as all rows and readings that are left out.
+    std::vector<Remark> with(Remark::Outcome outcome) const {
+        std::vector<Remark> chosen;
+        for (const Remark& remark : remarks)
+            if (remark.outcome == outcome) chosen.push_back(remark);
+        return chosen;
+    }
+    std::vector<Remark> left_out() const { return with(Remark::Outcome::left_out); }
+    std::vector<Remark> notes() const { return with(Remark::Outcome::note); }
+    /// Returns the warnings that values are probably wrong, whether or not they are used.
+    std::vector<Remark> doubts() const {
+        std::vector<Remark> chosen;
+        for (const Remark& remark : remarks)
+            if (remark.outcome == Remark::Outcome::kept ||
+                remark.outcome == Remark::Outcome::set_aside)
+                chosen.push_back(remark);
+        return chosen;
+    }
+    /// Returns the faults inside recordings, such as a wobble of the lid, or those of whole files,
+    /// such as a header that contradicts study.toml.
+    std::vector<Remark> faults(bool inside_recordings) const {
+        std::vector<Remark> chosen;
+        for (const Remark& remark : with(Remark::Outcome::found))
+            if (inside_recording(remark.kind) == inside_recordings) chosen.push_back(remark);
+        return chosen;
+    }
 };
 
 /// Returns the condition of each reading, in the order of the readings.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "data/remarks/wording.h"
 #include "reports/parameter_name.h"
 
 namespace pendular {
@@ -106,7 +107,7 @@ std::vector<std::string> failure_table(const WhereItFails& where) {
 std::string recordings_line(const std::vector<RecordingEvidence>& evidence) {
     constexpr std::size_t most_sentences = 2;
     if (evidence.empty()) return "";
-    std::vector<RecordingFinding> findings;
+    std::vector<Remark> findings;
     for (const RecordingEvidence& each : evidence)
         findings.push_back(each.finding);
     const std::vector<std::string> all = sentences(findings);

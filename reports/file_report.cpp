@@ -13,6 +13,7 @@
 
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
+#include "data/remarks/wording.h"
 
 namespace pendular {
 namespace {
@@ -40,7 +41,7 @@ double greatest_size(const std::vector<double>& values) {
     return largest;
 }
 
-const char* line_word(const std::vector<std::pair<int, int>>& lines) {
+const char* line_word(const std::vector<Lines>& lines) {
     return lines.size() == 1 && lines[0].first == lines[0].second ? "Line" : "Lines";
 }
 
@@ -85,17 +86,19 @@ bool several_tests(const BlockFile& file) {
 
 /// Sentences on the rows that were left out, one for each reason.
 std::vector<std::string> skipped_lines(const BlockFile& file, bool all) {
-    std::vector<std::pair<std::string, std::vector<std::pair<int, int>>>> by_reason;
-    for (const SkippedRows& rows : file.skipped) {
-        auto known = std::ranges::find_if(
-            by_reason, [&](const auto& each) { return each.first == rows.reason; });
-        if (known == by_reason.end()) known = by_reason.insert(by_reason.end(), {rows.reason, {}});
-        known->second.emplace_back(rows.first_line, rows.last_line);
+    std::vector<Remark> by_reason;
+    for (const Remark& rows : file.skipped) {
+        const auto known = std::ranges::find(by_reason, rows.kind, &Remark::kind);
+        if (known == by_reason.end())
+            by_reason.push_back(rows);
+        else
+            known->lines.push_back(rows.lines.front());
     }
     std::vector<std::string> lines;
-    for (const auto& [reason, ranges] : by_reason)
-        lines.push_back(fmt::format("  {} {}: {}. Left out.", line_word(ranges),
-                                    text_of_lines(ranges, all ? ranges.size() : 8), reason));
+    for (const Remark& rows : by_reason)
+        lines.push_back(fmt::format("  {} {}: {}. Left out.", line_word(rows.lines),
+                                    text_of_lines(rows.lines, all ? rows.lines.size() : 8),
+                                    text_of(rows)));
     return lines;
 }
 
@@ -182,8 +185,8 @@ std::vector<std::string> intervals_table(const FileView& view) {
 
 std::vector<std::string> checks_lines(const FileView& view, bool all) {
     std::vector<std::string> lines;
-    for (const FileFinding& finding : view.findings)
-        lines.push_back("  " + text_of(finding, all ? finding.lines.size() : 8));
+    for (const Remark& finding : view.findings)
+        lines.push_back("  " + with_lines(finding, all ? finding.lines.size() : 8));
     for (const std::string& line : skipped_lines(view.file, all))
         lines.push_back(line);
     if (lines.empty()) lines.emplace_back("  The checks found nothing wrong.");

@@ -52,7 +52,7 @@ std::vector<AveragedWindow> windows_of_roles(const FileView& view) {
 
 std::vector<AveragedWindow> windows_of_study(const FileView& view,
                                              const std::vector<Reading>& readings,
-                                             const std::vector<Excluded>& excluded) {
+                                             const std::vector<Remark>& left_out) {
     std::vector<int> lines;
     for (const IntervalSeries& series : view.series)
         lines.insert(lines.end(), series.line.begin(), series.line.end());
@@ -64,12 +64,10 @@ std::vector<AveragedWindow> windows_of_study(const FileView& view,
         if (reading.origin.file == view.file.file && reading.last_line >= reading.origin.line)
             windows.push_back({row_of(reading.origin.line), row_of(reading.last_line + 1),
                                Kind::used, reading.origin.line});
-    for (const Excluded& rows : excluded)
-        if (rows.origin.file == view.file.file && rows.kind != Excluded::Kind::rows &&
-            rows.kind != Excluded::Kind::beside_plateau)
-            windows.push_back(
-                {row_of(rows.origin.line), row_of(rows.last_line + 1),
-                 rows.kind == Excluded::Kind::reading ? Kind::set_aside : Kind::no_plateau});
+    for (const Remark& rows : left_out)
+        if (rows.file() == view.file.file && (on_reading(rows.kind) || without_plateau(rows.kind)))
+            windows.push_back({row_of(rows.first_line()), row_of(rows.last_line() + 1),
+                               on_reading(rows.kind) ? Kind::set_aside : Kind::no_plateau});
     return windows;
 }
 
@@ -87,9 +85,9 @@ const char* text_of(AveragedWindow::Kind kind) {
 }
 
 std::vector<AveragedWindow> windows_of(const FileView& view, const std::vector<Reading>& readings,
-                                       const std::vector<Excluded>& excluded) {
-    return readings.empty() && excluded.empty() ? windows_of_roles(view)
-                                                : windows_of_study(view, readings, excluded);
+                                       const std::vector<Remark>& left_out) {
+    return readings.empty() && left_out.empty() ? windows_of_roles(view)
+                                                : windows_of_study(view, readings, left_out);
 }
 
 RecordingCourse::RecordingCourse(const FileView& view, bool shear) : shear_(shear) {

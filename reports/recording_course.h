@@ -26,9 +26,9 @@ const char* text_of(AveragedWindow::Kind kind);
 /// readings that were set aside, and steps without a plateau. If both lists are empty, they are the
 /// ends of preshears and the smoothed peaks of intervals sheared to failure.
 /// @param readings readings of a study; those from files other than `view` are ignored
-/// @param excluded rows that the study left out, with reasons
+/// @param left_out rows that the study left out, with reasons
 std::vector<AveragedWindow> windows_of(const FileView& view, const std::vector<Reading>& readings,
-                                       const std::vector<Excluded>& excluded);
+                                       const std::vector<Remark>& left_out);
 
 /// Shear stress or normal stress [Pa] (torque [N m] or normal force [N] if the file has no
 /// stresses) against the number of the row, over all intervals.

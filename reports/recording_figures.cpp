@@ -173,8 +173,8 @@ std::string locus_title(const YieldLocus& locus) {
 }  // namespace
 
 Figure recording_figure(const FileView& view, const std::vector<Reading>& readings,
-                        const std::vector<Excluded>& excluded) {
-    const std::vector<AveragedWindow> windows = windows_of(view, readings, excluded);
+                        const std::vector<Remark>& left_out) {
+    const std::vector<AveragedWindow> windows = windows_of(view, readings, left_out);
     Figure figure{.name = figure_name("recording_", name_of(view)),
                   .title = plain_text(name_of(view)),
                   .panels = {course_panel(view, windows, true), course_panel(view, windows, false)},

@@ -16,9 +16,9 @@ std::vector<Figure> file_figures(const FileView& view);
 /// no stresses) against the row number, one panel above the other. Each averaged range of rows
 /// (`windows_of`) is drawn at its mean, in a colour that tells its kind.
 /// @param readings readings of a study; those from files other than `view` are ignored
-/// @param excluded rows that the study left out, with reasons
+/// @param left_out rows that the study left out, with reasons
 Figure recording_figure(const FileView& view, const std::vector<Reading>& readings = {},
-                        const std::vector<Excluded>& excluded = {});
+                        const std::vector<Remark>& left_out = {});
 
 /// Returns a figure for each yield locus with a fitted line: points of failure, preshear point,
 /// line, and the Mohr circles of the preshear (major principal stress) and of the unconfined

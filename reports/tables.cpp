@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "data/quantities/number.h"
+#include "data/remarks/wording.h"
 #include "reports/failure_report.h"
 #include "reports/with_error.h"
 
@@ -62,19 +63,22 @@ std::vector<std::string> readings_table(const Measurements& measurements) {
 }
 
 std::string excluded_text(const Measurements& measurements) {
-    using Kind = Excluded::Kind;
     struct Words {
-        Kind kind;
+        bool (*fit)(Remark::Kind kind);
         const char *one, *several;
     };
     constexpr std::array<Words, 4> words = {
-        {{Kind::beside_plateau, "transient", "transients"},
-         {Kind::step_without_plateau, "step without a plateau", "steps without a plateau"},
-         {Kind::reading, "reading", "readings"},
-         {Kind::rows, "other range of rows", "other ranges of rows"}}};
+        {{beside_plateau, "transient", "transients"},
+         {without_plateau, "step without a plateau", "steps without a plateau"},
+         {on_reading, "reading", "readings"},
+         {[](Remark::Kind kind) {
+              return !beside_plateau(kind) && !without_plateau(kind) && !on_reading(kind);
+          },
+          "other range of rows", "other ranges of rows"}}};
     std::string text;
-    for (const auto& [kind, one, several] : words) {
-        const auto count = std::ranges::count(measurements.excluded, kind, &Excluded::kind);
+    const std::vector<Remark> left_out = measurements.left_out();
+    for (const auto& [fit, one, several] : words) {
+        const auto count = std::ranges::count_if(left_out, fit, &Remark::kind);
         if (count == 0) continue;
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, count == 1 ? one : several);
     }
@@ -82,20 +86,18 @@ std::string excluded_text(const Measurements& measurements) {
 }
 
 bool beyond_transients(const Measurements& measurements) {
-    return std::ranges::any_of(measurements.excluded, [](const Excluded& each) {
-        return each.kind != Excluded::Kind::beside_plateau;
-    });
+    return std::ranges::any_of(measurements.left_out(), std::not_fn(beside_plateau), &Remark::kind);
 }
 
 std::vector<std::string> excluded_table(const Measurements& measurements) {
     std::vector<std::string> lines = {
         fmt::format("  {:<{}} {}", "rows left out", place_width, "reason")};
-    for (const Excluded& each : measurements.excluded) {
-        const std::string file = std::filesystem::path(each.origin.file).filename().string();
-        const std::string rows = each.last_line > each.origin.line
-                                     ? fmt::format("{} to {}", each.origin.line, each.last_line)
-                                     : fmt::format("{}", each.origin.line);
-        lines.push_back(fmt::format("  {:<{}} {}", file + ":" + rows, place_width, each.reason));
+    for (const Remark& each : measurements.left_out()) {
+        const std::string file = std::filesystem::path(each.file()).filename().string();
+        const std::string rows = each.last_line() > each.first_line()
+                                     ? fmt::format("{} to {}", each.first_line(), each.last_line())
+                                     : fmt::format("{}", each.first_line());
+        lines.push_back(fmt::format("  {:<{}} {}", file + ":" + rows, place_width, text_of(each)));
     }
     return lines;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "data/remarks/wording.h"
 #include "workflow/json_parts.h"
 
 namespace pendular {
@@ -98,12 +99,12 @@ Json to_json(const FileView& view) {
         json["facts"].push_back({{"key", fact.key}, {"value", fact.value}, {"line", fact.line}});
     for (std::size_t i = 0; i < view.series.size(); ++i)
         json["intervals"].push_back(interval_json(view, i));
-    for (const FileFinding& finding : view.findings)
+    for (const Remark& finding : view.findings)
         json["findings"].push_back(file_finding_json(finding));
-    for (const SkippedRows& rows : view.file.skipped)
-        json["left_out"].push_back({{"first_line", rows.first_line},
-                                    {"last_line", rows.last_line},
-                                    {"reason", rows.reason}});
+    for (const Remark& rows : view.file.skipped)
+        json["left_out"].push_back({{"first_line", rows.first_line()},
+                                    {"last_line", rows.last_line()},
+                                    {"reason", text_of(rows)}});
     for (const YieldLocus& locus : view.loci)
         json["yield_loci"].push_back(locus_json(locus));
     return json;

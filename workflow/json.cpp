@@ -5,6 +5,7 @@
 
 #include "data/files/json_text.h"
 #include "data/files/write_whole.h"
+#include "data/remarks/wording.h"
 #include "workflow/failure_json.h"
 #include "workflow/json_parts.h"
 #include "workflow/run_json.h"
@@ -74,26 +75,27 @@ Json to_json(const Measurements& measurements) {
         json["readings"].push_back(entry);
     }
     json["excluded"] = Json::array();
-    for (const auto& e : measurements.excluded) {
-        json["excluded"].push_back({{"file", e.origin.file},
-                                    {"first_line", e.origin.line},
-                                    {"last_line", e.last_line},
-                                    {"reason", e.reason}});
+    for (const Remark& rows : measurements.left_out()) {
+        json["excluded"].push_back({{"file", rows.file()},
+                                    {"first_line", rows.first_line()},
+                                    {"last_line", rows.last_line()},
+                                    {"reason", text_of(rows)}});
     }
     json["scatter"] = scatter_json(measurements.scatter);
     json["doubts"] = Json::array();
-    for (const Doubt& doubt : measurements.doubts) {
-        json["doubts"].push_back({{"what", doubt.what},
+    for (const Remark& doubt : measurements.doubts()) {
+        json["doubts"].push_back({{"what", text_of(doubt)},
                                   {"quantity", doubt.quantity},
-                                  {"readings", doubt.origins.size()},
-                                  {"set_aside", doubt.set_aside}});
+                                  {"readings", doubt.lines.size()},
+                                  {"set_aside", doubt.outcome == Remark::Outcome::set_aside}});
     }
-    json["findings"] = findings_json(measurements.findings);
+    json["findings"] = findings_json(measurements.faults(true));
     json["file_findings"] = Json::array();
-    for (const FileFinding& finding : measurements.file_findings)
-        json["file_findings"].push_back(file_finding_json(finding));
-    json["notes"] = measurements.notes;
-    if (measurements.weight_note) json["notes"].push_back(*measurements.weight_note);
+    for (const Remark& fault : measurements.faults(false))
+        json["file_findings"].push_back(file_finding_json(fault));
+    json["notes"] = Json::array();
+    for (const Remark& note : measurements.notes())
+        json["notes"].push_back(text_of(note));
     return json;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "data/remarks/wording.h"
 #include "workflow/run_json.h"
 
 namespace pendular {
@@ -38,18 +39,21 @@ Json direct_json(const DirectMeasurement& direct) {
     return json;
 }
 
-Json file_finding_json(const FileFinding& finding) {
-    return {{"file", finding.file},
-            {"kind", finding.kind},
-            {"lines", finding.lines},
-            {"what", finding.what},
-            {"done", finding.done}};
+Json file_finding_json(const Remark& fault) {
+    Json lines = Json::array();
+    for (const Lines& range : fault.lines)
+        lines.push_back({range.first, range.last});
+    return {{"file", fault.file()},
+            {"kind", to_string(fault)},
+            {"lines", std::move(lines)},
+            {"what", text_of(fault)},
+            {"done", done_about(fault)}};
 }
 
-Json findings_json(const std::vector<RecordingFinding>& findings) {
+Json findings_json(const std::vector<Remark>& findings) {
     Json json = Json::array();
-    for (const RecordingFinding& each : findings) {
-        json.push_back({{"kind", to_string(each.kind)},
+    for (const Remark& each : findings) {
+        json.push_back({{"kind", to_string(each)},
                         {"quantity", each.quantity},
                         {"files", each.files},
                         {"step", each.step},

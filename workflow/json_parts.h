@@ -8,8 +8,6 @@
 #include "analysis/misfit/compare.h"
 #include "analysis/misfit/recording_evidence.h"
 #include "calib/fit/cohesion_lines.h"
-#include "data/recordings/findings/file_finding.h"
-#include "data/recordings/findings/finding.h"
 #include "sim/catalogue/direct_measurement.h"
 
 namespace pendular {
@@ -35,10 +33,10 @@ nlohmann::ordered_json direct_json(const DirectMeasurement& direct);
 void add_belief(nlohmann::ordered_json& json, const Belief& belief);
 
 /// Returns the JSON of one fault of a file, with the lines concerned and what was done about it.
-nlohmann::ordered_json file_finding_json(const FileFinding& finding);
+nlohmann::ordered_json file_finding_json(const Remark& fault);
 
 /// Returns a JSON array of the faults found inside recordings, such as a wobble of the lid.
-nlohmann::ordered_json findings_json(const std::vector<RecordingFinding>& findings);
+nlohmann::ordered_json findings_json(const std::vector<Remark>& findings);
 
 /// Returns a JSON array of cohesion lines.
 nlohmann::ordered_json cohesion_lines_json(const std::vector<CohesionLine>& lines);

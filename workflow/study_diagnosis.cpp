@@ -38,17 +38,15 @@ std::vector<std::string> doubtful_parts(const std::optional<UnitMistake>& mistak
     if (mistake) {
         parts.insert(fmt::format("the unit of the {} {}", mistake->column, mistake->files));
     }
-    for (const Doubt& doubt : measurements.doubts) {
-        if (!doubt.set_aside && study.import.keep_implausible) {
-            parts.insert(cause_of(doubt.quantity));
-        }
+    for (const Remark& doubt : measurements.with(Remark::Outcome::kept)) {
+        if (study.import.keep_implausible) parts.insert(cause_of(doubt.quantity));
     }
     return {parts.begin(), parts.end()};
 }
 
 /// Faults inside the recordings, and how much of the misfit they may explain.
 std::vector<RecordingEvidence> recordings_beside(const StudyDiagnosis& d, bool misfit,
-                                                 const std::vector<RecordingFinding>& findings) {
+                                                 const std::vector<Remark>& findings) {
     if (findings.empty()) return {};
     double by_effects = 0;
     for (const Finding& effect : d.diagnosis.scan)
@@ -127,7 +125,7 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
         }
     }
     const bool misfit_to_explain = !result.diagnosis.base.accepted || !beside.doubtful.empty();
-    result.recordings = recordings_beside(result, misfit_to_explain, measurements.findings);
+    result.recordings = recordings_beside(result, misfit_to_explain, measurements.faults(true));
     beside.recordings_explain_most =
         !result.recordings.empty() && result.recordings.front().explains_most();
     conclude_anew(result.diagnosis, *result.models, options, beside);

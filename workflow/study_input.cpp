@@ -118,10 +118,11 @@ StudyInput with_measurements(const Study& read) {
     ResolvedStudy complete = resolved.changed_to(with_strengths(study, measurements.readings));
     if (const auto outside = std::ranges::count_if(
             inputs_of(study), [&](const fs::path& file) { return !is_within(file, study.folder); }))
-        measurements.notes.push_back(
-            fmt::format("{} of the files that were read are outside of the study's folder, as its "
-                        "'allow_outside' permits",
-                        outside));
+        measurements.remarks.insert(
+            std::ranges::find(measurements.remarks, Remark::Kind::grain_weight, &Remark::kind),
+            {.kind = Remark::Kind::outside_files,
+             .outcome = Remark::Outcome::note,
+             .count = static_cast<std::size_t>(outside)});
     return {std::move(complete), std::move(measurements), std::move(text)};
 }
 

@@ -14,9 +14,9 @@ namespace {
 /// Names of the quantities of which any interval has a column.
 std::vector<std::string_view> quantities_of(const FileView& view) {
     std::vector<std::string_view> names;
-    for (const std::string_view name : series_quantities())
-        if (std::ranges::any_of(view.series, [&](const IntervalSeries& each) {
-                return !each.column(name).empty();
+    for (const auto& [name, values] : series_columns())
+        if (std::ranges::any_of(view.series, [column = values](const IntervalSeries& each) {
+                return !(each.*column).empty();
             }))
             names.push_back(name);
     return names;

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "data/recordings/common_reason.h"
-
 #include "calib/fit/range_text.h"
+#include "data/remarks/wording.h"
 
 namespace pendular {
 namespace {
@@ -45,12 +44,13 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
             "The fitted {} is {:.3g}, at the end of its range, {}.", parameters[k].name,
             fit.parameters(static_cast<Eigen::Index>(k)), range_text(fit, parameters, k)));
     }
-    for (std::size_t k = 0; k < std::min(most_doubts, measurements.doubts.size()); ++k) {
-        belief.reasons.push_back(measurements.doubts[k].what);
+    const std::vector<Remark> doubts = measurements.doubts();
+    for (std::size_t k = 0; k < std::min(most_doubts, doubts.size()); ++k) {
+        belief.reasons.push_back(text_of(doubts[k]));
     }
-    if (measurements.doubts.size() > most_doubts) {
+    if (doubts.size() > most_doubts) {
         belief.reasons.push_back(fmt::format("{} further warnings; 'pendular import' lists them.",
-                                             measurements.doubts.size() - most_doubts));
+                                             doubts.size() - most_doubts));
     }
     if (const auto reason = common_reason(measurements)) belief.reasons.push_back(*reason);
     belief.meaningless =
@@ -59,7 +59,7 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
 }
 
 std::size_t doubts_that_set_aside(const Measurements& measurements) {
-    return static_cast<std::size_t>(std::ranges::count_if(measurements.doubts, &Doubt::set_aside));
+    return measurements.with(Remark::Outcome::set_aside).size();
 }
 
 std::string error_basis(const Measurements& measurements) {

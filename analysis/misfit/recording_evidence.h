@@ -4,13 +4,12 @@
 
 #include "analysis/misfit/weighted_residuals.h"
 #include "data/reading.h"
-#include "data/recordings/findings/finding.h"
 
 namespace pendular {
 
 /// Fault found inside the recordings, such as a saturated sensor, and its part in the misfit.
 struct RecordingEvidence {
-    RecordingFinding finding;
+    Remark finding;
     /// Share [1] of the misfit that the fault may explain, at most 1: reduction of chi2 by one
     /// fitted factor on the shear stresses (for a fault of the height: solid fractions) of the
     /// affected readings, as far as the calibrated parameters cannot imitate it, over chi2 - dof.
@@ -29,7 +28,7 @@ struct RecordingEvidence {
 /// reduce chi2 significantly (p < 0.01).
 /// @param excess chi2 - dof of the study's model [1]; 0 without a misfit
 /// @param by_effects largest reduction of chi2 [1] that a score test predicts for an effect
-std::vector<RecordingEvidence> recording_evidence(const std::vector<RecordingFinding>& findings,
+std::vector<RecordingEvidence> recording_evidence(const std::vector<Remark>& findings,
                                                   const std::vector<Reading>& readings,
                                                   const WeightedResiduals& residuals, double excess,
                                                   double by_effects);

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "data/grains.h"
+#include "data/recordings/plausibility.h"
 
 namespace pendular {
 namespace {
@@ -119,7 +120,7 @@ bool possible(const Reading& reading, const Study& study) {
     return ratio > 0.05 && ratio < 1.5 * (1 + 1 / pressure) && reading.value(1) > 0.4 &&
            reading.value(1) < 0.74 && c.inertial_number < 0.2 && c.normal_stress > 1 &&
            c.normal_stress < 1e6 &&
-           (c.dry() || (pressure > 0.3 && !pendular_range_warning(c.liquid_content)));
+           (c.dry() || (pressure > 0.3 && beyond_pendular_range(c.liquid_content) == 0));
 }
 
 /// Assumed relative errors of the model far from its runs, for (shear stress, solid fraction) [1].

@@ -164,8 +164,8 @@ Outcome walk(const Truth& truth, const LabResult& laboratory, int study,
     stated.model.discrepancy = discrepancy;
     input.study = input.study.changed_to(stated);
     const Fidelity& fidelity = laboratory.plan.fidelity;
-    for (const RecordingFinding& finding : input.measurements.findings) {
-        const std::string kind(to_string(finding.kind));
+    for (const Remark& finding : input.measurements.faults(true)) {
+        const std::string kind = to_string(finding);
         if (std::ranges::find(outcome.faults, kind) == outcome.faults.end()) {
             outcome.faults.push_back(kind);
         }

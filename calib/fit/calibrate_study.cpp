@@ -15,7 +15,7 @@
 #include "calib/fit/wet_groups.h"
 #include "calib/model/run_planner.h"
 #include "data/input_error.h"
-#include "data/recordings/common_reason.h"
+#include "data/remarks/wording.h"
 #include "sim/runs/run_request.h"
 
 namespace pendular {
@@ -67,10 +67,10 @@ void check_wet(const Reading& reading, const Study& study, const Fidelity& fidel
 /// Clause on the readings and rows that `import` set aside as impossible, for messages; empty if
 /// there are none.
 std::string set_aside(const Measurements& measurements) {
-    const auto doubt = std::ranges::find_if(measurements.doubts, &Doubt::set_aside);
-    return doubt == measurements.doubts.end()
+    const auto doubts = measurements.with(Remark::Outcome::set_aside);
+    return doubts.empty()
                ? ""
-               : "readings were set aside; the reason for the first: " + doubt->what;
+               : "readings were set aside; the reason for the first: " + text_of(doubts.front());
 }
 
 /// Checks that the calibration has readings to fit.

@@ -10,6 +10,7 @@
 #include "data/files/csv.h"
 #include "data/files/write_whole.h"
 #include "data/quantities/quantity.h"
+#include "data/remarks/wording.h"
 
 namespace pendular {
 namespace {
@@ -93,9 +94,9 @@ void write_readings(const std::filesystem::path& path, const Measurements& measu
 
 void write_excluded(const std::filesystem::path& path, const Measurements& measurements) {
     std::string text = "file,first_line,last_line,reason\n";
-    for (const Excluded& each : measurements.excluded)
-        text += fmt::format("{},{},{},{}\n", file_from(path, each.origin.file), each.origin.line,
-                            each.last_line, csv_text_cell(each.reason));
+    for (const Remark& each : measurements.left_out())
+        text += fmt::format("{},{},{},{}\n", file_from(path, each.file()), each.first_line(),
+                            each.last_line(), csv_text_cell(text_of(each)));
     write_whole(path, text);
 }
 

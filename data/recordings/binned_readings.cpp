@@ -33,10 +33,10 @@ double duration_of(const std::vector<Reading>& readings) {
 }
 
 /// Properties that readings must have in common to be averaged.
-using Kind = std::tuple<std::string, double, bool, double, double, bool, std::size_t, double,
+using Sort = std::tuple<std::string, double, bool, double, double, bool, std::size_t, double,
                         double, bool, bool>;
 
-Kind kind_of(const Reading& r, bool by_file) {
+Sort kind_of(const Reading& r, bool by_file) {
     // Readings of one recording share the error of its filling.
     return {by_file || r.within_run_only ? r.origin.file : std::string(),
             r.condition.liquid_content,
@@ -54,7 +54,7 @@ Kind kind_of(const Reading& r, bool by_file) {
 using Members = std::vector<std::size_t>;
 
 std::vector<Members> by_kind(const std::vector<Reading>& readings, bool by_file) {
-    std::map<Kind, Members> kinds;
+    std::map<Sort, Members> kinds;
     for (std::size_t k = 0; k < readings.size(); ++k)
         kinds[kind_of(readings[k], by_file)].push_back(k);
     std::vector<Members> result;

@@ -9,11 +9,12 @@
 #include <set>
 #include <utility>
 
-#include "data/recordings/plausibility.h"
 #include "data/recordings/robust.h"
 
 namespace pendular {
 namespace {
+
+using Kind = Remark::Kind;
 
 /// Smallest number of distinct torques in a run of copied rows: rows of few torques, as in a coarse
 /// column, agree by chance.
@@ -187,32 +188,34 @@ KnownRows::Matches KnownRows::repeated_rows(const Stretch& later, const Stretch&
 }
 
 void KnownRows::report(const Stretch& later, const Stretch& earlier, const Matches& matches,
-                       const std::vector<Step>& runs, Measurements& result) {
-    std::size_t rows = 0;
+                       const std::vector<Step>& runs, std::vector<Remark>& found) {
+    Remark note{.kind = Kind::copied_file,
+                .files = {earlier.file, later.file},
+                .count = 0,
+                .of = later.size()};
     for (const Step& run : runs) {
-        rows += run.end - run.begin;
-        result.excluded.push_back(
-            {{later.file, later.line[run.begin], 0},
-             later.line[run.end - 1],
-             fmt::format("repeats {}, lines {} to {}; the same measurement counts once",
-                         earlier.file, earlier.line[*matches[run.begin]],
-                         earlier.line[*matches[run.end - 1]])});
+        note.count += run.end - run.begin;
+        found.push_back({.kind = Kind::copied_rows,
+                         .files = {later.file, earlier.file},
+                         .lines = {{later.line[run.begin], later.line[run.end - 1]},
+                                   {earlier.line[*matches[run.begin]],
+                                    earlier.line[*matches[run.end - 1]], 1}}});
     }
-    result.notes.push_back(
-        fmt::format("{} and {} hold the same measurement, {} of {} rows: it counts once, as {}",
-                    earlier.file, later.file, rows, later.size(), earlier.file));
-    if (later.liquid_content != earlier.liquid_content || later.bead_volume != earlier.bead_volume)
-        result.doubts.push_back(
-            {fmt::format("{}: these are the measurements of {}, but the study states another "
-                         "liquid_content or bead mass for them; remove the wrong one.",
-                         later.file, earlier.file),
-             later.liquid_content != earlier.liquid_content ? "liquid_content" : "bead_volume",
-             {{later.file, later.line[runs.front().begin], 0}},
-             true});
+    found.push_back(std::move(note));
+    const bool other_content = later.liquid_content != earlier.liquid_content;
+    const int line = later.line[runs.front().begin];
+    if (other_content || later.bead_volume != earlier.bead_volume)
+        found.push_back({.kind = Kind::restated_copy,
+                         .quantity = other_content ? "liquid_content" : "bead_volume",
+                         .files = {later.file},
+                         .lines = {{line, line}},
+                         .names = {earlier.file}});
 }
 
-void KnownRows::take_out_copies(Recording& recording, const Source& source, Measurements& result) {
-    std::vector<bool> copied(recording.size(), false);
+std::vector<Remark> KnownRows::copies_in(const Recording& recording, const Source& source,
+                                         std::vector<bool>& copied) {
+    std::vector<Remark> found;
+    copied.assign(recording.size(), false);
     for (const Step& rows : stretches_of_time(recording.time)) {
         if (rows.end - rows.begin < shortest_step) continue;
         Stretch later = stretch(recording, rows, source);
@@ -221,7 +224,7 @@ void KnownRows::take_out_copies(Recording& recording, const Source& source, Meas
             const Matches matches = repeated_rows(later, earlier);
             const std::vector<Step> runs = runs_of(matches, later);
             if (runs.empty()) continue;
-            report(later, earlier, matches, runs, result);
+            report(later, earlier, matches, runs, found);
             for (const Step& run : runs)
                 std::fill(copied.begin() + static_cast<std::ptrdiff_t>(rows.begin + run.begin),
                           copied.begin() + static_cast<std::ptrdiff_t>(rows.begin + run.end), true);
@@ -229,7 +232,7 @@ void KnownRows::take_out_copies(Recording& recording, const Source& source, Meas
         }
         known_.push_back(std::move(later));
     }
-    erase_rows(recording, copied);
+    return found;
 }
 
 namespace {
@@ -261,31 +264,27 @@ bool repeats(const Reading& a, const Reading& b) {
 
 }  // namespace
 
-void count_readings_once(Measurements& measurements) {
-    std::vector<Reading> kept;
-    std::map<std::pair<std::string, std::string>, int> copies;  // by original and copy
-    for (const Reading& reading : measurements.readings) {
+std::vector<Remark> repeated_readings(const std::vector<Reading>& readings) {
+    std::vector<Remark> found;
+    std::vector<const Reading*> kept;
+    std::map<std::pair<std::string, std::string>, std::size_t> copies;  // by original and copy
+    for (const Reading& reading : readings) {
         const auto earlier = std::ranges::find_if(
-            kept, [&](const Reading& other) { return repeats(other, reading); });
+            kept, [&](const Reading* other) { return repeats(*other, reading); });
         if (earlier == kept.end()) {
-            kept.push_back(reading);
+            kept.push_back(&reading);
             continue;
         }
-        ++copies[{earlier->origin.file, reading.origin.file}];
-        measurements.excluded.push_back(
-            left_out(reading, fmt::format("repeats {}; the same measurement counts once",
-                                          to_string(earlier->origin))));
+        ++copies[{(*earlier)->origin.file, reading.origin.file}];
+        found.push_back(reading.remark(Kind::repeated_reading));
+        found.back().add((*earlier)->origin);
     }
-    measurements.readings = std::move(kept);
-    for (const auto& [files, number] : copies)
-        measurements.notes.push_back(
-            files.first == files.second
-                ? fmt::format("{}: readings that repeat an earlier one in all digits: {}; each "
-                              "counts once",
-                              files.first, number)
-                : fmt::format("{} and {} hold the same readings, {} of them: they count once, as "
-                              "{}",
-                              files.first, files.second, number, files.first));
+    for (const auto& [files, number] : copies) {
+        Remark& note = found.emplace_back(
+            Remark{.kind = Kind::copied_readings, .files = {files.first}, .count = number});
+        if (files.first != files.second) note.files.push_back(files.second);
+    }
+    return found;
 }
 
 }  // namespace pendular

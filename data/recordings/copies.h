@@ -16,10 +16,12 @@ namespace pendular {
 /// all times differ by one constant. Copies may be rounded, incomplete, or within one recording.
 class KnownRows {
   public:
-    /// Removes copied rows from a recording, lists them with their originals in `result.excluded`,
-    /// and names the files in `result.notes`. Adds a doubt if study.toml states different liquid
-    /// contents or volumes of grains for copy and original.
-    void take_out_copies(Recording& recording, const Source& source, Measurements& result);
+    /// Finds the rows of a recording that are copies, and keeps its rows for later recordings. A
+    /// remark of kind `restated_copy` says that study.toml states different liquid contents or
+    /// volumes of grains for copy and original.
+    /// @param rows receives the marks of the copied rows
+    std::vector<Remark> copies_in(const Recording& recording, const Source& source,
+                                  std::vector<bool>& rows);
 
   private:
     /// Rows of a recording between two restarts of its time, in SI units, with what study.toml
@@ -53,16 +55,16 @@ class KnownRows {
     static std::vector<double> likely_offsets(const Stretch& later, const Stretch& earlier);
     static std::vector<Step> runs_of(const Matches& matches, const Stretch& later);
     static void report(const Stretch& later, const Stretch& earlier, const Matches& matches,
-                       const std::vector<Step>& runs, Measurements& result);
+                       const std::vector<Step>& runs, std::vector<Remark>& found);
 
     std::vector<Stretch> known_;
 };
 
-/// Moves readings that repeat an earlier one from `measurements.readings` to
-/// `measurements.excluded`, with notes. A repetition agrees in normal stress, inertial number,
-/// liquid content, volume of grains (if both are known), measured values, time and covariance.
-/// Readings of different files need not agree in time and covariance if shear stress and solid
-/// fraction have more than six digits, more than tables written by hand have.
-void count_readings_once(Measurements& measurements);
+/// Finds readings that repeat an earlier one: a remark of kind `repeated_reading` for each, and one
+/// of kind `copied_readings` for each pair of files. A repetition agrees in normal stress, inertial
+/// number, liquid content, volume of grains (if both are known), measured values, time and
+/// covariance. Readings of different files need not agree in time and covariance if shear stress
+/// and solid fraction have more than six digits, more than tables written by hand have.
+std::vector<Remark> repeated_readings(const std::vector<Reading>& readings);
 
 }  // namespace pendular

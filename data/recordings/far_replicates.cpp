@@ -1,7 +1,6 @@
 #include "data/recordings/far_replicates.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
@@ -87,23 +86,16 @@ std::vector<std::size_t> far_files(const ReplicateCluster& cluster, Eigen::Index
     return far;
 }
 
-const char* name_of(Eigen::Index observable) {
-    return observable == 0 ? "shear stress" : "solid fraction";
+Remark remark_on(Eigen::Index observable, Remark::Kind kind) {
+    return {.kind = kind, .quantity = observable == 0 ? "shear_stress" : "solid_fraction"};
 }
 
-Doubt doubt_about(Eigen::Index observable, std::string what) {
-    return {.what = std::move(what),
-            .quantity = observable == 0 ? "shear_stress" : "solid_fraction",
-            .origins = {},
-            .set_aside = false};
-}
-
-/// Names of files in one text: "a.csv, b.csv".
-std::string names_of(const ReplicateTable& table, const std::vector<std::size_t>& files) {
+std::vector<std::string> names_of(const ReplicateTable& table,
+                                  const std::vector<std::size_t>& files) {
     std::vector<std::string> names;
     for (const std::size_t file : files)
         names.push_back(table.name_of(file));
-    return fmt::format("{}", fmt::join(names, ", "));
+    return names;
 }
 
 /// Adds a note if the files of a cluster differ far more than the steps within each file.
@@ -114,12 +106,11 @@ void note_unlike_files(const ReplicateTable& table, const ReplicateCluster& clus
     if (difference < noted_share * largest_filling_difference(o) || sums.freedom_within < 1) return;
     const double of_steps = std::sqrt(sums.within / sums.freedom_within);
     if (difference < noted_ratio * of_steps) return;
-    result.notes.push_back(fmt::format(
-        "In {}, {} differ by {:.2g} % at all conditions, while steps within a file scatter by "
-        "{:.2g} %. This difference is large for fillings: check the liquid content, units and bead "
-        "mass of each file. It counts as the error of a filling.",
-        name_of(o), names_of(table, cluster.files), 100 * std::numbers::sqrt2 * difference,
-        100 * of_steps));
+    Remark note = remark_on(o, Remark::Kind::unlike_files);
+    note.names = names_of(table, cluster.files);
+    note.relative = std::numbers::sqrt2 * difference;
+    note.relative_error = of_steps;
+    result.remarks.push_back(std::move(note));
 }
 
 void set_files_apart(ReplicateTable& table, std::size_t place, Eigen::Index o,
@@ -131,22 +122,15 @@ void set_files_apart(ReplicateTable& table, std::size_t place, Eigen::Index o,
         return note_unlike_files(table, cluster, o, result);
     const std::vector<std::size_t> far = far_files(cluster, o);
     const double variance = 2 * difference * difference;  // of the distance between two files
-    Doubt doubt = doubt_about(
-        o,
-        fmt::format("In {}, {} {} at all conditions, by {:.3g} %, while steps within a file agree; "
-                    "check the units, the zeros and calibrations of the sensors, the total bead "
-                    "mass and the "
-                    "filling. Until then, the fit takes larger errors for {}.",
-                    name_of(o), names_of(table, far),
-                    far.size() == 1 ? "differs from its replicates" : "differ from one another",
-                    100 * std::expm1(std::sqrt(variance)),
-                    far.size() == 1 ? "this file" : "these files"));
+    Remark doubt = remark_on(o, Remark::Kind::far_files);
+    doubt.names = names_of(table, far);
+    doubt.relative = std::expm1(std::sqrt(variance));
     for (std::size_t k = 0; k < readings.size(); ++k) {
         if (std::ranges::find(far, table.file_of[k]) == far.end()) continue;
         result.variance[k](o) += variance;
-        doubt.origins.push_back(readings[k].origin);
+        doubt.add(readings[k].origin);
     }
-    result.doubts.push_back(std::move(doubt));
+    result.remarks.push_back(std::move(doubt));
     if (far.size() == 1) {
         values = without_file(values, far.front());
     } else {
@@ -157,24 +141,18 @@ void set_files_apart(ReplicateTable& table, std::size_t place, Eigen::Index o,
 void set_condition_apart(const ReplicateTable& table, const Values& values, Eigen::Index o,
                          const FarCondition& far, const std::vector<Reading>& readings,
                          FarReplicates& result) {
-    std::vector<std::string> places;
-    std::vector<Position> origins;
+    Remark doubt = remark_on(o, Remark::Kind::far_condition);
     for (const ReplicatedValue& value : values) {
         if (value.condition != far.condition) continue;
         result.variance[value.reading](o) += far.variance;
         const Reading& reading = readings[value.reading];
-        origins.push_back(reading.origin);
-        places.push_back(
+        doubt.add(reading.origin);
+        doubt.names.push_back(
             reading.step > 0
                 ? fmt::format("step {} of {}", reading.step, table.name_of(value.file))
                 : fmt::format("{}:{}", table.name_of(value.file), reading.origin.line));
     }
-    result.doubts.push_back(doubt_about(
-        o, fmt::format(
-               "The replicates {} differ in {} far beyond the scatter of the others; look "
-               "for a disturbance in these steps. The fit takes larger errors for these readings.",
-               fmt::join(places, " and "), name_of(o))));
-    result.doubts.back().origins = std::move(origins);
+    result.remarks.push_back(std::move(doubt));
 }
 
 }  // namespace

@@ -18,10 +18,9 @@ struct FarReplicates {
     /// differ too much without a single one that is wrong. Filling errors are estimated without
     /// them.
     std::set<std::pair<std::size_t, Eigen::Index>> unlike;
-    std::vector<Doubt> doubts;  ///< one for each cluster or condition that differs too much
-    /// One for each cluster whose files differ clearly more than the steps of a file, but too
-    /// little for a doubt.
-    std::vector<std::string> notes;
+    /// One for each cluster or condition that differs too much, and one for each cluster whose
+    /// files differ clearly more than the steps of a file, but too little for a doubt.
+    std::vector<Remark> remarks;
 };
 
 /// Finds replicates that differ too much, and removes them from the table, where they would

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "data/quantities/number.h"
 #include "data/recordings/interval_roles.h"
 #include "data/recordings/robust.h"
 #include "data/recordings/set_points.h"
@@ -15,6 +15,8 @@
 
 namespace pendular {
 namespace {
+
+using Kind = Remark::Kind;
 
 /// Largest difference of equal ratios of two columns [1]: rounding by half a step in each of two
 /// values of at least 20 steps (`least_resolved`).
@@ -87,47 +89,38 @@ double most_frequent(const std::vector<RowOfFile>& rows) {
     return best;
 }
 
-std::size_t rows_in(const std::vector<std::pair<int, int>>& lines) {
+std::vector<Remark> only_if(bool found, Remark fault) {
+    return found ? std::vector<Remark>{std::move(fault)} : std::vector<Remark>();
+}
+
+std::size_t rows_in(const std::vector<Lines>& lines) {
     std::size_t count = 0;
-    for (const auto& [first, last] : lines)
+    for (const auto& [first, last, file] : lines)
         count += static_cast<std::size_t>(last - first + 1);
     return count;
 }
 
-/// Finding on rows in which a ratio of two columns differs from the constant of the cell.
-std::optional<FileFinding> ratio_finding(const std::vector<IntervalSeries>& series,
-                                         std::string_view stress, std::string_view force,
-                                         const char* stress_text, const char* force_text,
-                                         double constant) {
+/// Finds rows in which a ratio of two columns differs from the constant of the cell.
+std::vector<Remark> check_ratio(const std::vector<IntervalSeries>& series, const char* stress,
+                                const char* force, double constant) {
     const std::vector<RowOfFile> rows = ratios(series, stress, force);
-    if (rows.empty() || constant == 0) return std::nullopt;
-    FileFinding finding;
+    if (constant == 0) return {};
+    Remark fault{.kind = Kind::ratio_of_columns, .quantity = force, .of = rows.size()};
     std::vector<double> factors;
     for (const RowOfFile& row : rows) {
         if (close(row.ratio, constant)) continue;
-        add_line(finding.lines, series[row.interval].line[row.row]);
+        add_line(fault.lines, series[row.interval].line[row.row]);
         factors.push_back(constant / row.ratio);
     }
-    if (factors.empty()) return std::nullopt;
-    const double factor = median(factors);
-    const double power = std::round(std::log10(std::abs(factor)));
-    const bool decimal = power != 0 && close(factor, std::pow(10, power));
-    finding.kind = fmt::format("{}-{}", force, stress);
-    finding.what = fmt::format(
-        "{} and {} contradict each other in {} of {} rows: the {} is {} times what the {} gives{}.",
-        force_text, stress_text, factors.size(), rows.size(), force_text, short_text(factor),
-        stress_text,
-        decimal ? ", as if a decimal or thousands mark was lost when the table was converted" : "");
-    finding.done = fmt::format(
-        "Here the {} of these rows is used, not the {}; a study sets these rows aside, "
-        "or with repair = true takes torques from shear stresses.",
-        stress_text, force_text);
-    return finding;
+    if (factors.empty()) return {};
+    fault.count = factors.size();
+    fault.size = median(factors);
+    return {fault};
 }
 
-/// Finding on a column that is proportional to a quantity it should not be proportional to, while
-/// the column that should be is not: both columns are in each other's place.
-void check_swapped(const std::vector<IntervalSeries>& series, std::vector<FileFinding>& findings) {
+/// Finds a column that is proportional to a quantity it should not be proportional to, while the
+/// column that should be is not: both columns are in each other's place.
+std::vector<Remark> check_swapped(const std::vector<IntervalSeries>& series) {
     const auto constant = [&](std::string_view above, std::string_view below) {
         const std::vector<RowOfFile> rows = ratios(series, above, below);
         const double usual = most_frequent(rows);
@@ -138,29 +131,23 @@ void check_swapped(const std::vector<IntervalSeries>& series, std::vector<FileFi
     const std::array<std::array<const char*, 3>, 2> triples = {
         {{"torque", "shear_stress", "angular_velocity"},
          {"normal_force", "normal_stress", "height"}}};
+    std::vector<Remark> faults;
     for (const auto& [measured, derived, other] : triples) {
         const bool wrong =
             !ratios(series, derived, measured).empty() && !constant(derived, measured);
-        if (!wrong || !constant(other, measured)) continue;
-        FileFinding finding;
-        finding.kind = "swapped-columns";
-        finding.what = fmt::format(
-            "the column of {} is proportional to the {}, the column of {} is not: the two columns "
-            "are in each other's place.",
-            other, measured, derived);
-        finding.done = "Correct the header or state 'columns' in study.toml; nothing was changed.";
-        findings.push_back(std::move(finding));
+        if (wrong && constant(other, measured))
+            faults.push_back({.kind = Kind::swapped_columns, .names = {other, measured, derived}});
     }
+    return faults;
 }
 
 /// Points that a file left out, by line, for sums over ranges of lines.
 class SkippedPoints {
   public:
     explicit SkippedPoints(const BlockFile& file) {
-        for (const SkippedRows& rows : file.skipped)
-            if (rows.points)
-                ranges_.emplace_back(rows.first_line, static_cast<std::size_t>(
-                                                          rows.last_line - rows.first_line + 1));
+        for (const Remark& rows : file.skipped)
+            if (rows.kind != Kind::after_interval && rows.kind != Kind::without_point_number)
+                ranges_.emplace_back(rows.first_line(), rows_in(rows.lines));
         std::ranges::sort(ranges_);
         for (const auto& range : ranges_)
             sums_.push_back(sums_.back() + range.second);
@@ -180,7 +167,8 @@ class SkippedPoints {
     std::vector<std::size_t> sums_ = {0};              ///< points of the ranges before each
 };
 
-void check_declared(const BlockFile& file, std::vector<FileFinding>& findings) {
+std::vector<Remark> check_declared(const BlockFile& file) {
+    std::vector<Remark> faults;
     const SkippedPoints skipped(file);
     int end = 0;  // last line of the interval before
     for (std::size_t i = 0; i < file.blocks.size(); ++i) {
@@ -195,75 +183,57 @@ void check_declared(const BlockFile& file, std::vector<FileFinding>& findings) {
                                                     : std::numeric_limits<int>::max();
         rows += skipped.between(first, std::max(last, next));
         if (rows == *block.declared_rows) continue;
-        FileFinding finding;
-        finding.lines = {{block.table.rows.front().line, last}};
-        finding.kind = "declared-rows";
-        finding.what =
-            fmt::format("interval {}{} declares {} points and has {}.", block.number,
-                        block.test.empty() ? "" : " of " + block.test, *block.declared_rows, rows);
-        finding.done = rows < *block.declared_rows
-                           ? "The rows are used; if the file was cut off, export it again."
-                           : "All rows are used.";
-        findings.push_back(std::move(finding));
+        faults.push_back({.kind = Kind::declared_rows,
+                          .lines = {{block.table.rows.front().line, last}},
+                          .count = rows,
+                          .of = *block.declared_rows,
+                          .names = {fmt::format("{}{}", block.number,
+                                                block.test.empty() ? "" : " of " + block.test)}});
     }
+    return faults;
 }
 
-void check_times(const std::vector<IntervalSeries>& series, std::vector<FileFinding>& findings) {
-    FileFinding finding;
+std::vector<Remark> check_times(const std::vector<IntervalSeries>& series) {
+    Remark fault{.kind = Kind::time_goes_back};
     for (const IntervalSeries& each : series)
         for (std::size_t i = 1; i < each.time.size(); ++i)
-            if (each.time[i] < each.time[i - 1]) add_line(finding.lines, each.line[i]);
-    if (finding.lines.empty()) return;
-    finding.kind = "time";
-    finding.what = "time goes back within an interval: two measurements may have been joined.";
-    finding.done = "Split the interval there; as a recording, the file is refused.";
-    findings.push_back(std::move(finding));
+            if (each.time[i] < each.time[i - 1]) add_line(fault.lines, each.line[i]);
+    return only_if(!fault.lines.empty(), fault);
 }
 
 /// Finds normal forces or stresses that are negative in every interval with values: recordings of
 /// tension, from which no reading of grains is made.
-void check_compression(const std::vector<IntervalSeries>& series,
-                       std::vector<FileFinding>& findings) {
-    FileFinding finding;
-    std::size_t known = 0;
+std::vector<Remark> check_compression(const std::vector<IntervalSeries>& series) {
+    Remark fault{.kind = Kind::no_compression};
     for (const IntervalSeries& each : series) {
         const std::vector<double>& normal = each.normal();
         for (std::size_t i = 0; i < normal.size(); ++i) {
-            known += std::isfinite(normal[i]);
-            if (normal[i] < 0) add_line(finding.lines, each.line[i]);
+            fault.of += std::isfinite(normal[i]);
+            if (normal[i] < 0) add_line(fault.lines, each.line[i]);
         }
     }
     // Noise about zero is negative in half of the rows; a few positive rows, as before the lid
     // touches the beads, leave the sign in no doubt.
     constexpr double most_positive = 0.1;
-    const std::size_t negative = rows_in(finding.lines);
-    if (static_cast<double>(negative) <= (1 - most_positive) * static_cast<double>(known)) return;
-    finding.kind = "no-compression";
-    finding.what =
-        fmt::format("the normal force or stress is negative in {} of {} rows.", negative, known);
-    finding.done =
-        "Compression must be positive, or a study makes no readings of these rows: reverse the "
-        "sign of the column in the file.";
-    findings.push_back(std::move(finding));
+    fault.count = rows_in(fault.lines);
+    return only_if(
+        static_cast<double>(fault.count) > (1 - most_positive) * static_cast<double>(fault.of),
+        fault);
 }
 
-void check_repeated(const BlockFile& file, std::vector<FileFinding>& findings) {
-    FileFinding finding;
+std::vector<Remark> check_repeated(const BlockFile& file) {
+    Remark fault{.kind = Kind::repeated_rows};
     for (const Block& block : file.blocks) {
         const auto& rows = block.table.rows;
         for (std::size_t i = 1; i < rows.size(); ++i) {
             const bool same =
                 std::ranges::equal(rows[i].cells, rows[i - 1].cells,
                                    [](const Cell& a, const Cell& b) { return a.text == b.text; });
-            if (same) add_line(finding.lines, rows[i].line);
+            if (same) add_line(fault.lines, rows[i].line);
         }
     }
-    if (finding.lines.empty()) return;
-    finding.kind = "repeated-rows";
-    finding.what =
-        fmt::format("{} rows repeat the row before them in all columns.", rows_in(finding.lines));
-    finding.done = "They are kept; check the export.";
-    findings.push_back(std::move(finding));
+    fault.count = rows_in(fault.lines);
+    return only_if(fault.count > 0, fault);
 }
 
 /// Names of the tests of a file, each once.
@@ -274,17 +244,11 @@ std::vector<std::string> tests_of(const BlockFile& file) {
     return tests;
 }
 
-void check_tests(const BlockFile& file, std::vector<FileFinding>& findings) {
-    std::vector<std::string> tests = tests_of(file);
-    if (tests.size() < 2) return;
-    FileFinding finding;
-    finding.kind = "several-tests";
+std::vector<Remark> check_tests(std::vector<std::string> tests) {
+    constexpr std::size_t told = 3;
     const std::size_t count = tests.size();
-    if (count > 3) tests.resize(3);
-    finding.what = fmt::format("the file holds {} tests, whose intervals are numbered anew: {}{}.",
-                               count, fmt::join(tests, "; "), count > 3 ? "; ..." : "");
-    finding.done = "Intervals of different tests are never joined.";
-    findings.push_back(std::move(finding));
+    tests.resize(std::min(count, told));
+    return only_if(count > 1, {.kind = Kind::several_tests, .count = count, .names = tests});
 }
 
 }  // namespace
@@ -328,43 +292,39 @@ std::vector<IntervalSeries> series_of_test(const BlockFile& file,
 }
 
 /// Checks of one test whose cell has constants of its own.
-void check_ratios(const std::vector<IntervalSeries>& series, const CellFromColumns& cell,
-                  std::vector<FileFinding>& findings) {
-    if (auto finding = ratio_finding(series, "shear_stress", "torque", "shear stress", "torque",
-                                     cell.stress_per_torque))
-        findings.push_back(std::move(*finding));
-    if (auto finding = ratio_finding(series, "normal_stress", "normal_force", "normal stress",
-                                     "normal force", cell.stress_per_force))
-        findings.push_back(std::move(*finding));
-    check_swapped(series, findings);
+std::vector<Remark> check_ratios(const std::vector<IntervalSeries>& series,
+                                 const CellFromColumns& cell) {
+    std::vector<Remark> faults =
+        check_ratio(series, "shear_stress", "torque", cell.stress_per_torque);
+    append(faults, check_ratio(series, "normal_stress", "normal_force", cell.stress_per_force));
+    append(faults, check_swapped(series));
+    return faults;
 }
 
 }  // namespace
 
-std::vector<FileFinding> check_file(const BlockFile& file,
-                                    const std::vector<IntervalSeries>& series,
-                                    const CellFromColumns& cell) {
-    std::vector<FileFinding> findings;
+std::vector<Remark> check_file(const BlockFile& file, const std::vector<IntervalSeries>& series,
+                               const CellFromColumns& cell) {
+    std::vector<Remark> faults;
     const std::vector<std::string> tests = tests_of(file);
-    if (tests.size() == 1) check_ratios(series, cell, findings);
+    if (tests.size() == 1) append(faults, check_ratios(series, cell));
     for (const std::string& test : tests) {
         if (tests.size() == 1) break;
         // Each test of a file may have been made with another cell.
         const std::vector<IntervalSeries> part = series_of_test(file, series, test);
-        check_ratios(part, cell_from_columns(part), findings);
+        append(faults, check_ratios(part, cell_from_columns(part)));
     }
-    check_declared(file, findings);
-    check_times(series, findings);
-    check_compression(series, findings);
-    check_repeated(file, findings);
-    check_tests(file, findings);
+    append(faults, check_declared(file));
+    append(faults, check_times(series));
+    append(faults, check_compression(series));
+    append(faults, check_repeated(file));
+    append(faults, check_tests(tests));
     if (tests.size() == 1)
-        check_stated_cell(stated_cell(file), cell.stress_per_torque, cell.stress_per_force,
-                          findings);
-    check_set_points(file, findings);
-    for (FileFinding& finding : findings)
-        finding.file = file.file;
-    return findings;
+        append(faults, header_against_columns(file, cell.stress_per_torque, cell.stress_per_force));
+    append(faults, missed_set_points(file));
+    for (Remark& fault : faults)
+        fault.files = {file.file};
+    return faults;
 }
 
 }  // namespace pendular

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "data/annular_cell.h"
-#include "data/recordings/findings/file_finding.h"
 #include "data/recordings/interval_series.h"
 
 namespace pendular {
@@ -25,7 +24,7 @@ struct CellFromColumns {
 /// has only one of the two ratios, it must be that of the cup.
 CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series);
 
-/// Checks a file for contradictions within itself, and returns findings on:
+/// Checks a file for contradictions within itself, and returns faults:
 /// - ratio of shear stress to torque, or of normal stress to normal force, not constant to 5 %
 /// - headers of two columns exchanged
 /// - number of rows of an interval not as declared
@@ -37,8 +36,7 @@ CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series);
 /// - measured values that do not follow their set points
 /// @param series in the order of the file's blocks
 /// @param cell from `cell_from_columns`; not used for a file with several tests
-std::vector<FileFinding> check_file(const BlockFile& file,
-                                    const std::vector<IntervalSeries>& series,
-                                    const CellFromColumns& cell);
+std::vector<Remark> check_file(const BlockFile& file, const std::vector<IntervalSeries>& series,
+                               const CellFromColumns& cell);
 
 }  // namespace pendular

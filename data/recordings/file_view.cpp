@@ -1,7 +1,6 @@
 #include "data/recordings/file_view.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "data/files/columns.h"
 
@@ -64,9 +63,7 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
     view.cell = cell_from_columns(view.series);
     view.findings = check_file(view.file, view.series, view.cell);
     view.stated = stated_cell(view.file);
-    if (study_cell)
-        std::ranges::move(compare_with_study(view.file, *study_cell),
-                          std::back_inserter(view.findings));
+    if (study_cell) append(view.findings, header_against_study(view.file, *study_cell));
     view.loci = yield_loci(view.file, view.series, view.roles);
     view.missing = missing_quantities(view.series);
     return view;

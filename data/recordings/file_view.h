@@ -20,7 +20,7 @@ struct FileView {
     std::vector<IntervalRole> roles;
     CellFromColumns cell;  ///< from the columns
     StatedCell stated;     ///< from the header
-    std::vector<FileFinding> findings;
+    std::vector<Remark> findings;
     std::vector<YieldLocus> loci;
     /// Quantities that steady shear needs but no interval has, such as "torque or shear stress".
     std::vector<std::string> missing;

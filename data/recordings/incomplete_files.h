@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "data/reading.h"
@@ -8,11 +7,10 @@
 
 namespace pendular {
 
-/// Returns notes on recordings that probably lost their last rows, and on recordings of which no
-/// step gave a reading. A recording counts as cut off if a longer file of the same entry of
-/// study.toml begins with steps at the conditions of all its steps, and if it either ends there or
-/// goes on with a step that gives no reading.
-std::vector<std::string> notes_on_incomplete_files(const Study& study,
-                                                   const Measurements& measurements);
+/// Finds recordings that probably lost their last rows, and recordings of which no step gave a
+/// reading. A recording counts as cut off if a longer file of the same entry of study.toml begins
+/// with steps at the conditions of all its steps, and if it either ends there or goes on with a
+/// step that gives no reading.
+std::vector<Remark> incomplete_files(const Study& study, const Measurements& measurements);
 
 }  // namespace pendular

@@ -8,10 +8,10 @@
 #include <limits>
 #include <optional>
 
+#include "data/files/formats/layouts.h"
 #include "data/recordings/plausibility.h"
 #include "data/recordings/robust.h"
 #include "data/recordings/speed_ramp.h"
-#include "data/recordings/stated_role.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/time_series.h"
 

@@ -1,45 +1,56 @@
 #include "data/recordings/interval_series.h"
 
 #include <limits>
-#include <utility>
 
 #include "data/files/columns.h"
 
 namespace pendular {
-namespace {
 
-using Member = std::vector<double> IntervalSeries::*;
-
-const std::vector<std::pair<std::string_view, Member>>& series_members() {
-    static const std::vector<std::pair<std::string_view, Member>> members = {
+std::span<const SeriesColumn> series_columns() {
+    static constexpr SeriesColumn columns[] = {
         {"time", &IntervalSeries::time},
         {"torque", &IntervalSeries::torque},
         {"normal_force", &IntervalSeries::normal_force},
         {"height", &IntervalSeries::height},
         {"angular_velocity", &IntervalSeries::angular_velocity},
+        {"interval", &IntervalSeries::interval},
         {"shear_stress", &IntervalSeries::shear_stress},
         {"normal_stress", &IntervalSeries::normal_stress},
         {"shear_rate", &IntervalSeries::shear_rate}};
-    return members;
-}
-
-}  // namespace
-
-const std::vector<std::string_view>& series_quantities() {
-    static const std::vector<std::string_view> names = [] {
-        std::vector<std::string_view> all;
-        for (const auto& [name, member] : series_members())
-            all.push_back(name);
-        return all;
-    }();
-    return names;
+    return columns;
 }
 
 const std::vector<double>& IntervalSeries::column(std::string_view quantity) const {
     static const std::vector<double> none;
-    for (const auto& [name, member] : series_members())
-        if (name == quantity) return this->*member;
+    for (const auto& [name, values] : series_columns())
+        if (name == quantity) return this->*values;
     return none;
+}
+
+IntervalSeries IntervalSeries::rows(std::size_t begin, std::size_t end) const {
+    const auto part = [&](const auto& all, auto& result) {
+        if (!all.empty())
+            result.assign(all.begin() + static_cast<std::ptrdiff_t>(begin),
+                          all.begin() + static_cast<std::ptrdiff_t>(end));
+    };
+    IntervalSeries result;
+    part(line, result.line);
+    for (const auto& [name, values] : series_columns())
+        part(this->*values, result.*values);
+    return result;
+}
+
+void IntervalSeries::erase_rows(const std::vector<bool>& marked) {
+    const auto erase = [&](auto& column) {
+        if (column.empty()) return;  // the file has no such column
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < marked.size(); ++i)
+            if (!marked[i]) column[kept++] = column[i];
+        column.resize(kept);
+    };
+    erase(line);
+    for (const auto& [name, values] : series_columns())
+        erase(this->*values);
 }
 
 IntervalSeries series_of(const Block& block) {
@@ -47,11 +58,11 @@ IntervalSeries series_of(const Block& block) {
     const Columns columns(block.table);
     for (const Row& row : block.table.rows)
         series.line.push_back(row.line);
-    for (const auto& [name, member] : series_members()) {
-        if (!columns.has(name)) continue;
+    for (const auto& [name, values] : series_columns()) {
+        if (name == "interval" || !columns.has(name)) continue;
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
         for (const Row& row : block.table.rows)
-            (series.*member).push_back(columns.value_if_any(row, name).value_or(none));
+            (series.*values).push_back(columns.value_if_any(row, name).value_or(none));
     }
     return series;
 }

@@ -1,46 +1,30 @@
 #include "data/recordings/measurements.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <iterator>
+#include <span>
+#include <utility>
 
 #include "data/files/formats/layouts.h"
 #include "data/recordings/contradictions.h"
 #include "data/recordings/copies.h"
 #include "data/recordings/findings/look_inside.h"
 #include "data/recordings/findings/saturation.h"
-#include "data/recordings/grain_weight.h"
 #include "data/recordings/incomplete_files.h"
+#include "data/recordings/mark.h"
 #include "data/recordings/plausibility.h"
 #include "data/recordings/quick_recording.h"
 #include "data/recordings/readings.h"
-#include "data/recordings/recording.h"
 #include "data/recordings/repair.h"
 #include "data/recordings/replicates.h"
 #include "data/recordings/set_points.h"
 #include "data/recordings/speed_units.h"
 #include "data/recordings/stated_cell.h"
 #include "data/recordings/steady_state.h"
-#include "data/study/study.h"
+#include "data/recordings/study_checks.h"
 
 namespace pendular {
 namespace {
-
-template <typename T>
-void append(std::vector<T>& to, const std::vector<T>& from) {
-    to.insert(to.end(), from.begin(), from.end());
-}
-
-void append(Measurements& to, const Measurements& from) {
-    append(to.readings, from.readings);
-    append(to.excluded, from.excluded);
-    append(to.doubts, from.doubts);
-    append(to.findings, from.findings);
-    append(to.file_findings, from.file_findings);
-    append(to.notes, from.notes);
-}
 
 /// State that is passed from each file of a study to the next file.
 struct FilesBefore {
@@ -49,62 +33,86 @@ struct FilesBefore {
     InsideRecordings inside;
 };
 
-/// Reads a recording, and adds what its file says against study.toml and against its own set
+/// Reads a recording, with remarks on what its file says against study.toml and against its own set
 /// points.
 Recording read_checked(const std::filesystem::path& path, const FileFormat& format,
-                       const AnnularCell& cell, Measurements& result) {
+                       const AnnularCell& cell, std::vector<Remark>& found) {
     if (auto recording = quick_recording(path, format)) {
         if (recording->averaged_rows > 1)
-            result.notes.push_back(fmt::format(
-                "{} has more than {} rows: each {} consecutive rows count as one, with their mean. "
-                "Spikes and saturation within such a group are not seen.",
-                path.filename().string(), most_kept_rows, recording->averaged_rows));
+            found.push_back({.kind = Remark::Kind::averaged_rows,
+                             .files = {recording->file},
+                             .count = static_cast<std::size_t>(recording->averaged_rows),
+                             .of = most_kept_rows});
         return *std::move(recording);
     }
     const BlockFile file = read_blocks(path, format);
     Recording recording = recording_of(file, format);
-    append(result.file_findings, compare_with_study(file, cell));
-    std::vector<FileFinding> missed;
-    check_set_points(file, missed);
-    for (FileFinding& finding : missed)
-        finding.file = file.file;
-    append(result.file_findings, missed);
+    append(found, header_against_study(file, cell));
+    append(found, missed_set_points(file));
+    append(found, std::exchange(recording.left_out, {}));
     return recording;
 }
 
-Measurements read_file(const std::filesystem::path& file, const Source& source, const Study& study,
-                       FilesBefore& before) {
-    if (source.kind == Source::Kind::readings) return read_points(file, source, study);
+/// Detects faulty rows, decides what follows, and corrects or leaves out these rows.
+Recording recording_without_faulty_rows(const std::filesystem::path& file, const Source& source,
+                                        const AnnularCell& cell, bool keep_implausible,
+                                        KnownRows& before, std::vector<Remark>& remarks) {
+    std::vector<bool> rows;
+    const auto say = [&](std::vector<Remark> found) {
+        append(remarks, decide(std::move(found), keep_implausible));
+    };
+    std::vector<Remark> of_file;
+    Recording recording = read_checked(file, source.format, cell, of_file);
+    say(std::move(of_file));
+    fill_from_stresses(recording, cell);
+    if (source.format.repair) {
+        say(torques_without_mark(recording, cell, rows));
+        repair_torques(recording, cell, rows);
+    }
+    say(before.copies_in(recording, source, rows));
+    recording.erase_rows(rows);
+    say(contradictions(recording, cell, rows));
+    if (!keep_implausible) recording.erase_rows(rows);
+    return recording;
+}
+
+/// Readings of one recording.
+Measurements measure(const std::filesystem::path& file, const Source& source, const Study& study,
+                     FilesBefore& before) {
     AnnularCell cell = *study.cell;
     cell.bead_volume = source.bead_volume.value_or(cell.bead_volume);
+    const bool keep = study.import.keep_implausible;
     Measurements result;
-    Recording recording = read_checked(file, source.format, cell, result);
-    fill_from_stresses(recording, cell);
-    append(result.excluded, recording.left_out);
-    if (source.format.repair) repair_torques(recording, cell, result);
-    before.rows.take_out_copies(recording, source, result);
-    if (recording.size() == 0) return result;
-    const Contradictions contradictions =
-        take_out_contradictions(recording, cell, study.import, result);
+    const auto say = [&](std::vector<Remark> found) {
+        append(result.remarks, decide(std::move(found), keep));
+    };
+    // Detect and decide.
+    const Recording recording =
+        recording_without_faulty_rows(file, source, cell, keep, before.rows, result.remarks);
     if (recording.size() == 0) return result;
     std::vector<RecordedStep> steps = recorded_steps(recording);
-    const std::vector<Saturation> saturated = saturations(recording, steps);
-    separate_from_spikes(saturated, recording.file, steps, result);
+    const std::vector<Remark> saturated = decide(saturations(recording, steps), keep);
+    say(separate_from_spikes(saturated, recording.file, steps));
+    say(saturated_steps(saturated, recording, steps));
+    say(constant_columns(recording));
     before.inside.look_at(recording.file, steps, cell, study.import.least_strain);
+    // Reduce.
     Measurements part = reduce_steps(steps, recording, cell, study.grains,
                                      source.liquid_content.value_or(0), before.clock, study.import);
-    set_aside_contradicted(contradictions, part);
-    set_aside_saturated(saturated, recording, steps, study.import, part);
-    doubt_stuck_columns(recording, part, study.import);
-    if (part.readings.empty() && !study.import.keep_implausible)
-        doubt_solid_fraction_of(recording, cell, part);
-    append(result, part);
+    append(result.remarks, std::move(part.remarks));
+    // Mark.
+    std::vector<Remark> faults = result.doubts();
+    append(faults, saturated);
+    append(result.remarks, set_spoilt_aside(part.readings, faults, recording.averaged_rows));
+    if (part.readings.empty()) say(impossible_filling(recording, cell));
+    result.readings = std::move(part.readings);
     return result;
 }
 
-/// Findings inside of the recordings of a study; none where the study has only tables of readings.
-std::vector<RecordingFinding> inside_findings(const std::vector<Reading>& readings,
-                                              const Study& study, const InsideRecordings& inside) {
+/// Remarks on faults inside of the recordings of a study; none where the study has only tables of
+/// readings.
+std::vector<Remark> inside_recordings(const std::vector<Reading>& readings, const Study& study,
+                                      const InsideRecordings& inside) {
     if (!study.cell) return {};
     std::vector<Reading> recorded;
     std::ranges::copy_if(readings, std::back_inserter(recorded),
@@ -112,104 +120,31 @@ std::vector<RecordingFinding> inside_findings(const std::vector<Reading>& readin
     return inside.findings(recorded, *study.cell);
 }
 
-/// Range of liquid contents [1] in which the liquid forms bridges, most of them separate.
-/// Source: Badetti et al. (2018), section 3.1: their smallest liquid content is 0.003, the largest
-/// that they measured 0.075.
-constexpr double driest_pendular = 0.002, wettest_pendular = 0.075;
-/// Liquid content [1] from which bridges between three touching grains merge.
-/// Source: Badetti et al. (2018), table philphis: V0 = 0.008 a^3; 2 % for the last printed digit.
-constexpr double merging_content = 1.02 * 0.063;
+/// Check of a study with all its readings.
+using StudyCheck = std::vector<Remark> (*)(const Study& study, const Measurements& all);
 
-/// Note on readings whose liquid content is beyond separate bridges, with the saturation of their
-/// pores; empty where there are none.
-std::optional<std::string> merging_note(const std::vector<Reading>& readings) {
-    std::size_t count = 0;
-    double content = 0, saturation = 0;
-    for (const Reading& reading : readings) {
-        const double own = reading.condition.liquid_content, fraction = reading.value(1);
-        if (!(own > merging_content)) continue;
-        ++count;
-        content = std::max(content, own);
-        if (fraction > 0 && fraction < 1)
-            saturation = std::max(saturation, own * fraction / (1 - fraction));
+constexpr StudyCheck checks_before_pooling[] = {
+    [](const Study&, const Measurements& all) { return repeated_readings(all.readings); },
+    [](const Study& study, const Measurements& all) {
+        return impossible_readings(all.readings, study);
+    },
+    [](const Study&, const Measurements& all) { return saturated_columns(all.remarks); },
+    [](const Study&, const Measurements& all) { return other_speed_units(all.readings); },
+    [](const Study& study, const Measurements&) { return patterns_without_file(study); },
+    incomplete_files};
+
+constexpr StudyCheck checks_after_pooling[] = {
+    [](const Study&, const Measurements& all) { return merging_bridges(all.readings); },
+    [](const Study& study, const Measurements& all) { return few_beads(study, all.readings); },
+    [](const Study&, const Measurements& all) { return points_of_failure(all.readings); },
+    [](const Study& study, const Measurements& all) { return grain_weight(study, all.readings); }};
+
+void check(std::span<const StudyCheck> checks, const Study& study, Measurements& all) {
+    for (const StudyCheck each : checks) {
+        std::vector<Remark> found = decide(each(study, all), study.import.keep_implausible);
+        set_named_aside(all.readings, found);
+        append(all.remarks, std::move(found));
     }
-    if (count == 0) return std::nullopt;
-    return fmt::format(
-        "{} {} a liquid content above 0.063, up to {:.3g}{}: the bridges between three touching "
-        "beads merge from there on, and the model of separate bridges is no longer exact",
-        count, count == 1 ? "reading has" : "readings have", content,
-        saturation > 0 ? fmt::format(" (liquid fills {:.2g} % of the pores)", 100 * saturation)
-                       : "");
-}
-
-}  // namespace
-
-std::optional<std::string> pendular_range_warning(double content) {
-    if (content == 0 || (content >= driest_pendular && content <= wettest_pendular))
-        return std::nullopt;
-    return content > wettest_pendular
-               ? fmt::format(
-                     "liquid content {:g} is above the pendular range, which ends at about {:g}: "
-                     "bridges of touching beads merge there, and the model of separate bridges "
-                     "no longer holds",
-                     content, wettest_pendular)
-               : fmt::format(
-                     "liquid content {:g} is below the pendular range, which begins at about {:g}: "
-                     "the liquid may stay between the asperities of the bead surfaces instead of "
-                     "forming bridges",
-                     content, driest_pendular);
-}
-
-namespace {
-
-/// Note on a cell in which few beads fit side by side, or on one another; empty if enough do.
-std::optional<std::string> note_on_few_beads(const Study& study,
-                                             const std::vector<Reading>& readings) {
-    // Walls order the beads over some diameters: the model, a flow without walls, holds between
-    // them. Source: GDR MiDi, Eur. Phys. J. E 14 (2004) 341: shear bands of 5 to 10 diameters.
-    constexpr double enough = 10;
-    if (!study.cell) return std::nullopt;
-    const double diameter = study.grains.diameter,
-                 width = study.cell->outer_radius - study.cell->inner_radius;
-    double height = INFINITY;
-    for (const Reading& reading : readings)
-        height = std::min(height, reading.condition.height.value_or(INFINITY));
-    const bool narrow = width < enough * diameter, low = height < enough * diameter;
-    if (!narrow && !low) return std::nullopt;
-    const auto beads = [&](const char* name, double size) {
-        return fmt::format("the {} of the sample, {:.3g} mm, is {:.2g} bead diameters", name,
-                           1e3 * size, size / diameter);
-    };
-    return fmt::format(
-        "{}{}{}: below ten, the walls order the beads, and the model, a flow without walls, may "
-        "not hold",
-        narrow ? beads("width", width) : "", narrow && low ? "; " : "",
-        low ? beads("height", height) : "");
-}
-
-/// Note on readings that are points of failure, if there are any.
-std::optional<std::string> note_on_failure(const std::vector<Reading>& readings) {
-    const auto count = std::ranges::count_if(
-        readings, [](const Reading& reading) { return reading.condition.at_failure; });
-    if (count == 0) return std::nullopt;
-    return fmt::format(
-        "{} of {} readings are points of failure: peaks of the shear stress of a consolidated "
-        "bed, not steady shear. The model describes steady shear; the effect peak-strength is the "
-        "factor between the two.",
-        count, readings.size());
-}
-
-/// One note for each pattern of study.toml that matches no file.
-std::vector<std::string> notes_on_missing_files(const Study& study) {
-    std::vector<std::string> notes;
-    for (const Source& source : study.sources) {
-        if (!source.files.empty()) continue;
-        notes.push_back(
-            fmt::format("No file matches \"{}\" (line {} of study.toml): nothing is "
-                        "read for this entry.",
-                        source.pattern, source.position.line));
-    }
-    return notes;
 }
 
 }  // namespace
@@ -217,21 +152,20 @@ std::vector<std::string> notes_on_missing_files(const Study& study) {
 Measurements read_measurements(const Study& study) {
     Measurements all;
     FilesBefore before;
-    for (const Source& source : study.sources)
-        for (const std::filesystem::path& file : source.files)
-            append(all, read_file(file, source, study, before));
-    count_readings_once(all);
-    doubt_impossible_readings(all, study);
-    doubt_saturated(all, study.import);
-    doubt_speed_units(all);
-    append(all.findings, inside_findings(all.readings, study, before.inside));
-    append(all.notes, notes_on_missing_files(study));
-    append(all.notes, notes_on_incomplete_files(study, all));
+    for (const Source& source : study.sources) {
+        for (const std::filesystem::path& file : source.files) {
+            Measurements of_file = source.kind == Source::Kind::readings
+                                       ? read_points(file, source, study)
+                                       : measure(file, source, study, before);
+            all.readings.insert(all.readings.end(), of_file.readings.begin(),
+                                of_file.readings.end());
+            append(all.remarks, decide(std::move(of_file.remarks), study.import.keep_implausible));
+        }
+    }
+    check(checks_before_pooling, study, all);
+    append(all.remarks, decide(inside_recordings(all.readings, study, before.inside), false));
     pool_replicates(all, study.scatter);
-    if (const auto note = merging_note(all.readings)) all.notes.push_back(*note);
-    if (const auto note = note_on_few_beads(study, all.readings)) all.notes.push_back(*note);
-    if (const auto note = note_on_failure(all.readings)) all.notes.push_back(*note);
-    all.weight_note = grain_weight_note(study, all.readings);
+    check(checks_after_pooling, study, all);
     return all;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
-#include <string>
+#include <string_view>
+#include <vector>
 
+#include "data/annular_cell.h"
 #include "data/reading.h"
 #include "data/recordings/recording.h"
 #include "data/study/study.h"
@@ -25,26 +27,31 @@ constexpr double least_stress_ratio = 0.05;
 /// found reduced cohesions c* of at most 0.6, and the limit allows for 1.5.
 double greatest_stress_ratio(double reduced_pressure);
 
-/// Adds doubts about readings whose solid fraction, stress ratio, inertial number, reduced pressure
-/// or liquid content is impossible in steady shear. Unless the study keeps implausible readings,
-/// they are moved to `measurements.excluded`.
-void doubt_impossible_readings(Measurements& measurements, const Study& study);
+/// Range of liquid contents [1] in which the liquid forms bridges, most of them separate.
+/// Source: Badetti et al. (2018), section 3.1: their smallest liquid content is 0.003, the largest
+/// that they measured 0.075.
+constexpr double driest_pendular = 0.002, wettest_pendular = 0.075;
 
-/// Adds a doubt if the torque of a recording is constant over all rows, or if the torque varies and
-/// the gap is constant. For a constant torque, all readings are moved to `part.excluded`, unless
-/// `choice.keep_implausible`; for a constant gap they stay, since it may have been measured
-/// coarsely. Recordings of less than `shortest_step` rows are not checked.
-/// @param part readings of the recording
-void doubt_stuck_columns(const Recording& recording, Measurements& part,
-                         const ImportSettings& choice);
+/// Returns 1 for a liquid content above the pendular range, -1 for one below, and 0 inside of it
+/// and for dry grains.
+int beyond_pendular_range(double liquid_content);
 
-/// Adds a doubt if the solid fraction at the median gap of a recording is not plausible. For
-/// recordings that gave no reading: a wrong gap or volume of grains may be why no step became
-/// steady.
-void doubt_solid_fraction_of(const Recording& recording, const AnnularCell& cell,
-                             Measurements& part);
+/// Returns the power of ten, at most 9, that leads from a value of a quantity to those of most
+/// flows, the smallest one; 0 if none does.
+int power_to_usual(std::string_view quantity, double value);
 
-/// Returns an entry for `Measurements::excluded` with the rows of a reading.
-Excluded left_out(const Reading& reading, std::string reason);
+/// Finds readings whose solid fraction, stress ratio, inertial number, reduced pressure or liquid
+/// content is impossible in steady shear: a remark of kind `impossible_reading` for each reading,
+/// and one for each limit that readings violate.
+std::vector<Remark> impossible_readings(const std::vector<Reading>& readings, const Study& study);
+
+/// Finds a torque that is constant over all rows of a recording or, if the torque varies, a
+/// constant gap, which may have been measured coarsely. Recordings of less than `shortest_step`
+/// rows are not checked.
+std::vector<Remark> constant_columns(const Recording& recording);
+
+/// Finds an implausible solid fraction at the median gap of a recording. For recordings that gave
+/// no reading: a wrong gap or volume of grains may be why no step became steady.
+std::vector<Remark> impossible_filling(const Recording& recording, const AnnularCell& cell);
 
 }  // namespace pendular

@@ -255,8 +255,9 @@ Measurements read_points(const std::filesystem::path& path, const Source& source
         result.readings.push_back(reading_of(points, row));
     set_resolutions(points, result.readings);
     if (const auto unused = columns.others(reading_columns); !unused.empty())
-        result.notes.push_back(
-            fmt::format("{}: columns not used: '{}'", table.file, fmt::join(unused, "', '")));
+        result.remarks.push_back(
+            {.kind = Remark::Kind::unused_columns, .files = {table.file}, .names = unused});
+    result.remarks = decide(std::move(result.remarks), false);
     return result;
 }
 

@@ -8,17 +8,17 @@
 
 #include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
-#include "data/recordings/stated_role.h"
 
 namespace pendular {
 namespace {
 
-const std::vector<std::string_view> recording_columns = {
-    "time",     "torque",       "normal_force",  "height",    "angular_velocity",
-    "interval", "shear_stress", "normal_stress", "shear_rate"};
-
 const std::vector<std::string_view> needed_columns = {"time", "torque", "normal_force", "height",
                                                       "angular_velocity"};
+
+/// Whether the instrument computes a column from others.
+bool repeats_others(std::string_view name) {
+    return name == "shear_stress" || name == "normal_stress" || name == "shear_rate";
+}
 
 /// Checks that time does not go back, except where a new interval begins.
 /// @throws InputError at the first time that goes back within an interval
@@ -65,10 +65,6 @@ std::vector<double> repeated_column(const Table& table, const Columns& columns,
     return values;
 }
 
-}  // namespace
-
-namespace {
-
 /// Checks that a table has all columns that a recording needs; stresses may stand in for torque and
 /// normal force.
 /// @throws InputError at the header if a column is missing
@@ -100,24 +96,21 @@ Recording recording_of_table(const Table& table) {
     const std::vector<std::string_view> filled = columns_to_fill(columns);
     Recording recording;
     recording.file = table.file;
-    recording.unused_columns = columns.others(recording_columns);
-    const bool interval = columns.has("interval"), torque = columns.has("torque"),
-               force = columns.has("normal_force");
+    std::vector<std::string_view> names;
+    for (const auto& [name, values] : series_columns())
+        names.push_back(name);
+    recording.unused_columns = columns.others(names);
     for (const Row& row : table.rows) {
         check_row(row, columns);
         for (const std::string_view name : filled)
             columns.value(row, name);  // refuses a cell without a number
         recording.line.push_back(row.line);
-        recording.time.push_back(columns.value(row, "time"));
-        if (torque) recording.torque.push_back(columns.value(row, "torque"));
-        if (force) recording.normal_force.push_back(columns.value(row, "normal_force"));
-        recording.height.push_back(columns.value(row, "height"));
-        recording.angular_velocity.push_back(columns.value(row, "angular_velocity"));
-        if (interval) recording.interval.push_back(columns.value(row, "interval"));
+        for (const auto& [name, values] : series_columns())
+            if (!repeats_others(name) && columns.has(name))
+                (recording.*values).push_back(columns.value(row, name));
     }
-    recording.shear_stress = repeated_column(table, columns, "shear_stress");
-    recording.normal_stress = repeated_column(table, columns, "normal_stress");
-    recording.shear_rate = repeated_column(table, columns, "shear_rate");
+    for (const auto& [name, values] : series_columns())
+        if (repeats_others(name)) recording.*values = repeated_column(table, columns, name);
     check_time(recording, table, columns);
     return recording;
 }
@@ -130,22 +123,13 @@ std::string name_of(const Block& block) {
     return name;
 }
 
-/// Lists rows of a file as left out, in one range with the rows before them if the reason is equal.
-void leave_out(std::vector<Excluded>& left_out, const std::string& file, int first, int last,
-               const std::string& reason) {
-    const bool follows = !left_out.empty() && left_out.back().reason == reason &&
-                         left_out.back().last_line + 1 == first;
-    if (!follows) {
-        Excluded& rows = left_out.emplace_back();
-        rows.origin.file = file;
-        rows.origin.line = first;
-        rows.reason = reason;
-    }
-    left_out.back().last_line = last;
+/// Lines from one row to another.
+std::vector<Lines> lines_of(const Row& first, const Row& last) {
+    return {{first.line, last.line}};
 }
 
 /// Removes rows without a value in a needed column, and lists them.
-Table with_all_values(const Block& block, std::vector<Excluded>& left_out) {
+Table with_all_values(const Block& block, std::vector<Remark>& left_out) {
     const Columns columns(block.table);
     const std::vector<std::string_view> needed = columns_to_fill(columns);
     Table table = block.table;
@@ -157,35 +141,29 @@ Table with_all_values(const Block& block, std::vector<Excluded>& left_out) {
             table.rows.push_back(row);
             continue;
         }
-        leave_out(left_out, table.file, row.line, row.line,
-                  fmt::format("{}: no value of {}", name_of(block), *missing));
+        leave_out(left_out, {.kind = Remark::Kind::no_value,
+                             .quantity = std::string(*missing),
+                             .files = {table.file},
+                             .lines = lines_of(row, row),
+                             .names = {name_of(block)}});
     }
     return table;
 }
 
-template <typename T>
-void append_column(std::vector<T>& to, const std::vector<T>& from) {
-    to.insert(to.end(), from.begin(), from.end());
-}
-
-/// Appends the rows of an interval, whose number becomes `number`. Redundant columns that one of
-/// the two lacks are dropped.
+/// Appends the rows of an interval, whose number becomes `number`. Columns that only one of the two
+/// has are dropped.
 void append_interval(Recording& whole, const Recording& part, double number) {
-    for (const auto column :
-         {&Recording::shear_stress, &Recording::normal_stress, &Recording::shear_rate,
-          &Recording::torque, &Recording::normal_force}) {
-        const bool lacked = (whole.*column).size() != whole.size() || (part.*column).empty();
-        if (whole.size() > 0 && lacked) {
-            (whole.*column).clear();
-        } else {
-            append_column(whole.*column, part.*column);
-        }
+    for (const auto& [name, values] : series_columns()) {
+        if (name == "interval") continue;
+        auto& to = whole.*values;
+        const auto& from = part.*values;
+        if (whole.size() > 0 && (to.size() != whole.size() || from.empty()))
+            to.clear();
+        else
+            to.insert(to.end(), from.begin(), from.end());
     }
-    append_column(whole.line, part.line);
-    append_column(whole.height, part.height);
-    append_column(whole.angular_velocity, part.angular_velocity);
-    append_column(whole.time, part.time);
-    whole.interval.resize(whole.time.size(), number);
+    whole.line.insert(whole.line.end(), part.line.begin(), part.line.end());
+    whole.interval.resize(whole.size(), number);
 }
 
 /// Whether the intervals' own numbers tell them apart: they increase within a single test.
@@ -197,14 +175,16 @@ bool numbers_tell_apart(const std::vector<Block>& blocks) {
     return true;
 }
 
-}  // namespace
-
-namespace {
-
-/// Whether steady shear is not read from an interval, since the user stated another role for it.
-bool has_other_role(const Block& block, const FileFormat& format) {
+/// Leaves rows of an interval out if the user stated another role than steady shear for it.
+bool has_other_role(const Block& block, const FileFormat& format, const std::string& file,
+                    std::vector<Lines> lines, std::vector<Remark>& left_out) {
     const std::string role = stated_role(block, format);
-    return !role.empty() && role != "steady";
+    if (role.empty() || role == "steady") return false;
+    leave_out(left_out, {.kind = Remark::Kind::stated_role,
+                         .files = {file},
+                         .lines = std::move(lines),
+                         .names = {name_of(block), role}});
+    return true;
 }
 
 /// Recording of a plain table without the intervals to which the user gave another role.
@@ -214,13 +194,11 @@ Recording steady_part(Recording recording, const FileFormat& format) {
     for (std::size_t i = 0; i < recording.size(); ++i) {
         Block interval;
         interval.number = static_cast<int>(std::clamp(recording.interval[i], -1e9, 1e9));
-        marked.push_back(has_other_role(interval, format));
-        if (!marked.back()) continue;
-        leave_out(
-            recording.left_out, recording.file, recording.line[i], recording.line[i],
-            fmt::format("{}: {}, as stated", name_of(interval), stated_role(interval, format)));
+        marked.push_back(has_other_role(interval, format, recording.file,
+                                        {{recording.line[i], recording.line[i]}},
+                                        recording.left_out));
     }
-    erase_rows(recording, marked);
+    recording.erase_rows(marked);
     return recording;
 }
 
@@ -237,19 +215,16 @@ Recording recording_of(const BlockFile& file, const FileFormat& format) {
     for (const Block& block : file.blocks) {
         ++count;
         if (block.table.rows.empty()) continue;
-        if (has_other_role(block, format)) {
-            leave_out(whole.left_out, file.file, block.table.rows.front().line,
-                      block.table.rows.back().line,
-                      fmt::format("{}: {}, as stated", name_of(block), stated_role(block, format)));
-            continue;
-        }
+        const auto lines = lines_of(block.table.rows.front(), block.table.rows.back());
+        if (has_other_role(block, format, file.file, lines, whole.left_out)) continue;
         try {
             require_columns(Columns(block.table));
         } catch (const InputError& error) {
             if (first_error.empty()) first_error = error.what();
-            leave_out(whole.left_out, file.file, block.table.rows.front().line,
-                      block.table.rows.back().line,
-                      name_of(block) + ": lacks a column that steady shear needs");
+            leave_out(whole.left_out, {.kind = Remark::Kind::lacks_column,
+                                       .files = {file.file},
+                                       .lines = lines,
+                                       .names = {name_of(block)}});
             continue;
         }
         const Table table = with_all_values(block, whole.left_out);
@@ -266,8 +241,8 @@ Recording recording_of(const BlockFile& file, const FileFormat& format) {
         throw InputError({file.file},
                          "some intervals have torque or normal force and others only stresses; "
                          "export all intervals with the same columns");
-    for (const SkippedRows& rows : file.skipped)
-        leave_out(whole.left_out, file.file, rows.first_line, rows.last_line, rows.reason);
+    for (const Remark& rows : file.skipped)
+        leave_out(whole.left_out, rows);
     return whole;
 }
 
@@ -282,21 +257,6 @@ void fill_from_stresses(Recording& recording, const AnnularCell& cell) {
     if (recording.normal_force.empty())
         for (const double stress : recording.normal_stress)
             recording.normal_force.push_back(normal_force(stress, cell));
-}
-
-void erase_rows(Recording& recording, const std::vector<bool>& marked) {
-    const auto erase = [&](auto& column) {
-        if (column.empty()) return;  // the file has no such column
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < marked.size(); ++i)
-            if (!marked[i]) column[kept++] = column[i];
-        column.resize(kept);
-    };
-    erase(recording.line);
-    for (auto* column : {&recording.time, &recording.torque, &recording.normal_force,
-                         &recording.height, &recording.angular_velocity, &recording.interval,
-                         &recording.shear_stress, &recording.normal_stress, &recording.shear_rate})
-        erase(*column);
 }
 
 }  // namespace pendular

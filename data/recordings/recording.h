@@ -5,35 +5,20 @@
 #include <vector>
 
 #include "data/annular_cell.h"
-#include "data/files/formats/block_file.h"
 #include "data/files/formats/file_format.h"
-#include "data/input_error.h"
-#include "data/reading.h"
+#include "data/recordings/interval_series.h"
 
 namespace pendular {
 
-/// Raw time series of an annular shear cell, with one element per row of the file in each column.
-struct Recording {
+/// Raw time series of an annular shear cell. Every column up to the angular velocity is filled; a
+/// cell that repeats a measured quantity may be no number.
+struct Recording : IntervalSeries {
     std::string file;
-    std::vector<int> line;  ///< in the file, from 1
     /// Number of consecutive rows of the file whose mean is one row; above 1 only for very long
     /// files (`AveragedRows`).
     int averaged_rows = 1;
-    std::vector<double> time;              ///< as recorded [s]
-    std::vector<double> torque;            ///< [N m]
-    std::vector<double> normal_force;      ///< [N], compression positive
-    std::vector<double> height;            ///< gap [m]
-    std::vector<double> angular_velocity;  ///< [rad/s]
-    // Redundant columns, computed by the instrument: empty if the file lacks the column, NaN where
-    // a cell is empty or no number.
-    std::vector<double> shear_stress = {};    ///< [Pa]
-    std::vector<double> normal_stress = {};   ///< [Pa]
-    std::vector<double> shear_rate = {};      ///< [1/s]
-    std::vector<double> interval;             ///< empty if the file has no such column
     std::vector<std::string> unused_columns;  ///< header cells of columns that were not read
-    std::vector<Excluded> left_out = {};      ///< rows and intervals that were not read
-
-    std::size_t size() const { return time.size(); }
+    std::vector<Remark> left_out = {};        ///< rows and intervals that were not read
 };
 
 /// Step of constant set points: the rows `begin` to `end` - 1 of a recording, counted from 0.
@@ -67,9 +52,6 @@ void fill_from_stresses(Recording& recording, const AnnularCell& cell);
 /// normal force: one that lasts at least `shortest_step` rows and differs from the old value by
 /// more than 5 % and by more than the noise.
 std::vector<Step> split_steps(const Recording& recording);
-
-/// Removes the rows whose element of `marked` is true.
-void erase_rows(Recording& recording, const std::vector<bool>& marked);
 
 /// Smallest number of rows that a step must have to be averaged.
 constexpr std::size_t shortest_step = 20;

@@ -1,10 +1,7 @@
 #include "data/recordings/repair.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
-
-#include "data/recordings/file_checks.h"
+#include <optional>
 
 namespace pendular {
 namespace {
@@ -23,32 +20,34 @@ std::optional<int> lost_power(double torque, double torque_of_stress) {
 
 }  // namespace
 
-void repair_torques(Recording& recording, const AnnularCell& cell, Measurements& result) {
-    if (recording.shear_stress.size() != recording.size()) return;
-    std::vector<std::pair<std::size_t, double>> damaged;
+std::vector<Remark> torques_without_mark(const Recording& recording, const AnnularCell& cell,
+                                         std::vector<bool>& rows) {
+    rows.assign(recording.size(), false);
+    if (recording.shear_stress.size() != recording.size()) return {};
+    Remark found{.kind = Remark::Kind::repaired_torques,
+                 .quantity = "shear_stress",
+                 .count = 0,
+                 .of = recording.size(),
+                 .because = std::vector<Remark>(1)};
     std::size_t agreeing = 0;
     for (std::size_t i = 0; i < recording.size(); ++i) {
-        const double of_stress = torque(recording.shear_stress[i], cell);
-        const auto power = lost_power(recording.torque[i], of_stress);
+        const auto power = lost_power(recording.torque[i], torque(recording.shear_stress[i], cell));
         if (power == 0) ++agreeing;
-        if (power && *power != 0)
-            damaged.emplace_back(i, std::copysign(of_stress, recording.torque[i]));
+        if (!power || *power == 0) continue;
+        rows[i] = true;
+        if (found.count++ == 0) found.add({recording.file, recording.line[i], 0});
+        add_line(found.because.front().lines, recording.line[i]);
     }
-    if (damaged.empty() || agreeing == 0) return;
-    std::vector<std::pair<int, int>> lines;
-    for (const auto& [row, value] : damaged) {
-        recording.torque[row] = value;
-        add_line(lines, recording.line[row]);
-    }
-    Doubt doubt;
-    doubt.what = fmt::format(
-        "{}: in {} of {} rows the torque differs from the shear stress by a power of ten; repaired "
-        "from the shear stress, as repair = true asks for: lines {}.",
-        recording.file, damaged.size(), recording.size(), text_of_lines(lines, 20));
-    doubt.quantity = "shear_stress";
-    doubt.origins.push_back({recording.file, lines.front().first, 0});
-    doubt.set_aside = false;
-    result.doubts.push_back(std::move(doubt));
+    if (found.count > 0 && agreeing > 0) return {found};
+    rows.assign(recording.size(), false);
+    return {};
+}
+
+void repair_torques(Recording& recording, const AnnularCell& cell, const std::vector<bool>& rows) {
+    for (std::size_t i = 0; i < recording.size(); ++i)
+        if (rows[i])
+            recording.torque[i] =
+                std::copysign(torque(recording.shear_stress[i], cell), recording.torque[i]);
 }
 
 }  // namespace pendular

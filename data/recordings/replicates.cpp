@@ -1,7 +1,5 @@
 #include "data/recordings/replicates.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <boost/math/distributions/chi_squared.hpp>
@@ -69,8 +67,7 @@ class Pooling {
         weigh_rounding(table_, readings_);
         apart_ = set_far_replicates_apart(table_, readings_);
         weigh_rounding(table_, readings_);  // again, without far replicates
-        all_.doubts.insert(all_.doubts.end(), apart_.doubts.begin(), apart_.doubts.end());
-        all_.notes.insert(all_.notes.end(), apart_.notes.begin(), apart_.notes.end());
+        append(all_.remarks, apart_.remarks);
         find_load_exponents();
         estimate_fillings();
         estimate_steps();
@@ -349,16 +346,14 @@ void Pooling::apply() {
 }
 
 void Pooling::note_errors_below_rounding() {
-    std::ptrdiff_t count = 0;
+    std::size_t count = 0;
     for (std::size_t k = 0; k < readings_.size(); ++k) {
         const Eigen::Array2d rounding = readings_[k].resolution.array().square() / 12;
         count += (stated_[k].array() > 0 && stated_[k].array() < rounding).any();
     }
     if (count == 0) return;
-    all_.notes.push_back(fmt::format(
-        "The standard errors given for {} of {} readings are smaller than the rounding of their "
-        "values; the error of rounding was added. Write more digits, or check the errors' units.",
-        count, readings_.size()));
+    all_.remarks.push_back(
+        {.kind = Remark::Kind::errors_below_rounding, .count = count, .of = readings_.size()});
 }
 
 void Pooling::note_few_replicates() {
@@ -369,15 +364,12 @@ void Pooling::note_few_replicates() {
         }
     }
     if (!std::isfinite(fewest) || widening(fewest) < worth_a_note) return;
-    all_.notes.push_back(fmt::format(
-        "The scatter between replicates is known from {0} only: standard errors are widened "
-        "{1:.1f} times, so that an interval of two standard errors covers 95 %. More replicates "
-        "make them smaller.",
-        fewest == 1 ? "one pair" : fmt::format("{:.0f} differences", fewest), widening(fewest)));
+    all_.remarks.push_back(
+        {.kind = Remark::Kind::few_replicates, .size = fewest, .relative = widening(fewest)});
 }
 
 void Pooling::assume_missing_errors() {
-    std::ptrdiff_t assumed = 0;
+    std::size_t assumed = 0;
     for (Reading& reading : readings_) {
         for (const Eigen::Index o : {0, 1}) {
             const bool unknown = reading.within_run_only && !known(o);
@@ -389,11 +381,8 @@ void Pooling::assume_missing_errors() {
         assumed += reading.error_assumed;
     }
     if (assumed > 0)
-        all_.notes.push_back(
-            fmt::format("{} of {} readings have no replicates, or no error at all: 2 % of the "
-                        "value is assumed. Repeat the measurement with another filling, or state "
-                        "the scatter of the instrument in [scatter] of the study.",
-                        assumed, readings_.size()));
+        all_.remarks.push_back(
+            {.kind = Remark::Kind::assumed_errors, .count = assumed, .of = readings_.size()});
 }
 
 }  // namespace
@@ -401,6 +390,7 @@ void Pooling::assume_missing_errors() {
 void pool_replicates(Measurements& measurements, const std::optional<StatedScatter>& stated) {
     Pooling pooling(measurements);
     stated ? pooling.by_statement(*stated) : pooling.by_replicates();
+    measurements.remarks = decide(std::move(measurements.remarks), false);
 }
 
 }  // namespace pendular

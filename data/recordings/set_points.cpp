@@ -1,7 +1,5 @@
 #include "data/recordings/set_points.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +8,6 @@
 #include <stdexcept>
 
 #include "data/quantities/number.h"
-#include "data/quantities/quantity.h"
 #include "data/quantities/units.h"
 #include "data/recordings/robust.h"
 
@@ -44,7 +41,7 @@ std::optional<double> factor_between(const std::string& from, const std::string&
 /// Stretches of constant set point of a quantity, with those that missed it.
 struct Followed {
     std::size_t stretches = 0, missed = 0;
-    std::vector<std::pair<int, int>> lines;  ///< of the stretches whose set point was missed
+    std::vector<Lines> lines;  ///< of the stretches whose set point was missed
     double worst = 0, measured = 0,
            set = 0;  ///< relative deviation, and values where it is largest
     std::string unit;
@@ -63,7 +60,7 @@ void compare_stretch(const Block& block, const std::vector<double>& measured, do
     const double resolution = 2 * least_step(values) / std::abs(set);
     if (std::abs(deviation) <= std::max(follow_tolerance, resolution)) return;
     ++followed.missed;
-    followed.lines.emplace_back(block.table.rows[begin].line, block.table.rows[end - 1].line);
+    followed.lines.push_back({block.table.rows[begin].line, block.table.rows[end - 1].line});
     if (std::abs(deviation) <= std::abs(followed.worst)) return;
     followed.worst = deviation;
     followed.measured = usual;
@@ -90,24 +87,9 @@ void compare_columns(const Block& block, std::size_t measured, std::size_t set,
     }
 }
 
-FileFinding finding_on(const std::string& quantity_name, const Followed& followed) {
-    const std::string unit = followed.unit.empty() ? "" : " " + followed.unit;
-    return {.lines = followed.lines,
-            .kind = "set-point",
-            .what = fmt::format(
-                "in {} of {} stretches of constant set point the {} does not follow its set point: "
-                "by up to {:+.1f} %, {}{} where {}{} is set.",
-                followed.missed, followed.stretches, quantity(quantity_name).meaning,
-                100 * followed.worst, short_text(followed.measured), unit, short_text(followed.set),
-                unit),
-            .done =
-                "The measured values are used, not the set points; check the control of the "
-                "instrument and the gap."};
-}
-
 }  // namespace
 
-void check_set_points(const BlockFile& file, std::vector<FileFinding>& findings) {
+std::vector<Remark> missed_set_points(const BlockFile& file) {
     std::map<std::string, Followed> by_quantity;
     for (const Block& block : file.blocks)
         for (std::size_t set = 0; set < block.columns.size(); ++set) {
@@ -118,8 +100,20 @@ void check_set_points(const BlockFile& file, std::vector<FileFinding>& findings)
             compare_columns(block, static_cast<std::size_t>(measured - block.columns.begin()), set,
                             by_quantity[name]);
         }
+    std::vector<Remark> faults;
     for (const auto& [name, followed] : by_quantity)
-        if (followed.missed > 0) findings.push_back(finding_on(name, followed));
+        if (followed.missed > 0)
+            faults.push_back({.kind = Remark::Kind::missed_set_point,
+                              .quantity = name,
+                              .files = {file.file},
+                              .lines = followed.lines,
+                              .count = followed.missed,
+                              .of = followed.stretches,
+                              .size = followed.measured,
+                              .limit = followed.set,
+                              .relative = followed.worst,
+                              .names = {followed.unit}});
+    return faults;
 }
 
 }  // namespace pendular

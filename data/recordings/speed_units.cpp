@@ -1,10 +1,7 @@
 #include "data/recordings/speed_units.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <numbers>
 #include <string>
@@ -15,14 +12,8 @@ namespace {
 
 using Steps = std::vector<const Reading*>;
 
-/// Factor between the numbers of an angular velocity in two units.
-struct UnitFactor {
-    double factor;
-    const char* units;
-};
-
-constexpr UnitFactor unit_factors[] = {{30 / std::numbers::pi, "1/min (rpm) and rad/s"},
-                                       {2 * std::numbers::pi, "turn/s and rad/s"}};
+/// Factors between the numbers of an angular velocity in two units: 1/min and turn/s to rad/s.
+constexpr double unit_factors[] = {30 / std::numbers::pi, 2 * std::numbers::pi};
 
 /// Readings of recordings in steady shear, by file.
 std::map<std::string, Steps> steps_by_file(const std::vector<Reading>& readings) {
@@ -66,19 +57,6 @@ bool all_are(double factor, const std::vector<double>& quotients) {
            });
 }
 
-std::string name_of(const std::string& file) {
-    return std::filesystem::path(file).filename().string();
-}
-
-/// Names of files: "a.csv", "a.csv and b.csv", "a.csv, b.csv and 5 more".
-std::string names_of(const std::vector<std::string>& files) {
-    const std::string first = name_of(files.front());
-    if (files.size() == 1) return first;
-    const std::string second = name_of(files[1]);
-    return files.size() == 2 ? first + " and " + second
-                             : fmt::format("{}, {} and {} more", first, second, files.size() - 2);
-}
-
 /// Files whose speeds differ by the factor from more files than they agree with, and the files from
 /// which they differ.
 struct OddFiles {
@@ -109,25 +87,23 @@ OddFiles odd_files(const std::map<std::string, Steps>& files, double factor) {
 
 }  // namespace
 
-void doubt_speed_units(Measurements& all) {
-    const auto files = steps_by_file(all.readings);
+std::vector<Remark> other_speed_units(const std::vector<Reading>& readings) {
+    const auto files = steps_by_file(readings);
     constexpr std::size_t most = 500;  // the time grows with the square
-    if (files.size() > most) return;
-    for (const UnitFactor& unit : unit_factors) {
-        const OddFiles found = odd_files(files, unit.factor);
-        if (found.odd.empty()) continue;
-        std::vector<Position> origins;
-        for (const std::string& file : found.odd) {
+    std::vector<Remark> found;
+    if (files.size() > most) return found;
+    for (const double factor : unit_factors) {
+        const OddFiles odd = odd_files(files, factor);
+        if (odd.odd.empty()) continue;
+        Remark& doubt = found.emplace_back(Remark{.kind = Remark::Kind::other_speed_unit,
+                                                  .quantity = "angular_velocity",
+                                                  .size = factor,
+                                                  .names = odd.others});
+        for (const std::string& file : odd.odd)
             for (const Reading* reading : files.at(file))
-                origins.push_back(reading->origin);
-        }
-        all.doubts.push_back(
-            {fmt::format("The angular velocities of {} differ by a factor of {:.3g}, the factor "
-                         "between {}, from those of {} at the same steps; check the unit in the "
-                         "headers.",
-                         names_of(found.odd), unit.factor, unit.units, names_of(found.others)),
-             "angular_velocity", origins, false});
+                doubt.add(reading->origin);
     }
+    return found;
 }
 
 }  // namespace pendular

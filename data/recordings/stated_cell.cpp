@@ -85,27 +85,26 @@ struct Constant {
     double scale;  ///< of the unit in SI units
 };
 
-/// Compares what a header states with known constants, and adds a finding for each that differs by
-/// more than `tolerance`.
-void compare(const StatedCell& stated, const std::vector<Constant>& constants, double tolerance,
-             const char* kind, const char* source, const char* done,
-             std::vector<FileFinding>& findings) {
+/// Returns a fault for each constant in a header that differs from a known one by more than
+/// `tolerance`.
+std::vector<Remark> compare(const BlockFile& file, const StatedCell& stated,
+                            const std::vector<Constant>& constants, double tolerance,
+                            Remark::Kind kind) {
+    std::vector<Remark> faults;
     for (const auto& [member, name, unit, value, scale] : constants) {
         const std::optional<StatedValue>& own = stated.*member;
         if (!own || value == 0) continue;
         const double ratio = own->value / std::abs(value);
         if (std::abs(ratio - 1) <= tolerance) continue;
-        findings.push_back(
-            {.lines = {{own->line, own->line}},
-             .kind = kind,
-             .what = fmt::format(
-                 "the header states {} = {}, which is {} {} of {} {}; {} {} {} {} "
-                 "({:+.1f} %).",
-                 own->key, own->text, std::string_view("io").find(name[0]) < 2 ? "an" : "a", name,
-                 short_text(own->value / scale), unit, source, short_text(std::abs(value) / scale),
-                 unit, "instead", 100 * (ratio - 1)),
-             .done = done});
+        faults.push_back({.kind = kind,
+                          .files = {file.file},
+                          .lines = {{own->line, own->line}},
+                          .size = own->value / scale,
+                          .limit = std::abs(value) / scale,
+                          .relative = ratio - 1,
+                          .names = {own->key, own->text, name, unit}});
     }
+    return faults;
 }
 
 }  // namespace
@@ -125,44 +124,38 @@ StatedCell stated_cell(const BlockFile& file) {
     return cell;
 }
 
-void check_stated_cell(const StatedCell& stated, double stress_per_torque, double stress_per_force,
-                       std::vector<FileFinding>& findings) {
-    StatedCell all = stated;
-    if (stated.inner_radius && stated.outer_radius &&
-        stated.inner_radius->value < stated.outer_radius->value) {
-        const AnnularCell annulus{.inner_radius = stated.inner_radius->value,
-                                  .outer_radius = stated.outer_radius->value};
-        const int line = stated.outer_radius->line;
+std::vector<Remark> header_against_columns(const BlockFile& file, double stress_per_torque,
+                                           double stress_per_force) {
+    StatedCell all = stated_cell(file);
+    if (all.inner_radius && all.outer_radius && all.inner_radius->value < all.outer_radius->value) {
+        const AnnularCell annulus{.inner_radius = all.inner_radius->value,
+                                  .outer_radius = all.outer_radius->value};
+        const int line = all.outer_radius->line;
         const std::string text =
-            fmt::format("{} and {}", stated.inner_radius->text, stated.outer_radius->text);
+            fmt::format("{} and {}", all.inner_radius->text, all.outer_radius->text);
         if (!all.stress_per_torque)
             all.stress_per_torque = {shear_stress(1, annulus), line, "the radii", text};
         if (!all.stress_per_force)
             all.stress_per_force = {normal_stress(1, annulus), line, "the radii", text};
     }
     // Ratios of columns are known to 5 % (`cell_from_columns`).
-    compare(
-        all,
+    return compare(
+        file, all,
         {{&StatedCell::stress_per_torque, "shear stress per torque", "Pa/(N m)", stress_per_torque,
           1},
          {&StatedCell::stress_per_force, "normal stress per force", "Pa/N", stress_per_force, 1}},
-        0.05, "header-constant", "the columns give", "The columns are used.", findings);
+        0.05, Remark::Kind::header_constant);
 }
 
-std::vector<FileFinding> compare_with_study(const BlockFile& file, const AnnularCell& cell) {
-    std::vector<FileFinding> findings;
-    compare(stated_cell(file),
-            {{&StatedCell::inner_radius, "inner radius", "mm", cell.inner_radius, 1e-3},
-             {&StatedCell::outer_radius, "outer radius", "mm", cell.outer_radius, 1e-3},
-             {&StatedCell::stress_per_torque, "shear stress per torque", "Pa/(N m)",
-              shear_stress(1, cell), 1},
-             {&StatedCell::stress_per_force, "normal stress per force", "Pa/N",
-              normal_stress(1, cell), 1}},
-            0.01, "header-cell", "study.toml gives",
-            "The cell of study.toml is used; correct [cell] if the header is right.", findings);
-    for (FileFinding& finding : findings)
-        finding.file = file.file;
-    return findings;
+std::vector<Remark> header_against_study(const BlockFile& file, const AnnularCell& cell) {
+    return compare(file, stated_cell(file),
+                   {{&StatedCell::inner_radius, "inner radius", "mm", cell.inner_radius, 1e-3},
+                    {&StatedCell::outer_radius, "outer radius", "mm", cell.outer_radius, 1e-3},
+                    {&StatedCell::stress_per_torque, "shear stress per torque", "Pa/(N m)",
+                     shear_stress(1, cell), 1},
+                    {&StatedCell::stress_per_force, "normal stress per force", "Pa/N",
+                     normal_stress(1, cell), 1}},
+                   0.01, Remark::Kind::header_cell);
 }
 
 }  // namespace pendular

@@ -6,7 +6,6 @@
 
 #include "data/annular_cell.h"
 #include "data/files/formats/block_file.h"
-#include "data/recordings/findings/file_finding.h"
 
 namespace pendular {
 
@@ -30,15 +29,15 @@ struct StatedCell {
 /// are not positive or have no unit are left out.
 StatedCell stated_cell(const BlockFile& file);
 
-/// Adds a finding for each ratio of stress to torque or force in a header, from its radii if it
+/// Returns a fault for each ratio of stress to torque or force in a header, from its radii if it
 /// lacks the ratio, that differs by more than 5 % from that in the columns of the file.
 /// @param stress_per_torque in the columns [Pa/(N m)]; 0: unknown
 /// @param stress_per_force in the columns [1/m^2]; 0: unknown
-void check_stated_cell(const StatedCell& stated, double stress_per_torque, double stress_per_force,
-                       std::vector<FileFinding>& findings);
+std::vector<Remark> header_against_columns(const BlockFile& file, double stress_per_torque,
+                                           double stress_per_force);
 
-/// Returns a finding for each radius or ratio in a header that differs by more than 1 % from the
-/// cell in study.toml.
-std::vector<FileFinding> compare_with_study(const BlockFile& file, const AnnularCell& cell);
+/// Returns a fault for each radius or ratio in a header that differs by more than 1 % from the cell
+/// in study.toml.
+std::vector<Remark> header_against_study(const BlockFile& file, const AnnularCell& cell);
 
 }  // namespace pendular

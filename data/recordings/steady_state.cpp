@@ -1,10 +1,9 @@
 #include "data/recordings/steady_state.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "data/recordings/robust.h"
@@ -15,6 +14,8 @@
 
 namespace pendular {
 namespace {
+
+using Kind = Remark::Kind;
 
 /// Cell, grains and settings that all steps of one recording share.
 struct Setting {
@@ -73,32 +74,18 @@ Means means_of(const StepSeries& steady) {
     return means;
 }
 
-/// Why a step gives no reading: in its own words, and as far as other steps share it.
-struct Reason {
-    std::string text;
-    Excluded::Cause cause;
-};
-
-/// Reason why the means of a step make no reading; empty if they make a reading.
-std::optional<Reason> unusable(const Means& means) {
-    if (means.normal_force.value <= 0)
-        return Reason{fmt::format("the mean normal force is {:.3g} N, no compression; compression "
-                                  "must be positive: reverse the sign of the column of the normal "
-                                  "force if compression was recorded as negative",
-                                  means.normal_force.value),
-                      {"the normal force is negative",
-                       "compression must be positive: reverse the sign of the column of the "
-                       "normal force in the recordings"}};
-    if (means.torque.value <= 2 * std::sqrt(means.covariance(0, 0)))
-        return Reason{"the mean torque is zero within twice its standard error",
-                      {"the torque is zero within its error",
-                       "check that the torque was recorded, and its unit"}};
-    return std::nullopt;
+/// Remark on a whole step, from which no reading is made.
+Remark on_whole(const RecordedStep& step, Kind kind, const Setting& setting) {
+    return {.kind = kind,
+            .files = {setting.recording.file},
+            .lines = {{step.series.line.front(), step.series.line.back()}},
+            .step = step.number};
 }
 
-/// Reason why a lid whose mean speed is not known to differ from zero gives no steady shear.
-Reason no_steady_turn(const StepSeries& series) {
-    // Path of the lid [rad], in both directions, from which on it is not at rest: a tenth of a turn.
+/// Why the lid of a step whose mean speed is not known to differ from zero gives no steady shear.
+Kind without_turn(const StepSeries& series) {
+    // Path of the lid [rad], in both directions, from which on it is not at rest: a tenth of a
+    // turn.
     constexpr double back_and_forth = 0.6;
     double angle = 0;
     for (std::size_t i = 1; i < series.size(); ++i)
@@ -106,18 +93,7 @@ Reason no_steady_turn(const StepSeries& series) {
     // Slow reversals spread far beyond the noise from row to row; noise about zero does not.
     const double noise = sample_noise(series.angular_velocity);
     const double usual = robust_deviation(series.angular_velocity);
-    if (angle > back_and_forth && usual > 3 * noise)
-        return {"the lid turns back and forth: no steady shear",
-                {"the lid turns back and forth", "export steps of constant speed"}};
-    return {"the lid does not turn: rest or consolidation",
-            {"the lid does not turn", "check the column of the angular velocity, and its unit"}};
-}
-
-Reason ramped(const SpeedRamp& ramp) {
-    return {fmt::format("the speed of the lid changes {} within the step, from {:.3g} to {:.3g} "
-                        "rad/s: no steady shear; export steps of constant speed",
-                        ramp.change(), ramp.first, ramp.last),
-            {"the speed of the lid changes", "no steady shear: export steps of constant speed"}};
+    return angle > back_and_forth && usual > 3 * noise ? Kind::back_and_forth : Kind::at_rest;
 }
 
 double mean(const std::vector<double>& values) {
@@ -145,100 +121,109 @@ Reading reading_of(const Means& means, const StepSeries& steady, int number,
     return reading;
 }
 
-/// Reason to exclude a step or its steady part (`what`) whose strain [1] is too small for steady
-/// shear.
-std::string short_strain(const char* what, double strain, const StepSeries& series,
-                         const Setting& setting) {
-    return fmt::format(
-        "{} covers a strain of {:.2g}, steady shear takes {:g} (least_strain in [import]); it "
-        "looks like {}, unless the angular velocity is in another unit",
-        what, strain, setting.least_strain, looks_like(series));
+/// Remark on a step of which the whole or the steady part covers a strain too small for steady
+/// shear; empty if it covers enough.
+std::optional<Remark> too_little_strain(const RecordedStep& step, const StepSeries& part, Kind kind,
+                                        const Setting& setting) {
+    Remark found = on_whole(step, kind, setting);
+    found.size = strain_of(part, setting.cell);
+    found.limit = setting.least_strain;
+    if (found.size >= found.limit) return std::nullopt;
+    found.because = {{.kind = looks_like(part)}};
+    return found;
 }
 
-/// Adds the reading of one step to `result`, or the step with the reason to `result.excluded`. Adds
-/// the number of the step to `coarse` if the resolution of a column limits the reading's error.
+/// Why no reading can be made of a step, as far as that is known before means are taken.
+std::optional<Remark> unusable(const RecordedStep& step, const Setting& setting) {
+    const StepSeries& series = step.series;
+    const auto whole = [&](Kind kind) { return on_whole(step, kind, setting); };
+    if (series.size() < shortest_step) {
+        Remark found = whole(Kind::few_rows);
+        found.count = series.size();
+        return found;
+    }
+    if (const auto ramp = speed_ramp(series.angular_velocity)) {
+        Remark found = whole(Kind::speed_ramp);
+        found.size = ramp->first;
+        found.size_to = ramp->last;
+        return found;
+    }
+    if (!step.lid_turns) return whole(without_turn(series));
+    if (auto found = too_little_strain(step, series, Kind::short_strain, setting)) return found;
+    if (!step.steady) {
+        Remark found = whole(Kind::never_steady);
+        found.quantity = step.unsteady;
+        return found;
+    }
+    if (series.size() - *step.steady < shortest_step) {
+        Remark found = whole(Kind::few_steady_rows);
+        found.count = series.size() - *step.steady;
+        return found;
+    }
+    return too_little_strain(step, series.from(*step.steady + step.beyond_whole_turns),
+                             Kind::short_steady_strain, setting);
+}
+
+/// Why the means of a step make no reading; empty if they make a reading.
+std::optional<Remark> unusable(const Means& means, const RecordedStep& step,
+                               const Setting& setting) {
+    if (means.normal_force.value <= 0) {
+        Remark found = on_whole(step, Kind::tension, setting);
+        found.size = means.normal_force.value;
+        return found;
+    }
+    if (means.torque.value <= 2 * std::sqrt(means.covariance(0, 0)))
+        return on_whole(step, Kind::no_torque, setting);
+    return std::nullopt;
+}
+
+/// Remarks on the rows of a step before those that are averaged.
+std::vector<Remark> rows_before(const RecordedStep& step, const Setting& setting) {
+    const StepSeries& series = step.series;
+    const std::size_t begin = *step.steady, mean_begin = begin + step.beyond_whole_turns;
+    std::vector<Remark> found;
+    if (begin > 0) {
+        found.push_back(on_whole(step, Kind::transient, setting));
+        found.back().lines = {{series.line.front(), series.line[begin - 1]}};
+        found.back().size = series.time[begin] - series.time.front();
+    }
+    if (mean_begin > begin) {
+        found.push_back(on_whole(step, Kind::part_of_turn, setting));
+        found.back().lines = {{series.line[begin], series.line[mean_begin - 1]}};
+    }
+    return found;
+}
+
+/// Adds the reading of one step to `result`, or a remark on why there is none. Adds the number of
+/// the step to `coarse` if the resolution of a column limits the reading's error.
 void reduce_step(const RecordedStep& step, const Setting& setting, std::vector<int>& coarse,
                  Measurements& result) {
-    const StepSeries& series = step.series;
-    const int number = step.number;
-    const auto exclude = [&](std::size_t end, const std::string& reason, Excluded::Cause cause,
-                             Excluded::Kind kind = Excluded::Kind::rows) {
-        result.excluded.push_back({{setting.recording.file, series.line.front(), 0},
-                                   series.line[end - 1],
-                                   fmt::format("step {}: {}", number, reason),
-                                   kind,
-                                   std::move(cause)});
-    };
-    const Excluded::Cause short_cause = {
-        "the strain is too small for steady shear",
-        fmt::format("steady shear takes a strain of {:g} (least_strain in [import]): check the "
-                    "unit of the angular velocity, or record longer",
-                    setting.least_strain)};
-    constexpr auto no_plateau = Excluded::Kind::step_without_plateau;
-    if (series.size() < shortest_step)
-        return exclude(series.size(),
-                       fmt::format("has {} rows, {} are needed", series.size(), shortest_step),
-                       {fmt::format("less than {} rows were recorded", shortest_step), ""});
-    if (const auto ramp = speed_ramp(series.angular_velocity)) {
-        const Reason reason = ramped(*ramp);
-        return exclude(series.size(), reason.text, reason.cause);
-    }
-    if (!step.lid_turns) {
-        const Reason reason = no_steady_turn(series);
-        return exclude(series.size(), reason.text, reason.cause);
-    }
-    if (const double strain = strain_of(series, setting.cell); strain < setting.least_strain)
-        return exclude(series.size(), short_strain("it", strain, series, setting), short_cause);
-    const auto begin = step.steady;
-    if (!begin)
-        return exclude(series.size(), step.why_unsteady,
-                       {"torque or gap still change at the end", "record longer"}, no_plateau);
-    if (series.size() - *begin < shortest_step)
-        return exclude(
-            series.size(),
-            fmt::format("{} rows are steady, {} are needed", series.size() - *begin, shortest_step),
-            {fmt::format("less than {} rows are steady", shortest_step), "record longer"},
-            no_plateau);
-    const StepSeries level = series.from(*begin);
-    const StepSeries steady = level.from(step.beyond_whole_turns);
-    if (const double strain = strain_of(steady, setting.cell); strain < setting.least_strain)
-        return exclude(series.size(), short_strain("its steady part", strain, steady, setting),
-                       short_cause, no_plateau);
+    if (auto why = unusable(step, setting)) return result.remarks.push_back(*std::move(why));
+    const StepSeries steady = step.series.from(*step.steady + step.beyond_whole_turns);
     Means means = means_of(steady);
     limit_by_resolution(means, steady, setting);
-    if (const auto reason = unusable(means))
-        return exclude(series.size(), reason->text, reason->cause, Excluded::Kind::reading);
-    if (*begin > 0)
-        exclude(*begin,
-                fmt::format("transient of {:.3g} s, until torque and gap are steady",
-                            series.time[*begin] - series.time.front()),
-                {}, Excluded::Kind::beside_plateau);
-    if (steady.size() < level.size())
-        result.excluded.push_back(
-            {{setting.recording.file, level.line.front(), 0},
-             level.line[level.size() - steady.size() - 1],
-             fmt::format("step {}: part of a turn of the lid, whose wobble would bias the mean",
-                         number),
-             Excluded::Kind::beside_plateau});
-    if (means.coarse) coarse.push_back(number);
-    result.readings.push_back(reading_of(means, steady, number, setting));
+    if (auto why = unusable(means, step, setting)) return result.remarks.push_back(*std::move(why));
+    append(result.remarks, rows_before(step, setting));
+    if (means.coarse) coarse.push_back(step.number);
+    result.readings.push_back(reading_of(means, steady, step.number, setting));
 }
 
-/// Adds rows with spikes in torque, normal force or gap to `result.excluded`.
-void exclude_spikes(const StepSeries& series, const std::vector<std::size_t>& rows,
-                    const std::string& file, Measurements& result) {
-    for (const std::size_t k : rows) {
-        result.excluded.push_back({{file, series.line[k], 0},
-                                   series.line[k],
-                                   "spike: torque, force or gap is far off the rows around it"});
+/// Remarks on rows with spikes in torque, normal force or gap.
+std::vector<Remark> spikes_of(const RecordedStep& step, const std::string& file) {
+    std::vector<Remark> found;
+    for (const std::size_t k : step.spikes) {
+        const int line = step.series.line[k];
+        found.push_back({.kind = Kind::spike, .files = {file}, .lines = {{line, line}}});
     }
+    return found;
 }
 
 /// Adds a note on these steps of a file, if there are any.
-void note_steps(const std::vector<int>& steps, const std::string& file, const std::string& what,
-                Measurements& result) {
+void note_steps(const std::vector<int>& steps, Remark note, Measurements& result) {
     if (steps.empty()) return;
-    result.notes.push_back(fmt::format("{}: step {}: {}", file, fmt::join(steps, ", "), what));
+    for (const int step : steps)
+        note.names.push_back(std::to_string(step));
+    result.remarks.push_back(std::move(note));
 }
 
 }  // namespace
@@ -269,31 +254,27 @@ Measurements reduce_steps(const std::vector<RecordedStep>& steps, const Recordin
     Measurements result;
     std::vector<int> flipped, interpolated, coarse, spiked;
     for (const RecordedStep& step : steps) {
-        if (!step.spikes.empty()) {
-            spiked.push_back(step.number);
-            exclude_spikes(step.series, step.spikes, recording.file, result);
-        }
+        if (!step.spikes.empty()) spiked.push_back(step.number);
+        append(result.remarks, spikes_of(step, recording.file));
         if (step.series.flipped) flipped.push_back(step.number);
         if (step.series.interpolated) interpolated.push_back(step.number);
         setting.time_shift =
             clock.shift(recording.time[step.rows.begin], recording.time[step.rows.end - 1]);
         reduce_step(step, setting, coarse, result);
     }
-    note_steps(spiked, recording.file,
-               "single rows jump far off their neighbours and back; they were left out (listed in "
-               "excluded.csv). Look for a disturbance, or a wrong column",
-               result);
-    note_steps(flipped, recording.file, "the torque was negative; its sign was flipped", result);
-    note_steps(interpolated, recording.file,
-               "samples are unevenly spaced in time; interpolated to even spacing", result);
-    note_steps(coarse, recording.file,
-               fmt::format("torque or gap hardly changes from row to row: their standard errors "
-                           "are set to their resolution, {:.3g} mN m and {:.3g} mm",
-                           1e3 * setting.torque_resolution, 1e3 * setting.height_resolution),
-               result);
-    if (!recording.unused_columns.empty())
-        result.notes.push_back(fmt::format("{}: columns not used: '{}'", recording.file,
-                                           fmt::join(recording.unused_columns, "', '")));
+    const auto note = [&](Kind kind) { return Remark{.kind = kind, .files = {recording.file}}; };
+    note_steps(spiked, note(Kind::steps_with_spikes), result);
+    note_steps(flipped, note(Kind::flipped_torques), result);
+    note_steps(interpolated, note(Kind::interpolated_steps), result);
+    Remark resolution = note(Kind::coarse_steps);
+    resolution.size = setting.torque_resolution;
+    resolution.size_to = setting.height_resolution;
+    note_steps(coarse, std::move(resolution), result);
+    if (!recording.unused_columns.empty()) {
+        Remark& unused = result.remarks.emplace_back(note(Kind::unused_columns));
+        unused.names = recording.unused_columns;
+    }
+    result.remarks = decide(std::move(result.remarks), choice.keep_implausible);
     return result;
 }
 

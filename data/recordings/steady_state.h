@@ -4,15 +4,30 @@
 #include "data/reading.h"
 #include "data/recordings/findings/recorded_step.h"
 #include "data/recordings/recording.h"
-#include "data/recordings/run_clock.h"
 #include "data/study/study.h"
 
 namespace pendular {
 
+/// Clock of the study's first recording [s]. Times that keep increasing from recording to recording
+/// are used as recorded; a recording in which they restart is assumed to follow without a pause.
+class RunClock {
+  public:
+    /// Returns the offset [s] to add to the recorded times of the next step, which run from `first`
+    /// to `last` [s]. To be called once for each step, in the order of measurement.
+    double shift(double first, double last) {
+        if (first < last_) shift_ += last_;
+        last_ = last;
+        return shift_;
+    }
+
+  private:
+    double shift_ = 0, last_ = 0;
+};
+
 /// Returns one reading for each step of a recording, the mean over its steady part, in the order of
-/// the steps. `excluded` lists spikes, transients and unusable steps, such as those whose steady
-/// part covers less strain than `choice.least_strain`; `notes` lists further treatment, such as
-/// interpolation. If a wobble would bias the mean, it is taken over whole turns
+/// the steps. Remarks list spikes, transients and unusable steps, such as those whose steady part
+/// covers less strain than `choice.least_strain`, and further treatment, such as interpolation. If
+/// a wobble would bias the mean, it is taken over whole turns
 /// (`whole_turns_begin`).
 ///
 /// The covariance of a reading includes the autocorrelation within the run, the correlation between

@@ -1,7 +1,5 @@
 #include "data/recordings/step_series.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -11,11 +9,6 @@
 
 namespace pendular {
 namespace {
-
-std::vector<double> part(const std::vector<double>& values, std::size_t begin, std::size_t end) {
-    return {values.begin() + static_cast<std::ptrdiff_t>(begin),
-            values.begin() + static_cast<std::ptrdiff_t>(end)};
-}
 
 /// Whether times are evenly spaced: each spacing is 0.5 to 1.5 times the median spacing, to allow
 /// for jitter and rounding. True also if most neighbouring times are equal, being recorded too
@@ -130,42 +123,26 @@ std::optional<std::size_t> end_of_transient_or_drift(std::span<const double> ser
 
 }  // namespace
 
-StepSeries StepSeries::from(std::size_t begin) const {
-    return {part(time, begin, size()),
-            part(torque, begin, size()),
-            part(normal_force, begin, size()),
-            part(height, begin, size()),
-            part(angular_velocity, begin, size()),
-            {line.begin() + static_cast<std::ptrdiff_t>(begin), line.end()},
-            interpolated,
-            flipped};
-}
-
 bool turns(const Mean& angular_velocity) {
     return std::abs(angular_velocity.value) > 3 * angular_velocity.standard_error;
 }
 
 StepSeries step_series(const Recording& recording, const Step& step) {
-    StepSeries series{part(recording.time, step.begin, step.end),
-                      part(recording.torque, step.begin, step.end),
-                      part(recording.normal_force, step.begin, step.end),
-                      part(recording.height, step.begin, step.end),
-                      part(recording.angular_velocity, step.begin, step.end),
-                      {recording.line.begin() + static_cast<std::ptrdiff_t>(step.begin),
-                       recording.line.begin() + static_cast<std::ptrdiff_t>(step.end)}};
+    StepSeries series{recording.rows(step.begin, step.end)};
+    // The fit reads what was measured, not what the instrument computed from it.
+    for (auto* const computed :
+         {&series.interval, &series.shear_stress, &series.normal_stress, &series.shear_rate})
+        computed->clear();
     check_torque_sign(series, recording, step);
     if (!evenly_spaced(series.time)) space_evenly(series);
     return series;
 }
 
-std::optional<std::size_t> end_of_transient(const StepSeries& series, std::string& why) {
+std::optional<std::size_t> end_of_transient(const StepSeries& series, std::string& unsteady) {
     const auto torque = end_of_transient_or_drift(series.torque);
     const auto height = end_of_transient_or_drift(series.height);
     if (torque && height) return std::max(*torque, *height);
-    why = fmt::format("never steady: {} at the end of the step",
-                      torque   ? "the gap still changes"
-                      : height ? "the torque still changes"
-                               : "torque and gap still change");
+    unsteady = torque ? "height" : height ? "torque" : "";
     return std::nullopt;
 }
 

@@ -9,20 +9,16 @@
 
 namespace pendular {
 
-/// Data points of one step of a recording, evenly spaced in time.
-struct StepSeries {
-    std::vector<double> time;              ///< on the recording's clock [s]
-    std::vector<double> torque;            ///< [N m]
-    std::vector<double> normal_force;      ///< [N]
-    std::vector<double> height;            ///< gap [m]
-    std::vector<double> angular_velocity;  ///< [rad/s]
-    std::vector<int> line;      ///< line in the file of the row at or before each data point
+/// Data points of one step of a recording, evenly spaced in time. `line` is that of the row at or
+/// before each data point.
+struct StepSeries : IntervalSeries {
     bool interpolated = false;  ///< whether rows were unevenly spaced in time
     bool flipped = false;       ///< whether the torque was mostly negative, and changed its sign
 
-    std::size_t size() const { return time.size(); }
     /// Returns the series without the data points before index `begin`.
-    StepSeries from(std::size_t begin) const;
+    StepSeries from(std::size_t begin) const {
+        return {rows(begin, size()), interpolated, flipped};
+    }
 };
 
 /// Returns the rows of a step as evenly spaced data points. If any two neighbouring times are less
@@ -36,9 +32,10 @@ StepSeries step_series(const Recording& recording, const Step& step);
 bool turns(const Mean& angular_velocity);
 
 /// Returns the number of data points at the beginning of a step that are not steady in torque or
-/// gap; if one never becomes steady, empty, with the reason in `why`. A torque or gap without a
+/// gap; if one never becomes steady, empty, with its name in `unsteady`, which is empty for both. A
+/// torque or gap without a
 /// steady part still counts as steady in the second half of the step if its means over the last two
 /// quarters differ by less than 0.1 %.
-std::optional<std::size_t> end_of_transient(const StepSeries& series, std::string& why);
+std::optional<std::size_t> end_of_transient(const StepSeries& series, std::string& unsteady);
 
 }  // namespace pendular

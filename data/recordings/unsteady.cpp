@@ -33,20 +33,18 @@ double strain_of(const StepSeries& series, const AnnularCell& cell) {
     return rate * (series.time.back() - series.time.front());
 }
 
-std::string looks_like(const StepSeries& series) {
+Remark::Kind looks_like(const StepSeries& series) {
+    using enum Remark::Kind;
     // Chosen: the limits decide words in a message alone.
     const double force = relative_change(series.normal_force);
-    if (force < -0.2) return "unloading";
-    if (force > 0.2) return "loading";
-    if (relative_change(series.height) < -0.01) return "consolidation, since the gap shrinks";
+    if (force < -0.2) return unloading;
+    if (force > 0.2) return loading;
+    if (relative_change(series.height) < -0.01) return consolidation;
     const std::vector<double> torque = part_means(series.torque, 20);
     const auto peak = std::ranges::max_element(torque);
     const bool early = peak - torque.begin() < 3 * static_cast<std::ptrdiff_t>(torque.size()) / 4;
-    if (early && torque.back() < 0.95 * *peak)
-        return "shear to failure, since the torque peaks and drops";
-    if (torque.back() > 1.05 * torque[torque.size() / 2])
-        return "shear that was stopped while the torque rose";
-    return "preshear, since the torque levels off";
+    if (early && torque.back() < 0.95 * *peak) return shear_to_failure;
+    return torque.back() > 1.05 * torque[torque.size() / 2] ? stopped_shear : preshear;
 }
 
 }  // namespace pendular

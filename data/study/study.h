@@ -111,8 +111,4 @@ struct FilePattern {
 ///         of these entries
 std::vector<FilePattern> read_patterns(const std::filesystem::path& study);
 
-/// Returns a warning for the user if a liquid content [1] is outside of the pendular range (0.002
-/// to 0.075), in which the liquid forms separate bridges; empty inside of it and for dry grains.
-std::optional<std::string> pendular_range_warning(double liquid_content);
-
 }  // namespace pendular

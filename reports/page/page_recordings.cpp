@@ -89,9 +89,9 @@ RecordingJson windows_json(const PageRecording& recording, const std::vector<Rea
 }  // namespace
 
 PageRecording page_recording(const FileView& view, const std::vector<Reading>& readings,
-                             const std::vector<Excluded>& excluded, std::size_t most) {
+                             const std::vector<Remark>& left_out, std::size_t most) {
     PageRecording recording{.file = view.file.file,
-                            .windows = windows_of(view, readings, excluded)};
+                            .windows = windows_of(view, readings, left_out)};
     for (const bool shear : {true, false}) {
         const RecordingCourse course(view, shear);
         PageRecording::Course shown{.label = course.label(), .points = course.points(most)};

@@ -29,10 +29,10 @@ struct PageRecording {
 
 /// Returns the part of a recording that the page shows.
 /// @param readings readings of the study; those from other files are ignored
-/// @param excluded rows that the study left out, with reasons
+/// @param left_out rows that the study left out, with reasons
 /// @param most maximum number of points for each stress
 PageRecording page_recording(const FileView& view, const std::vector<Reading>& readings,
-                             const std::vector<Excluded>& excluded, std::size_t most);
+                             const std::vector<Remark>& left_out, std::size_t most);
 
 /// Returns the maximum number of points for each stress of a recording: 400, or fewer (at least 20)
 /// if many recordings would make the page large.

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "analysis/diagnosis/study_evidence.h"
+#include "data/remarks/wording.h"
 #include "reports/diagnosis_report.h"
 #include "reports/diagnosis_table.h"
 #include "reports/failure_report.h"
@@ -312,8 +313,8 @@ std::vector<std::string> warnings_of(const PageContent& content) {
     for (const std::string& reason : content.diagnosis.belief.reasons) {
         warnings.push_back("Warning: " + reason);
     }
-    for (const Doubt& doubt : content.measurements.doubts) {
-        warnings.push_back("Warning: " + doubt.what);
+    for (const Remark& doubt : content.measurements.doubts()) {
+        warnings.push_back("Warning: " + text_of(doubt));
     }
     if (content.resolved.study().model.fit_to == "dry" &&
         std::ranges::none_of(content.diagnosis.readings,

@@ -75,7 +75,7 @@ TEST(VirtualLab, IsReadBackAsItWasSimulated) {
     }
     ASSERT_EQ(steps.size(), 12u);
     ASSERT_EQ(found.readings.size(), steps.size());
-    EXPECT_EQ(found.excluded.size(), steps.size());  // the transient of each
+    EXPECT_EQ(found.left_out().size(), steps.size());  // the transient of each
     for (std::size_t k = 0; k < steps.size(); ++k) {
         // Seven digits are written.
         const Reading& reading = found.readings[k];

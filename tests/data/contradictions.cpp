@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "data/quantities/number.h"
+#include "data/recordings/mark.h"
 #include "data/recordings/measurements.h"
 #include "tests/support/golden.h"
 
@@ -35,15 +36,13 @@ Recording measured() {
     return recording;
 }
 
-struct Outcome {
+/// Remarks on a recording, decided; contradicting rows are taken out.
+Measurements compared(Recording& recording, bool keep_implausible = false) {
+    std::vector<bool> rows;
     Measurements said;
-    Contradictions found;
-};
-
-Outcome compared(Recording& recording, const ImportSettings& choice = {}) {
-    Outcome outcome;
-    outcome.found = take_out_contradictions(recording, cell, choice, outcome.said);
-    return outcome;
+    said.remarks = decide(contradictions(recording, cell, rows), keep_implausible);
+    if (!keep_implausible) recording.erase_rows(rows);
+    return said;
 }
 
 void scale(std::vector<double>& values, double factor) {
@@ -55,9 +54,9 @@ TEST(Contradictions, AreNoneWhereColumnsAgree) {
     Recording recording = measured();
     scale(recording.normal_stress, -1);  // another convention of sign
     recording.shear_stress[7] = std::numeric_limits<double>::quiet_NaN();
-    const Outcome outcome = compared(recording);
-    EXPECT_THAT(outcome.said.doubts, IsEmpty());
-    EXPECT_THAT(outcome.said.notes, IsEmpty());
+    const Measurements said = compared(recording);
+    EXPECT_THAT(said.doubts(), IsEmpty());
+    EXPECT_THAT(said.notes(), IsEmpty());
     EXPECT_EQ(recording.size(), 200u);
 }
 
@@ -65,11 +64,11 @@ TEST(Contradictions, NameACommonFactor) {
     const auto said = [](double factor, std::vector<double> Recording::*column) {
         Recording recording = measured();
         scale(recording.*column, factor);
-        const Outcome outcome = compared(recording);
-        EXPECT_EQ(outcome.said.doubts.size(), 1u);
-        EXPECT_TRUE(outcome.found.file);
-        EXPECT_TRUE(outcome.said.doubts.at(0).set_aside);
-        return outcome.said.doubts.at(0).what;
+        const Measurements found = compared(recording);
+        EXPECT_EQ(found.doubts().size(), 1u);
+        EXPECT_EQ(found.doubts().at(0).kind, Remark::Kind::wrong_factor);
+        EXPECT_EQ(found.doubts().at(0).outcome, Remark::Outcome::set_aside);
+        return text_of(found.doubts().at(0));
     };
     expect_told({said(2, &Recording::shear_stress), said(1000, &Recording::shear_stress),
                  said(1.3, &Recording::normal_stress), said(2 * M_PI, &Recording::shear_rate)});
@@ -78,9 +77,9 @@ TEST(Contradictions, NameACommonFactor) {
 TEST(Contradictions, LeaveRatesAtOtherRadiiToANote) {
     Recording recording = measured();
     scale(recording.shear_rate, 1.36);  // at the rim
-    const Outcome outcome = compared(recording);
-    EXPECT_THAT(outcome.said.doubts, IsEmpty());
-    expect_told({outcome.said.notes.at(0)});
+    const Measurements said = compared(recording);
+    EXPECT_THAT(said.doubts(), IsEmpty());
+    expect_told({text_of(said.notes().at(0))});
 }
 
 TEST(Contradictions, OfSomeRowsTakeThemOut) {
@@ -89,15 +88,15 @@ TEST(Contradictions, OfSomeRowsTakeThemOut) {
     for (std::size_t i = 50; i < 90; ++i)
         recording.torque[i] *= 10;
     Recording kept = recording;
-    const Outcome outcome = compared(recording);
-    ASSERT_EQ(outcome.said.doubts.size(), 1u);
-    EXPECT_EQ(outcome.said.doubts[0].quantity, "shear_stress");
-    expect_told({outcome.said.doubts[0].what});
+    const Measurements said = compared(recording);
+    ASSERT_EQ(said.doubts().size(), 1u);
+    EXPECT_EQ(said.doubts()[0].quantity, "shear_stress");
+    expect_told({text_of(said.doubts()[0])});
     EXPECT_EQ(recording.size(), 160u);
-    ASSERT_EQ(outcome.said.excluded.size(), 1u);
-    EXPECT_EQ(outcome.said.excluded[0].origin.line, 52);
-    EXPECT_EQ(outcome.said.excluded[0].last_line, 91);
-    EXPECT_FALSE(compared(kept, {.keep_implausible = true}).said.doubts.at(0).set_aside);
+    ASSERT_EQ(said.left_out().size(), 1u);
+    EXPECT_EQ(said.left_out()[0].first_line(), 52);
+    EXPECT_EQ(said.left_out()[0].last_line(), 91);
+    EXPECT_EQ(compared(kept, true).doubts().at(0).outcome, Remark::Outcome::kept);
     EXPECT_EQ(kept.size(), 200u);
 }
 
@@ -106,14 +105,18 @@ TEST(Contradictions, SpoilTheReadingsTheyAreIn) {
     spoilt.origin.line = 2, spoilt.last_line = 101;
     fine.origin.line = 102, fine.last_line = 201;
     hardly.origin.line = 202, hardly.last_line = 401;
-    Measurements part;
-    part.readings = {spoilt, fine, hardly};
-    set_aside_contradicted({.lines = {50, 51, 300}, .file = {}}, part);
-    ASSERT_EQ(part.readings.size(), 2u);
-    EXPECT_EQ(part.readings[0].origin.line, 102);
-    expect_told({part.excluded.at(0).reason});
-    set_aside_contradicted({.lines = {}, .file = "all wrong"}, part);
-    EXPECT_THAT(part.readings, IsEmpty());
+    std::vector<Reading> readings = {spoilt, fine, hardly};
+    Remark rows{.kind = Remark::Kind::contradicting_rows, .outcome = Remark::Outcome::set_aside};
+    rows.because = {{.lines = {{50, 51}, {300, 300}}}};
+    const auto marks = set_spoilt_aside(readings, {rows}, 1);
+    ASSERT_EQ(readings.size(), 2u);
+    EXPECT_EQ(readings[0].origin.line, 102);
+    expect_told({text_of(marks.at(0))});
+    const Remark column{.kind = Remark::Kind::wrong_factor,
+                        .outcome = Remark::Outcome::set_aside,
+                        .quantity = "shear_stress"};
+    EXPECT_EQ(set_spoilt_aside(readings, {column}, 1).size(), 2u);
+    EXPECT_THAT(readings, IsEmpty());
 }
 
 class ContradictoryStudy : public testing::Test {
@@ -139,7 +142,7 @@ TEST_F(ContradictoryStudy, SetsItsReadingsAside) {
     EXPECT_EQ(read(",Shear stress [Pa]", ",{}").readings.size(), 1u);
     const Measurements twice = read(",Shear stress [mPa]", ",{}");
     EXPECT_THAT(twice.readings, IsEmpty());
-    EXPECT_EQ(twice.doubts.size(), 1u);
+    EXPECT_EQ(twice.doubts().size(), 1u);
 }
 
 TEST_F(ContradictoryStudy, DoesNotMindColumnsItCannotRead) {
@@ -167,7 +170,8 @@ TEST(PublishedRecordings, AreNotBelievedWhereTheFillingCannotBe) {
     if (!file) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
     const Measurements all = of_published(*file, "420 um");
     EXPECT_THAT(all.readings, IsEmpty());
-    EXPECT_THAT(all.doubts, testing::Contains(testing::Field(&Doubt::quantity, "solid_fraction")));
+    EXPECT_THAT(all.doubts(),
+                testing::Contains(testing::Field(&Remark::quantity, "solid_fraction")));
 }
 
 TEST(PublishedRecordings, AreNotBelievedWhereTorquesAreCorrupt) {
@@ -178,7 +182,7 @@ TEST(PublishedRecordings, AreNotBelievedWhereTorquesAreCorrupt) {
         *file, "230 um",
         "columns = [\"Point [1]\", \"Time [s]\", \"Gap [mm]\", \"Normal force [N]\", "
         "\"Normal stress [Pa]\", \"Torque [mN m]\", \"Shear stress [Pa]\", \"Speed [1/min]\"]\n");
-    EXPECT_THAT(all.doubts, testing::Contains(testing::Field(&Doubt::quantity, "shear_stress")));
+    EXPECT_THAT(all.doubts(), testing::Contains(testing::Field(&Remark::quantity, "shear_stress")));
 }
 
 }  // namespace pendular::data_contradictions_test

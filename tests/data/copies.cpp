@@ -116,7 +116,7 @@ TEST_F(Copies, AreNotReplicatesAtTheSameTimes) {
             folder_.write(fmt::format("{}_dry.csv", seed), table(measured(seed), format));
         const Measurements all = read();
         EXPECT_EQ(all.readings.size(), 6u) << format;
-        EXPECT_THAT(all.doubts, IsEmpty());
+        EXPECT_THAT(all.doubts(), IsEmpty());
     }
 }
 
@@ -140,9 +140,9 @@ TEST_F(Copies, ThatAreSaidToBeWetterAreDoubted) {
                                     "contact_angle = \"0 deg\"\n");
     const Measurements all = read();
     EXPECT_EQ(all.readings.size(), 1u);
-    ASSERT_EQ(all.doubts.size(), 1u);
-    EXPECT_EQ(all.doubts[0].quantity, "liquid_content");
-    expect_told({all.doubts[0].what});
+    ASSERT_EQ(all.doubts().size(), 1u);
+    EXPECT_EQ(all.doubts()[0].quantity, "liquid_content");
+    expect_told({text_of(all.doubts()[0])});
 }
 
 const std::string head = "normal_stress [Pa],stress_ratio,solid_fraction,inertial_number\n";

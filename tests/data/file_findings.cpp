@@ -13,7 +13,6 @@ namespace pendular::data_file_findings_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
-using testing::Pair;
 using testing::SizeIs;
 
 /// A recording of two stretches of 100 rows, 5 N and 2 N, with set points; the measured force is
@@ -57,23 +56,21 @@ TEST_F(FileFindings, ReadRadiiAndConstantsOfHeaders) {
 TEST_F(FileFindings, CompareHeadersWithTheStudyToOnePerCent) {
     const BlockFile file = read(recording("# Inner radius: 21 mm\n# Outer radius: 45.3 mm\n", 1));
     AnnularCell cell{.inner_radius = 0.021, .outer_radius = 0.045};
-    EXPECT_THAT(compare_with_study(file, cell), IsEmpty());  // 0.7 % apart
+    EXPECT_THAT(header_against_study(file, cell), IsEmpty());  // 0.7 % apart
     cell.outer_radius = 0.0445;
-    const std::vector<FileFinding> findings = compare_with_study(file, cell);
+    const std::vector<Remark> findings = header_against_study(file, cell);
     ASSERT_THAT(findings, SizeIs(1));
-    EXPECT_THAT(findings[0].lines, ElementsAre(Pair(2, 2)));
-    expect_told({findings[0].what});
-    EXPECT_EQ(findings[0].file, file.file);
+    EXPECT_THAT(findings[0].lines, ElementsAre(Lines{2, 2}));
+    expect_told({text_of(findings[0])});
+    EXPECT_EQ(findings[0].file(), file.file);
 }
 
 TEST_F(FileFindings, NameSetPointsThatAreNotFollowed) {
-    std::vector<FileFinding> findings;
-    check_set_points(read(recording("", 1.015)), findings);
-    EXPECT_THAT(findings, IsEmpty());
-    check_set_points(read(recording("", 0.9)), findings);
+    EXPECT_THAT(missed_set_points(read(recording("", 1.015))), IsEmpty());
+    const std::vector<Remark> findings = missed_set_points(read(recording("", 0.9)));
     ASSERT_THAT(findings, SizeIs(1));
-    EXPECT_THAT(findings[0].lines, ElementsAre(Pair(102, 201)));
-    expect_told({findings[0].what});
+    EXPECT_THAT(findings[0].lines, ElementsAre(Lines{102, 201}));
+    expect_told({text_of(findings[0])});
 }
 
 TEST_F(FileFindings, FindSetPointsOfSpeedInTablesWithRowsOfUnits) {
@@ -83,8 +80,8 @@ TEST_F(FileFindings, FindSetPointsOfSpeedInTablesWithRowsOfUnits) {
         text += fmt::format("{},{},{:.3f},0.5,2.0,2.0\n", i, i, 0.47 + 0.001 * (i % 3));
     const FileView view = view_of_file(folder_.write("t.csv", text));
     ASSERT_THAT(view.findings, SizeIs(1));
-    EXPECT_EQ(view.findings[0].kind, "set-point");
-    expect_told({view.findings[0].what});
+    EXPECT_EQ(to_string(view.findings[0]), "set-point");
+    expect_told({text_of(view.findings[0])});
 }
 
 TEST_F(FileFindings, AreMadeByTheImportOfAStudy) {
@@ -93,10 +90,10 @@ TEST_F(FileFindings, AreMadeByTheImportOfAStudy) {
     const auto file = folder_.write("run.csv", recording("# Inner radius: 20 mm\n", 0.9));
     const Study study = read_study(folder_.path());
     const Measurements measurements = read_measurements(study);
-    ASSERT_THAT(measurements.file_findings, SizeIs(2));
-    EXPECT_EQ(measurements.file_findings[0].kind, "header-cell");
-    EXPECT_EQ(measurements.file_findings[0].file, file.string());
-    EXPECT_EQ(measurements.file_findings[1].kind, "set-point");
+    ASSERT_THAT(measurements.faults(false), SizeIs(2));
+    EXPECT_EQ(to_string(measurements.faults(false)[0]), "header-cell");
+    EXPECT_EQ(measurements.faults(false)[0].file(), file.string());
+    EXPECT_EQ(to_string(measurements.faults(false)[1]), "set-point");
     EXPECT_THAT(view_of_file(file, {}, study.cell).findings, SizeIs(2));
     EXPECT_THAT(view_of_file(file).findings, SizeIs(1));
 }

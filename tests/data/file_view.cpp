@@ -52,8 +52,8 @@ TEST(FileViewTest, FindsDamagedTorques) {
     // Rows 1 to 20 of interval 1 (lines 2 to 21) and 3 to 8 of interval 2 (lines 30 to 35): more
     // than half of all rows, but the ratio of normal stress to force gives the cup away.
     ASSERT_THAT(view.findings, SizeIs(1));
-    EXPECT_THAT(view.findings[0].lines, ElementsAre(std::pair(2, 21), std::pair(30, 35)));
-    expect_told({view.findings[0].what});
+    EXPECT_THAT(view.findings[0].lines, ElementsAre(Lines{2, 21}, Lines{30, 35}));
+    expect_told({text_of(view.findings[0])});
     EXPECT_NEAR(*view.cell.outer_radius, 0.0215, 1e-9);
     EXPECT_THAT(view_of_file(look_alike("unit_row.csv")).findings, IsEmpty());
 }
@@ -64,18 +64,20 @@ TEST(FileViewTest, ComparesTheConstantsOfAHeaderWithTheColumns) {
     const std::string stated = "79577.5 Pa/N.m";
     text.replace(text.find(stated), stated.size(), "20000 Pa/N.m");
     const FileView view = view_of_file(folder.write("t.csv", text));
-    EXPECT_THAT(view.findings, Contains(testing::Field(&FileFinding::kind, "header-constant")));
-    EXPECT_THAT(view_of_file(look_alike("trios.csv")).findings,
-                testing::Not(Contains(testing::Field(&FileFinding::kind, "header-constant"))));
+    EXPECT_THAT(view.findings,
+                Contains(testing::Field(&Remark::kind, Remark::Kind::header_constant)));
+    EXPECT_THAT(
+        view_of_file(look_alike("trios.csv")).findings,
+        testing::Not(Contains(testing::Field(&Remark::kind, Remark::Kind::header_constant))));
 }
 
 TEST(FileViewTest, FindsIntervalsThatDeclareAnotherNumberOfPoints) {
     const FileView view = view_of_file(look_alike("rheocompass_fr.txt"));
     std::vector<std::string> kinds;
-    for (const FileFinding& finding : view.findings)
-        kinds.push_back(finding.kind);
+    for (const Remark& finding : view.findings)
+        kinds.push_back(to_string(finding));
     EXPECT_THAT(kinds, ElementsAre("declared-rows", "several-tests"));
-    expect_told({view.findings[0].what});
+    expect_told({text_of(view.findings[0])});
 }
 
 TEST(FileViewTest, DividesAPlainTableByItsIntervals) {
@@ -170,8 +172,8 @@ TEST(FileViewTest, FindsNormalForcesOfTheWrongSign) {
     const TemporaryFolder folder;
     const FileView view = view_of_file(folder.write("t.csv", recording_at({{-5, 20}, {-10, 40}})));
     ASSERT_THAT(view.findings, SizeIs(1));
-    EXPECT_EQ(view.findings[0].kind, "no-compression");
-    expect_told({view.findings[0].what});
+    EXPECT_EQ(view.findings[0].kind, Remark::Kind::no_compression);
+    expect_told({text_of(view.findings[0])});
     EXPECT_THAT(view_of_file(folder.write("u.csv", recording_at({{-5, 20}, {10, 40}}))).findings,
                 IsEmpty());
 }

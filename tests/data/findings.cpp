@@ -1,6 +1,6 @@
 // What the rows of recordings show besides the steady means: found where it was put into simulated
 // recordings, and not in ordinary ones.
-#include "data/recordings/findings/finding.h"
+#include "data/remarks/wording.h"
 
 #include <fmt/format.h>
 
@@ -20,16 +20,15 @@
 
 namespace pendular::data_findings_test {
 
-using Kind = RecordingFinding::Kind;
+using Kind = Remark::Kind;
 using testing::Contains;
 using testing::Each;
 using testing::Field;
 using testing::IsEmpty;
 
-std::vector<RecordingFinding> of_kind(const Measurements& m, Kind kind,
-                                      const std::string& quantity = "") {
-    std::vector<RecordingFinding> result;
-    std::ranges::copy_if(m.findings, std::back_inserter(result), [&](const RecordingFinding& f) {
+std::vector<Remark> of_kind(const Measurements& m, Kind kind, const std::string& quantity = "") {
+    std::vector<Remark> result;
+    std::ranges::copy_if(m.faults(true), std::back_inserter(result), [&](const Remark& f) {
         return f.kind == kind && (quantity.empty() || f.quantity == quantity);
     });
     return result;
@@ -58,7 +57,7 @@ TEST(RecordingFindings, AreNoneInTheExamples) {
           "examples/water-glass", "examples/wet", "tests/hidden_effects/study_1",
           "tests/hidden_effects/study_2", "tests/hidden_effects/study_3",
           "tests/hidden_effects/study_4", "tests/hidden_effects/study_5"})
-        EXPECT_THAT(sentences(read_measurements(read_study(root / study)).findings), IsEmpty())
+        EXPECT_THAT(sentences(read_measurements(read_study(root / study)).faults(true)), IsEmpty())
             << study;
 }
 
@@ -69,7 +68,7 @@ TEST(Wobble, IsFoundInEachOfTwentyStudies) {
         });
         const auto found = of_kind(m, Kind::wobble, "torque");
         ASSERT_FALSE(found.empty()) << seed;
-        for (const RecordingFinding& each : found) {
+        for (const Remark& each : found) {
             EXPECT_EQ(each.period, 1);
             EXPECT_NEAR(each.relative, 0.02, 4 * each.relative_error);
         }
@@ -79,8 +78,8 @@ TEST(Wobble, IsFoundInEachOfTwentyStudies) {
 TEST(Wobble, OfTheGapIsToldWithItsUnit) {
     const Measurements m = study_of(
         3, 1, {}, [](RowOfStep row, int, int) { row.gap += 3e-5 * std::sin(2 * row.angle); });
-    expect_told(sentences(m.findings));
-    EXPECT_EQ(sentences(m.findings, true).size(), 9u);
+    expect_told(sentences(m.faults(true)));
+    EXPECT_EQ(sentences(m.faults(true), true).size(), 9u);
 }
 
 /// Two and a half turns of a lid at constant speed, with a wobble of 10 % of the torque.
@@ -183,13 +182,13 @@ TEST(Saturation, OfATorqueThatIsCutOffSetsReadingsAside) {
     const auto clip = [](RowOfStep row, int, int) { row.torque = std::min(row.torque, 0.091); };
     const Measurements m = study_of(3, 1, {}, clip);
     EXPECT_THAT(of_kind(m, Kind::saturation, "torque"),
-                testing::AllOf(testing::SizeIs(3), Each(Field(&RecordingFinding::step, 3)),
-                               Each(Field(&RecordingFinding::corrected, true))));
+                testing::AllOf(testing::SizeIs(3), Each(Field(&Remark::step, 3)),
+                               Each(Field(&Remark::corrected, true))));
     EXPECT_EQ(m.readings.size(), 6u);
     expect_told(told_of(m));
     const Measurements kept = study_of(3, 1, {}, clip, "[import]\nkeep_implausible = true\n");
     EXPECT_EQ(kept.readings.size(), 9u);
-    EXPECT_FALSE(kept.doubts.at(0).set_aside);
+    EXPECT_EQ(kept.doubts().at(0).outcome, Remark::Outcome::kept);
 }
 
 TEST(Saturation, OfWholeStepsIsFoundThoughTheyHaveNoNoise) {
@@ -233,7 +232,7 @@ TEST(StickSlip, IsASawtoothOfTheTorque) {
         const Measurements m = study_of(2, 1, {.torque = 0.005}, sawtooth);
         const auto found = of_kind(m, Kind::stick_slip);
         ASSERT_EQ(found.size(), 6u) << period;
-        for (const RecordingFinding& each : found) {
+        for (const Remark& each : found) {
             EXPECT_NEAR(each.period, period, 0.1 * period);
             EXPECT_NEAR(each.relative, 0.09, 0.02);
         }
@@ -282,12 +281,12 @@ TEST(RunIn, ThatIsNotFinishedAtTheEndOfTheStepIsFound) {
     });
     const auto found = of_kind(m, Kind::unfinished_run_in, "torque");
     ASSERT_GE(found.size(), 6u);
-    for (const RecordingFinding& each : found)
+    for (const Remark& each : found)
         EXPECT_NEAR(each.relative, 0.6 * std::exp(-3), 0.03);
 }
 
 TEST(FindingSentences, FoldEqualFindingsOfManyFiles) {
-    std::vector<RecordingFinding> findings;
+    std::vector<Remark> findings;
     for (const char* const file : {"a/1.csv", "a/2.csv"})
         findings.push_back({.kind = Kind::wobble,
                             .quantity = "torque",

@@ -64,7 +64,7 @@ TEST_F(ReadBlocks, RecogniseRheoCompassInAnyLanguageAndEncoding) {
         EXPECT_EQ(file.blocks[0].test, "essai 1, Courbe 1");
         EXPECT_EQ(file.blocks[2].test, "essai 1, Courbe 2");
         ASSERT_THAT(file.skipped, SizeIs(1));
-        reasons.insert(file.skipped[0].reason);
+        reasons.insert(text_of(file.skipped[0]));
     }
     EXPECT_EQ(read(text).encoding, "UTF-8");
     EXPECT_EQ(read(little).encoding, "UTF-16LE");
@@ -117,7 +117,7 @@ TEST_F(ReadBlocks, ReadTriosSteps) {
     const Recording recording = read_recording(look_alike("trios.csv"));
     EXPECT_EQ(recording.size(), 3u);
     ASSERT_THAT(recording.left_out, SizeIs(1));
-    expect_told({recording.left_out[0].reason});
+    expect_told({text_of(recording.left_out[0])});
 }
 
 TEST_F(ReadBlocks, ReadRSpaceActions) {
@@ -188,8 +188,8 @@ TEST_F(ReadBlocks, LeaveOutRowsThatAreCutShort) {
     const BlockFile read = read_blocks(file);
     ASSERT_THAT(row_counts(read), ElementsAre(4));  // the cell of row 4 is empty, not missing
     ASSERT_EQ(read.skipped.size(), 1u);
-    EXPECT_EQ(read.skipped[0].first_line, 4);
-    expect_told({read.skipped[0].reason});
+    EXPECT_EQ(read.skipped[0].first_line(), 4);
+    expect_told({text_of(read.skipped[0])});
 }
 
 TEST_F(ReadBlocks, RefuseUnitsThatAreNone) {
@@ -276,13 +276,13 @@ TEST_F(ReadBlocks, ListRowsThatBelongToNoSegmentOrInterval) {
     rheowin.replace(0, 15, ",t in s,M in mNm");
     const BlockFile segments = read(rheowin);
     ASSERT_THAT(segments.skipped, SizeIs(1));
-    EXPECT_EQ(segments.skipped[0].first_line, 3);
+    EXPECT_EQ(segments.skipped[0].first_line(), 3);
     std::string compass = read_text(look_alike("powder_cell.txt"));
     const std::size_t second_row = compass.find("\n\t2\t");
     ASSERT_NE(second_row, std::string::npos);
     compass.insert(second_row, "\n");
     EXPECT_THAT(read(compass).skipped,
-                Contains(testing::Field(&SkippedRows::reason, "after the end of an interval")));
+                Contains(testing::Field(&Remark::kind, Remark::Kind::after_interval)));
 }
 
 /// rSpace file whose actions alternate, so that each row is an interval.
@@ -330,7 +330,7 @@ TEST_F(ReadBlocks, CountPointsThatWereLeftOutWithTheirInterval) {
     add_interval(4, 2, 2);
     const FileView view = view_of_file(folder_.write("t.txt", text));
     ASSERT_THAT(view.findings, SizeIs(1));
-    expect_told({view.findings[0].what});
+    expect_told({text_of(view.findings[0])});
 }
 
 TEST_F(ReadBlocks, DetectShiftJis) {

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "data/files/write_tables.h"
-#include "data/recordings/common_reason.h"
 #include "data/recordings/measurements.h"
 #include "data/recordings/speed_ramp.h"
 #include "data/study/study.h"
@@ -46,7 +45,7 @@ class ReadMeasurements : public testing::Test {
         folder_.write("wet_1.csv", recording(1.5, 3));
     }
     std::vector<std::string> notes() const {
-        return read_measurements(read_study(folder_.path())).notes;
+        return texts(read_measurements(read_study(folder_.path())).notes());
     }
     TemporaryFolder folder_;
 };
@@ -69,7 +68,7 @@ TEST_F(ReadMeasurements, BeginWithTheFilesThatThereAre) {
     std::filesystem::remove(folder_.path() / "wet_1.csv");
     const Measurements all = read_measurements(read_study(folder_.path()));
     EXPECT_EQ(all.readings.size(), 2u);
-    EXPECT_THAT(all.notes,
+    EXPECT_THAT(texts(all.notes()),
                 testing::Contains("No file matches \"wet_*.csv\" (line 11 of study.toml): "
                                   "nothing is read for this entry."));
 }
@@ -116,7 +115,7 @@ TEST_F(ReadMeasurements, AreTheSameAfterWritingAndReadingThem) {
 TEST_F(ReadMeasurements, ListsWhatItLeftOut) {
     folder_.write("dry_3.csv", recording_header + "0,30,5,4,0.1\n");
     const Measurements all = read_measurements(read_study(folder_.path()));
-    EXPECT_EQ(all.excluded.back().last_line, 2);
+    EXPECT_EQ(all.left_out().back().last_line(), 2);
     expect_told(told_of(all));
 }
 
@@ -202,26 +201,26 @@ TEST_F(ReadMeasurements, DoubtVelocitiesThatDifferByAFactorBetweenUnits) {
     const auto doubts = [&](double factor, double gap = 1) {
         folder_.write("dry_1.csv", faster(1, 1));
         folder_.write("dry_2.csv", faster(factor, 3, gap));
-        return read_measurements(read_study(folder_.path())).doubts;
+        return read_measurements(read_study(folder_.path())).doubts();
     };
     const double rpm = 30 / std::numbers::pi;
-    const auto said = [](const std::vector<Doubt>& found) {
-        return std::ranges::find(found, "angular_velocity", &Doubt::quantity)->what;
+    const auto said = [](const std::vector<Remark>& found) {
+        return text_of(*std::ranges::find(found, "angular_velocity", &Remark::quantity));
     };
     expect_told(
         {said(doubts(rpm, 1.04)), said(doubts(1 / rpm, 1.04)), said(doubts(2 * std::numbers::pi))});
     // Ratios of ordinary speeds: a decade, with dilated beads; series of 5 and 10 for each decade.
     for (const double other : {1.0, 5.0, 6.25, 6.3, 6.3096, 9.5, 10.0})
         for (const double gap : {1.0, 1.03, 1.047})
-            EXPECT_EQ(std::ranges::count(doubts(other, gap), "angular_velocity", &Doubt::quantity),
+            EXPECT_EQ(std::ranges::count(doubts(other, gap), "angular_velocity", &Remark::quantity),
                       0)
                 << other;
     // The file that is alone is named, in one doubt.
     folder_.write("dry_1.csv", faster(rpm, 1));
     folder_.write("dry_2.csv", faster(1, 3));
     folder_.write("dry_3.csv", faster(1, 5));
-    const auto found = read_measurements(read_study(folder_.path())).doubts;
-    ASSERT_EQ(std::ranges::count(found, "angular_velocity", &Doubt::quantity), 1);
+    const auto found = read_measurements(read_study(folder_.path())).doubts();
+    ASSERT_EQ(std::ranges::count(found, "angular_velocity", &Remark::quantity), 1);
     expect_told({said(found)});
 }
 
@@ -230,7 +229,9 @@ TEST_F(ReadMeasurements, NotesAWeightOfTheGrainsThatIsNotSmall) {
     // kPa.
     const auto weight_note = [&](const std::string& text) {
         folder_.write("study.toml", text);
-        return read_measurements(read_study(folder_.path())).weight_note;
+        const auto notes = read_measurements(read_study(folder_.path())).notes();
+        const auto note = std::ranges::find(notes, Remark::Kind::grain_weight, &Remark::kind);
+        return note == notes.end() ? std::nullopt : std::optional(text_of(*note));
     };
     std::string heavy = study_text;
     for (const std::string light : {"\"10 g\"", "\"11 g\""}) {
@@ -298,7 +299,7 @@ TEST(FewBeads, AreNotedOnce) {
                      fmt::format("[grains]\ndiameter = \"{}\"\ndensity = \"1050 kg/m^3\"\n{}"
                                  "[[recording]]\nfile = \"run.csv\"\n",
                                  diameter, cell_table("20 g")));
-        return read_measurements(read_study(folder.path())).notes;
+        return texts(read_measurements(read_study(folder.path())).notes());
     };
     const auto many = notes_of("500 um"), few = notes_of("2 mm");  // 3 beads high
     EXPECT_EQ(few.size(), many.size() + 1);

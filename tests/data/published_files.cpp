@@ -200,13 +200,14 @@ TEST(PublishedFiles, WithDamagedTorqueAreCaught) {
     FileFormat format;
     format.columns = columns_of_sheet;
     const FileView view = view_of_file(*path, format);
-    const auto damage = std::ranges::find(view.findings, "torque-shear_stress", &FileFinding::kind);
+    const auto damage =
+        std::ranges::find(view.findings, Remark::Kind::ratio_of_columns, &Remark::kind);
     ASSERT_NE(damage, view.findings.end());
-    EXPECT_THAT(damage->what, HasSubstr("10 times"));
+    EXPECT_THAT(text_of(*damage), HasSubstr("10 times"));
     EXPECT_NEAR(*view.cell.inner_radius, 0.0105, 1e-9);
     // Every row that is listed has a stress of 1 to 10 mN m times the constant of the cup, 54.4
     // Pa/(mN m), and the stresses of failure are used.
-    for (const auto& [first, last] : damage->lines)
+    for (const auto& [first, last, file] : damage->lines)
         for (std::size_t k = 0; k < view.series.size(); ++k)
             for (std::size_t i = 0; i < view.series[k].size(); ++i) {
                 const int line = view.series[k].line[i];

@@ -99,7 +99,7 @@ TEST_F(ReadPoints, RefusesMissingColumns) {
 
 TEST_F(ReadPoints, RefusesAMisspeltColumnButNotARemark) {
     expect_told({error(head + ",solid_fractoin_sd\n1000,0.3,0.6,0,0.01\n"),
-                 read(head + ",Remark\n1000,0.3,0.6,0,fine\n").notes.at(0)});
+                 text_of(read(head + ",Remark\n1000,0.3,0.6,0,fine\n").notes().at(0))});
 }
 
 TEST_F(ReadPoints, RefusesImpossibleValues) {
@@ -173,7 +173,7 @@ TEST_F(ReadPoints, ReadsWhatWasWritten) {
     const std::filesystem::path path = folder_.path() / "out" / "readings.csv";
     write_readings(path, written);
     const Measurements back = read_points(path, source_, study_);
-    EXPECT_THAT(back.notes, IsEmpty());
+    EXPECT_THAT(back.notes(), IsEmpty());
     ASSERT_EQ(back.readings.size(), written.readings.size());
     for (std::size_t i = 0; i < written.readings.size(); ++i) {
         const Reading& a = written.readings[i];
@@ -199,7 +199,12 @@ TEST(WriteTables, SayWhereEachReadingAndExclusionComesFrom) {
     reading.origin = {(folder.path() / "dry.csv").string(), 12, 0};
     reading.condition.normal_stress = 1000;
     all.readings.push_back(reading);
-    all.excluded.push_back({{(folder.path() / "dry.csv").string(), 2, 0}, 11, "transient, long"});
+    all.remarks.push_back({.kind = Remark::Kind::transient,
+                           .outcome = Remark::Outcome::left_out,
+                           .files = {(folder.path() / "dry.csv").string()},
+                           .lines = {{2, 11}},
+                           .step = 1,
+                           .size = 3});
     write_readings(folder.path() / "out" / "readings.csv", all);
     write_excluded(folder.path() / "out" / "excluded.csv", all);
     const Table readings = read_table(folder.path() / "out" / "readings.csv");
@@ -210,7 +215,7 @@ TEST(WriteTables, SayWhereEachReadingAndExclusionComesFrom) {
     EXPECT_EQ(cells.at(0).text, "../dry.csv");
     EXPECT_EQ(cells.at(1).text, "2");
     EXPECT_EQ(cells.at(2).text, "11");
-    EXPECT_EQ(cells.at(3).text, "transient, long");
+    EXPECT_EQ(cells.at(3).text, "step 1: transient of 3 s, until torque and gap are steady");
 }
 
 }  // namespace pendular::data_readings_test

@@ -33,8 +33,8 @@ TEST_F(ReadRecording, LeavesOutIntervalsToWhichTheUserGaveAnotherRole) {
     const Recording recording = read_recording(file, format);
     EXPECT_THAT(recording.interval, ElementsAre(1, 3));
     ASSERT_EQ(recording.left_out.size(), 1u);
-    EXPECT_EQ(recording.left_out[0].origin.line, 3);
-    EXPECT_EQ(recording.left_out[0].reason, "interval 2: failure, as stated");
+    EXPECT_EQ(recording.left_out[0].first_line(), 3);
+    EXPECT_EQ(text_of(recording.left_out[0]), "interval 2: failure, as stated");
     // Likewise in the layout of an instrument.
     const std::filesystem::path cell =
         std::filesystem::path(PENDULAR_SOURCE_DIR) / "tests/data/formats/unit_row.csv";
@@ -56,7 +56,7 @@ TEST_F(ReadRecording, NeedsEveryStressThatStandsInForATorque) {
                       ",[s],[Pa],[N],[mm],[rad/s]\n1,1,300,5,20,0.1\n2,2,,5,20,0.1\n"));
     EXPECT_THAT(recording.shear_stress, ElementsAre(300));
     ASSERT_EQ(recording.left_out.size(), 1u);
-    expect_told({recording.left_out[0].reason});
+    expect_told({text_of(recording.left_out[0])});
 }
 
 TEST_F(ReadRecording, ConvertsToSi) {

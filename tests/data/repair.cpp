@@ -28,13 +28,15 @@ Recording damaged_recording(const std::vector<std::size_t>& damaged, std::size_t
 
 TEST(RepairTorques, TakesTheTorqueOfTheStressWhereAMarkWasLost) {
     Recording recording = damaged_recording({3, 4, 9});
+    std::vector<bool> rows;
     Measurements result;
-    repair_torques(recording, cup, result);
+    result.remarks = decide(torques_without_mark(recording, cup, rows), false);
+    repair_torques(recording, cup, rows);
     for (const double torque : recording.torque)
         EXPECT_THAT(torque, DoubleNear(0.005, 1e-12));
-    ASSERT_THAT(result.doubts, SizeIs(1));
-    expect_told({result.doubts[0].what});
-    EXPECT_FALSE(result.doubts[0].set_aside);
+    ASSERT_THAT(result.doubts(), SizeIs(1));
+    expect_told({text_of(result.doubts()[0])});
+    EXPECT_EQ(result.doubts()[0].outcome, Remark::Outcome::kept);
 }
 
 TEST(RepairTorques, LeavesAColumnInAWrongUnitAlone) {
@@ -42,10 +44,9 @@ TEST(RepairTorques, LeavesAColumnInAWrongUnitAlone) {
     for (std::size_t i = 0; i < 30; ++i)
         all.push_back(i);
     Recording recording = damaged_recording(all);
-    Measurements result;
-    repair_torques(recording, cup, result);
-    EXPECT_EQ(recording.torque[0], 0.05);
-    EXPECT_THAT(result.doubts, IsEmpty());
+    std::vector<bool> rows;
+    EXPECT_THAT(torques_without_mark(recording, cup, rows), IsEmpty());
+    EXPECT_EQ(std::ranges::count(rows, true), 0);
 }
 
 /// Study with a recording of half a turn a second for a minute, with 1 % noise, whose torque column

@@ -81,8 +81,8 @@ TEST(Replicates, AddTheScatterTheirOwnErrorsDoNotExplain) {
         EXPECT_NEAR(relative_variance(each, 1), 1e-4, 1e-12);  // no scatter: nothing added
         EXPECT_FALSE(each.error_assumed);
     }
-    ASSERT_EQ(all.notes.size(), 1u);
-    expect_told({all.notes[0]});
+    ASSERT_EQ(all.notes().size(), 1u);
+    expect_told({text_of(all.notes()[0])});
 }
 
 TEST(Replicates, CoverAsOftenAsTheyClaimWhenFew) {
@@ -179,8 +179,8 @@ TEST(Replicates, LeaveTwoPercentToBeAssumedWhereNothingIsKnown) {
     EXPECT_FALSE(all.readings[1].error_assumed);
     EXPECT_NEAR(relative_variance(all.readings[2], 1), 4e-4, 1e-12);
     EXPECT_TRUE(all.readings[2].error_assumed);
-    ASSERT_EQ(all.notes.size(), 1u);
-    expect_told({all.notes[0]});
+    ASSERT_EQ(all.notes().size(), 1u);
+    expect_told({text_of(all.notes()[0])});
 }
 
 /// Two fillings dry and two wet, at as many normal stresses from 0.3 to 5 kPa, steps scattered by
@@ -261,8 +261,8 @@ TEST(Replicates, AreNotWidenedByOneFileInOtherUnits) {
         one.covariance.col(0) *= 10;
     }
     pool_replicates(wrong);
-    ASSERT_EQ(wrong.doubts.size(), 1u);
-    expect_told({wrong.doubts[0].what});
+    ASSERT_EQ(wrong.doubts().size(), 1u);
+    expect_told({text_of(wrong.doubts()[0])});
     // The dry files keep their errors but for the wider filling error of one pair in place of two.
     EXPECT_LT(relative_variance(wrong.readings[0], 0),
               10 * relative_variance(pooled.readings[0], 0));
@@ -276,11 +276,11 @@ TEST(Replicates, AreNotedWhereFillingsDifferMuch) {
         if (one.origin.file == "file_3.csv") one.value(0) *= 1.05;
     }
     pool_replicates(all);
-    EXPECT_TRUE(all.doubts.empty());
+    EXPECT_TRUE(all.doubts().empty());
     Measurements alike = four_files(random, {0.005, 0});
     pool_replicates(alike);
-    expect_told(all.notes);
-    EXPECT_THAT(alike.notes, testing::IsEmpty());
+    expect_told(texts(all.notes()));
+    EXPECT_THAT(alike.notes(), testing::IsEmpty());
 }
 
 TEST(Replicates, ScatterMoreAtLowLoad) {
@@ -302,15 +302,15 @@ TEST(Replicates, NameAReadingFarFromItsReplicate) {
     Measurements all = four_files(random, {0, 0});
     all.readings[5].value(0) *= 1.08;  // sixteen times the scatter of a step
     pool_replicates(all);
-    ASSERT_EQ(all.doubts.size(), 1u);
+    ASSERT_EQ(all.doubts().size(), 1u);
     Measurements recorded = four_files(random, {0, 0});
     recorded.readings[5].value(0) *= 1.08;
     recorded.readings[5].step = 6;
     pool_replicates(recorded);
-    ASSERT_EQ(recorded.doubts.size(), 1u);
+    ASSERT_EQ(recorded.doubts().size(), 1u);
     EXPECT_GT(relative_variance(all.readings[5], 0), std::pow(0.03, 2));
     EXPECT_LT(relative_variance(all.readings[4], 0), std::pow(0.03, 2));
-    expect_told({all.doubts[0].what, recorded.doubts[0].what});
+    expect_told({text_of(all.doubts()[0]), text_of(recorded.doubts()[0])});
 }
 
 TEST(Replicates, ShareTheErrorOfRounding) {
@@ -359,11 +359,11 @@ TEST(Replicates, WithErrorsBelowTheirRoundingAreNamed) {
     all.readings[0].resolution = {0, 0.01};  // rounding makes errors of 0.0029
     Measurements fine = all;
     pool_replicates(all);
-    expect_told(all.notes);
+    expect_told(texts(all.notes()));
     EXPECT_GE(all.readings[0].covariance(1, 1), 1e-4 / 12);
     fine.readings[0].resolution = {0, 0.001};
     pool_replicates(fine);
-    EXPECT_EQ(fine.notes.size(), all.notes.size() - 1);
+    EXPECT_EQ(fine.notes().size(), all.notes().size() - 1);
 }
 
 TEST(Replicates, TellHowWellTheirMeanSquareIsKnown) {
@@ -385,7 +385,7 @@ TEST(Replicates, TellHowWellTheirMeanSquareIsKnown) {
     for (const Reading& each : all.readings) {
         EXPECT_EQ(each.scatter_freedom(0), 1);
     }
-    expect_told(all.notes);
+    expect_told(texts(all.notes()));
 
     // Errors that were stated and explain the scatter are known, and nothing is widened.
     for (Reading& one : stated_errors.readings)
@@ -395,7 +395,7 @@ TEST(Replicates, TellHowWellTheirMeanSquareIsKnown) {
         EXPECT_TRUE(std::isinf(each.scatter_freedom(0)));
         EXPECT_EQ(each.widened_by(0, 0), 0);
     }
-    EXPECT_THAT(stated_errors.notes, testing::IsEmpty());
+    EXPECT_THAT(stated_errors.notes(), testing::IsEmpty());
 }
 
 TEST(Replicates, RefuteStatedErrorsOnlyWhereTheyScatterSignificantlyMore) {

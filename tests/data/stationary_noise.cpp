@@ -5,11 +5,10 @@
 
 namespace pendular::data_stationary_noise_test {
 
-using Kind = RecordingFinding::Kind;
+using Kind = Remark::Kind;
 
-bool any_of_kind(const std::vector<RecordingFinding>& findings, Kind kind) {
-    return std::ranges::any_of(findings,
-                               [&](const RecordingFinding& each) { return each.kind == kind; });
+bool any_of_kind(const std::vector<Remark>& findings, Kind kind) {
+    return std::ranges::any_of(findings, [&](const Remark& each) { return each.kind == kind; });
 }
 
 // 12 studies of each of 16 noises with 5 % of false alarms would give more than 18 findings with a

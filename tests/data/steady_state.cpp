@@ -72,7 +72,7 @@ TEST(ReduceRecording, GivesTheStateOfASteadyRecording) {
     // sampled before the end.
     EXPECT_NEAR(reading.condition.time, 0.1 * 299 - reading.sampled_seconds / 2, 1e-9);
     EXPECT_FALSE(reading.error_assumed);
-    EXPECT_THAT(found.notes, IsEmpty());
+    EXPECT_THAT(found.notes(), IsEmpty());
 }
 
 TEST(ReduceRecording, LetsStepsWhoseTimeRestartsFollowOneAnother) {
@@ -154,11 +154,12 @@ TEST(ReduceRecording, CutsTheTransientAndListsIt) {
         recording.height[i] *= 1 + 0.05 * std::exp(-static_cast<double>(i) / 10);
     const Measurements found = reduce(recording);
     ASSERT_EQ(found.readings.size(), 1u);
-    ASSERT_EQ(found.excluded.size(), 1u);
-    EXPECT_EQ(to_string(found.excluded[0].origin), "r.csv:2");
-    EXPECT_GT(found.excluded[0].last_line, 20);  // exp(-20/10) 5 % is still seven noises
-    EXPECT_EQ(found.excluded[0].last_line + 1, found.readings[0].origin.line);
-    expect_told({found.excluded[0].reason});
+    ASSERT_EQ(found.left_out().size(), 1u);
+    EXPECT_EQ(found.left_out()[0].file(), "r.csv");
+    EXPECT_EQ(found.left_out()[0].first_line(), 2);
+    EXPECT_GT(found.left_out()[0].last_line(), 20);  // exp(-20/10) 5 % is still seven noises
+    EXPECT_EQ(found.left_out()[0].last_line() + 1, found.readings[0].origin.line);
+    expect_told({text_of(found.left_out()[0])});
     EXPECT_NEAR(found.readings[0].value(1), solid_fraction(0.004, cell), 5e-4);
 }
 
@@ -168,10 +169,10 @@ TEST(ReduceRecording, LeavesOutAStepThatNeverSettles) {
         recording.torque[i] *= 1 + 0.001 * static_cast<double>(i);
     const Measurements found = reduce(recording);
     EXPECT_THAT(found.readings, IsEmpty());
-    ASSERT_EQ(found.excluded.size(), 1u);
-    EXPECT_EQ(found.excluded[0].origin.line, 2);
-    EXPECT_EQ(found.excluded[0].last_line, 301);
-    expect_told({found.excluded[0].reason});
+    ASSERT_EQ(found.left_out().size(), 1u);
+    EXPECT_EQ(found.left_out()[0].first_line(), 2);
+    EXPECT_EQ(found.left_out()[0].last_line(), 301);
+    expect_told({text_of(found.left_out()[0])});
 }
 
 TEST(ReduceRecording, KeepsAStepWhoseGapCreepsByLessThanATenthOfAPercent) {
@@ -184,13 +185,13 @@ TEST(ReduceRecording, KeepsAStepWhoseGapCreepsByLessThanATenthOfAPercent) {
 TEST(ReduceRecording, LeavesOutStepsOfTooFewRows) {
     const Measurements found = reduce(record({.rows = 19}));
     EXPECT_THAT(found.readings, IsEmpty());
-    expect_told({found.excluded.at(0).reason});
+    expect_told({text_of(found.left_out().at(0))});
 }
 
 TEST(ReduceRecording, LeavesOutWhatIsNoShear) {
-    expect_told({reduce(record({.speed = 0})).excluded.at(0).reason,
-                 reduce(record({.force = -5})).excluded.at(0).reason,
-                 reduce(record({.torque_noise = 50})).excluded.at(0).reason});
+    expect_told({text_of(reduce(record({.speed = 0})).left_out().at(0)),
+                 text_of(reduce(record({.force = -5})).left_out().at(0)),
+                 text_of(reduce(record({.torque_noise = 50})).left_out().at(0))});
 }
 
 /// Reason given for a recording of 0.07 strains, shaped by a function of the way through it.
@@ -200,7 +201,7 @@ std::string short_recording(const std::function<void(Recording&, std::size_t, do
         shape(recording, i, static_cast<double>(i) / 300);
     const Measurements found = reduce(recording);
     EXPECT_THAT(found.readings, IsEmpty());
-    return found.excluded.at(0).reason;
+    return text_of(found.left_out().at(0));
 }
 
 TEST(ReduceRecording, LeavesOutStepsOfLessThanAStrainAndSaysWhatTheyLookLike) {
@@ -249,8 +250,8 @@ TEST(ReduceRecording, FlipsAWhollyNegativeTorqueWithANote) {
         torque = -torque;
     const Measurements found = reduce(recording);
     EXPECT_DOUBLE_EQ(found.readings.at(0).value(0), expected.value(0));
-    ASSERT_EQ(found.notes.size(), 1u);
-    expect_told({found.notes[0]});
+    ASSERT_EQ(found.notes().size(), 1u);
+    expect_told({text_of(found.notes()[0])});
 }
 
 TEST(ReduceRecording, RefusesATorqueOfBothSigns) {
@@ -272,7 +273,7 @@ TEST(ReduceRecording, LetsTheTorqueRelaxThroughZeroWhileTheLidRests) {
     Recording recording = record({.speed = 0});
     for (std::size_t i = 0; i < recording.size(); ++i)
         recording.torque[i] *= i < 200 ? 1 : -0.1;
-    expect_told({reduce(recording).excluded.at(0).reason});
+    expect_told({text_of(reduce(recording).left_out().at(0))});
 }
 
 TEST(ReduceRecording, TakesNoiseAroundZeroForNoise) {
@@ -295,7 +296,7 @@ TEST(ReduceRecording, EvensOutUnevenSampling) {
     const Measurements found = reduce(recording);
     EXPECT_NEAR(found.readings.at(0).value(0), 1.01 * shear_stress(0.03, cell),
                 0.0015 * shear_stress(0.03, cell));
-    expect_told({found.notes.at(0)});
+    expect_told({text_of(found.notes().at(0))});
 }
 
 }  // namespace pendular::data_steady_state_test

@@ -7,7 +7,7 @@
 
 namespace pendular::long_stationary_noise_test {
 
-using Kind = RecordingFinding::Kind;
+using Kind = Remark::Kind;
 using Fault = std::function<void(RowOfStep, int, int)>;
 
 constexpr int studies = 400;
@@ -20,7 +20,7 @@ int found_in(const StationaryNoise& noise, int files, std::uint64_t first, const
         const auto findings =
             findings_in_noise(files, first + static_cast<std::uint64_t>(study), noise, 450, fault);
         count += std::ranges::any_of(
-            findings, [&](const RecordingFinding& each) { return !kind || each.kind == *kind; });
+            findings, [&](const Remark& each) { return !kind || each.kind == *kind; });
     }
     return count;
 }

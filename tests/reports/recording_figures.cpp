@@ -129,13 +129,13 @@ TEST(RecordingFigure, ShowsTheRowsOfReadings) {
 
 TEST(RecordingFigure, ShowsStepsThatNeverBecameSteadyButNoRunIn) {
     const FileView view = view_of_file(cell_file);
-    const auto rows = [&](std::size_t from, std::size_t to, Excluded::Kind kind) {
-        return Excluded{
-            {view.file.file, view.series[0].line[from], 0}, view.series[0].line[to], "why", kind};
+    const auto rows = [&](std::size_t from, std::size_t to, Remark::Kind kind) {
+        return Remark{.kind = kind,
+                      .files = {view.file.file},
+                      .lines = {{view.series[0].line[from], view.series[0].line[to]}}};
     };
     const Figure figure = recording_figure(
-        view, {},
-        {rows(0, 3, Excluded::Kind::rows), rows(4, 13, Excluded::Kind::step_without_plateau)});
+        view, {}, {rows(0, 3, Remark::Kind::spike), rows(4, 13, Remark::Kind::never_steady)});
     EXPECT_EQ(count_named(figure.panels[0], "averaged"), 0u);
     EXPECT_THAT(curve_named(figure.panels[0], "averaged, no plateau").x,
                 testing::ElementsAre(5, 14));
@@ -145,7 +145,7 @@ TEST(RecordingFigure, OfAStudyShowsEachReadingAndNoTransient) {
     const StudyInput input = read_input(PENDULAR_SOURCE_DIR "/examples/hidden-effect");
     const auto path = std::filesystem::path(input.measurements.readings[0].origin.file);
     const Figure figure = recording_figure(view_of_file(path), input.measurements.readings,
-                                           input.measurements.excluded);
+                                           input.measurements.left_out());
     ASSERT_EQ(figure.panels.size(), 2u);
     for (const Panel& panel : figure.panels) {
         EXPECT_EQ(count_named(panel, "averaged"), 6u);  // three normal stresses, two speeds
@@ -175,7 +175,7 @@ TEST(PageRecordings, HoldEachReadingOfAStudy) {
     const Measurements& measurements = input.measurements;
     const auto path = std::filesystem::path(measurements.readings[7].origin.file);
     const PageRecording recording =
-        page_recording(view_of_file(path), measurements.readings, measurements.excluded, 400);
+        page_recording(view_of_file(path), measurements.readings, measurements.left_out(), 400);
     const auto json = recordings_json({recording}, measurements.readings);
     ASSERT_EQ(json.size(), 1u);
     EXPECT_EQ(json[0]["name"], path.filename().string());

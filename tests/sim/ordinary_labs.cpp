@@ -48,8 +48,8 @@ TEST(OrdinaryLabs, SeldomShowMoreThanTheirMeans) {
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         const Measurements m =
             study_of(seed, {.noise = seed % 2 ? 1.0 : 3.0, .drift = seed % 3 ? 0.0 : 1.0}, 1);
-        alarms += !m.findings.empty();
-        for (const std::string& line : sentences(m.findings))
+        alarms += !m.faults(true).empty();
+        for (const std::string& line : sentences(m.faults(true)))
             fmt::print("study {}: {}\n", seed, line);
     }
     EXPECT_LE(alarms, 5);
@@ -57,9 +57,9 @@ TEST(OrdinaryLabs, SeldomShowMoreThanTheirMeans) {
 
 TEST(OrdinaryLabs, ShowAStepBetweenRecordings) {
     const Measurements m = study_of(5, {}, 1.1);
-    ASSERT_EQ(m.findings.size(), 1u);
-    EXPECT_EQ(m.findings[0].kind, RecordingFinding::Kind::level_change);
-    EXPECT_NEAR(m.findings[0].relative, 0.1, 0.02);
+    ASSERT_EQ(m.faults(true).size(), 1u);
+    EXPECT_EQ(m.faults(true)[0].kind, Remark::Kind::level_change);
+    EXPECT_NEAR(m.faults(true)[0].relative, 0.1, 0.02);
 }
 
 }  // namespace sim_ordinary_labs_test

@@ -115,9 +115,9 @@ TEST(VirtualRecording, StartsWithATransientThatImportLeavesOut) {
               1.1 * steady_torque);
     EXPECT_LT(recording.height.front(), 0.985 * steady_height);
     const Measurements found = imported(recording);
-    ASSERT_EQ(found.excluded.size(), 1u);
+    ASSERT_EQ(found.left_out().size(), 1u);
     // 20 rows to a unit of strain: what is left out is a strain of a quarter at least, 2 at most.
-    const int rows = found.excluded[0].last_line - found.excluded[0].origin.line + 1;
+    const int rows = found.left_out()[0].last_line() - found.left_out()[0].first_line() + 1;
     EXPECT_GE(rows, 5);
     EXPECT_LE(rows, 40);
 }

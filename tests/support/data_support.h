@@ -16,6 +16,7 @@
 
 #include "data/input_error.h"
 #include "data/reading.h"
+#include "data/remarks/wording.h"
 
 namespace pendular {
 
@@ -93,14 +94,22 @@ inline std::string input_error(const std::function<void()>& action) {
     return "";
 }
 
+/// Returns remarks in the words of the user.
+inline std::vector<std::string> texts(const std::vector<Remark>& remarks) {
+    std::vector<std::string> result;
+    for (const Remark& remark : remarks)
+        result.push_back(text_of(remark));
+    return result;
+}
+
 /// Returns what a study tells of its measurements: what was left out and why, doubts and notes.
 inline std::vector<std::string> told_of(const Measurements& all) {
     std::vector<std::string> told;
-    for (const Excluded& each : all.excluded)
-        told.push_back(to_string(each.origin) + ": " + each.reason);
-    for (const Doubt& each : all.doubts)
-        told.push_back(each.what);
-    told.insert(told.end(), all.notes.begin(), all.notes.end());
+    for (const Remark& each : all.left_out())
+        told.push_back(to_string(Position{each.file(), each.first_line()}) + ": " + text_of(each));
+    for (const auto& said : {all.doubts(), all.notes()})
+        for (const std::string& text : texts(said))
+            told.push_back(text);
     return told;
 }
 

@@ -40,8 +40,8 @@ inline int alarms(int studies, int files, const OrdinaryNoise& noise, std::uint6
     int count = 0;
     for (int k = 0; k < studies; ++k) {
         const Measurements m = study_of(files, first + static_cast<std::uint64_t>(k), noise);
-        count += !m.findings.empty();
-        for (const std::string& line : sentences(m.findings))
+        count += !m.faults(true).empty();
+        for (const std::string& line : sentences(m.faults(true)))
             fmt::print("study {}: {}\n", k, line);
     }
     return count;

@@ -167,12 +167,12 @@ inline Recording stationary_recording(const std::string& file, std::uint64_t see
 
 /// Findings of all kinds in a study of simulated recordings.
 /// @param spoil changes rows of the recordings: step and file are counted from 0; may be empty
-inline std::vector<RecordingFinding> findings_in_noise(
+inline std::vector<Remark> findings_in_noise(
     int files, std::uint64_t seed, const StationaryNoise& noise, std::size_t rows = 450,
     const std::function<void(RowOfStep, int step, int file)>& spoil = {}) {
     InsideRecordings inside;
     std::vector<Reading> readings;
-    std::vector<RecordingFinding> found;
+    std::vector<Remark> found;
     RunClock clock;
     for (int file = 0; file < files; ++file) {
         const Spoil own = [&](RowOfStep row, int step) {
@@ -182,10 +182,7 @@ inline std::vector<RecordingFinding> findings_in_noise(
             stationary_recording("run_" + std::to_string(file + 1) + ".csv",
                                  1000 * seed + static_cast<std::uint64_t>(file), noise, rows, own);
         const std::vector<RecordedStep> steps = recorded_steps(recording);
-        for (const Saturation& each : saturations(recording, steps))
-            found.push_back({.kind = RecordingFinding::Kind::saturation,
-                             .quantity = each.quantity,
-                             .files = {recording.file}});
+        append(found, saturations(recording, steps));
         const ImportSettings import;
         inside.look_at(recording.file, steps, ordinary_cell, import.least_strain);
         const Measurements part = reduce_steps(

@@ -179,7 +179,7 @@ void add_row(BlockFile& file, Block& block, Row row) {
     }
     check_cell_count(file.counts.cells += columns, file.file, row.line);
     if (is_cut(block, row)) {
-        skip_line(file, row.line, "cut short: it has fewer cells than the row before");
+        skip_line(file, row.line, Remark::Kind::cut_short);
         return;
     }
     row.cells.resize(columns);
@@ -188,11 +188,18 @@ void add_row(BlockFile& file, Block& block, Row row) {
     block.table.rows.push_back(std::move(row));
 }
 
-void skip_line(BlockFile& file, int line, const char* reason, bool points) {
-    const bool follows = !file.skipped.empty() && file.skipped.back().reason == reason &&
-                         file.skipped.back().last_line + 1 == line;
-    if (!follows) file.skipped.push_back({line, line, reason, points});
-    file.skipped.back().last_line = line;
+void leave_out(std::vector<Remark>& list, Remark rows) {
+    const bool follows = !list.empty() && list.back().kind == rows.kind &&
+                         list.back().names == rows.names && list.back().quantity == rows.quantity &&
+                         list.back().last_line() + 1 == rows.first_line();
+    if (follows)
+        list.back().lines.front().last = rows.last_line();
+    else
+        list.push_back(std::move(rows));
+}
+
+void skip_line(BlockFile& file, int line, Remark::Kind reason) {
+    leave_out(file.skipped, {.kind = reason, .files = {file.file}, .lines = {{line, line}}});
 }
 
 }  // namespace pendular

@@ -10,6 +10,7 @@
 
 #include "data/files/csv.h"
 #include "data/files/formats/number_style.h"
+#include "data/remarks/remark.h"
 
 namespace pendular {
 
@@ -45,13 +46,6 @@ struct Block {
     Table table;
 };
 
-/// Rows of a file that were left out while the file was read, with the reason.
-struct SkippedRows {
-    int first_line = 0, last_line = 0;
-    std::string reason;
-    bool points = true;  ///< whether `Block::declared_rows` includes them
-};
-
 /// Intervals and table cells read from a file so far. They are limited so that reading a small file
 /// cannot use much memory.
 struct FileCounts {
@@ -71,9 +65,9 @@ struct BlockFile {
     std::string encoding;
     char delimiter = ',';
     NumberStyle numbers;
-    std::vector<Fact> facts;           ///< each key once; upper and lower case count as equal
-    std::vector<Block> blocks;         ///< in the order of the file
-    std::vector<SkippedRows> skipped;  ///< in the order of reading
+    std::vector<Fact> facts;      ///< each key once; upper and lower case count as equal
+    std::vector<Block> blocks;    ///< in the order of the file
+    std::vector<Remark> skipped;  ///< rows that were not read, in the order of reading
     FileCounts counts;
     std::set<std::string> known_keys;  ///< keys of `facts`, in lower case
 
@@ -126,11 +120,12 @@ void set_columns(BlockFile& file, Block& block, Row header, const std::vector<st
 ///         `most_cells` cells
 void add_row(BlockFile& file, Block& block, Row row);
 
-/// Adds a line to `file.skipped`, or to its last entry if that ends with the preceding line and has
-/// the same reason.
-/// @param reason text for the user
-/// @param points whether `Block::declared_rows` includes the line
-void skip_line(BlockFile& file, int line, const char* reason, bool points = true);
+/// Adds lines that are not read to a list, or to its last entry if that ends with the preceding
+/// line and has the same reason.
+void leave_out(std::vector<Remark>& list, Remark rows);
+
+/// Adds a line to `file.skipped`.
+void skip_line(BlockFile& file, int line, Remark::Kind reason);
 
 /// Adds an interval with its number of columns to `file.counts`.
 /// @param line line at which the interval begins

@@ -78,4 +78,13 @@ BlockFile read_blocks(const std::filesystem::path& path, const FileFormat& forma
     return file;
 }
 
+std::string stated_role(const Block& block, const FileFormat& format) {
+    for (const auto& [role, intervals] : format.roles)
+        for (const std::string& interval : intervals)
+            if (interval == std::to_string(block.number) || interval == block.name ||
+                interval == block.test)
+                return role;
+    return "";
+}
+
 }  // namespace pendular

@@ -48,4 +48,8 @@ Layout transposed_layout();
 Layout headerless_layout();
 Layout plain_layout();
 
+/// Returns the role that the user states for an interval by its number, its name or the name of its
+/// test; empty if there is none.
+std::string stated_role(const Block& block, const FileFormat& format);
+
 }  // namespace pendular

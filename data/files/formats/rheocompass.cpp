@@ -56,8 +56,7 @@ class RheoCompassReader {
                 if (cells.size() == 2 && cells[0].ends_with(':')) add_fact(cells);
                 // Values whose interval has ended, by a blank line within it for example.
                 if (!file_.blocks.empty() && !cells.empty() && cells[0].empty())
-                    skip_line(file_, static_cast<int>(line_) + 1, "after the end of an interval",
-                              false);
+                    skip_line(file_, static_cast<int>(line_) + 1, Remark::Kind::after_interval);
                 ++line_;
             }
         }
@@ -153,7 +152,7 @@ class RheoCompassReader {
             row.cells.size() > 1 && row.cells[1].text.find('(') != std::string::npos;
         if (!empty && !marked) return add_row(file_, block, row);
         skip_line(file_, row.line,
-                  marked ? "marked as invalid by the instrument" : "without values");
+                  marked ? Remark::Kind::marked_invalid : Remark::Kind::without_values);
     }
 
     const SourceLines& source_;

@@ -63,7 +63,7 @@ void read_side(const std::vector<Row>& rows, std::size_t begin, std::size_t end,
         if (segment == 0) {
             // Each table looks at all rows.
             check_cell_count(++file.counts.cells, file.file, row.line);
-            if (!is_blank(row)) skip_line(file, row.line, "without segment and point, as 2|15");
+            if (!is_blank(row)) skip_line(file, row.line, Remark::Kind::without_segment);
             continue;
         }
         const std::string test = side == 0 ? "" : "table " + std::to_string(side);

@@ -70,7 +70,7 @@ class StackedReader {
             const bool counts_on = counter && number == point + 1;
             if (names.size() > 2 && !counts_on && states_interval(row)) continue;
             if (counter && row.cells[0].text.empty()) {
-                skip_line(file_, row.line, "without a point number", false);
+                skip_line(file_, row.line, Remark::Kind::without_point_number);
                 continue;
             }
             const bool restarts = counter && number && *number <= point;

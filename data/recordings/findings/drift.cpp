@@ -129,16 +129,15 @@ std::vector<StepTrend> step_trends(const std::string& file,
     return result;
 }
 
-std::vector<RecordingFinding> run_in_tests(const std::string& file,
-                                           const std::vector<RecordedStep>& steps) {
-    std::vector<RecordingFinding> tests;
+std::vector<Remark> run_in_tests(const std::string& file, const std::vector<RecordedStep>& steps) {
+    std::vector<Remark> tests;
     for (const StepTrend& trend : step_trends(file, steps)) {
         const Course& c = trend.course;
         const double distance = c.distance_at_end();
         const bool bends = std::abs(c.bend) > clear_bend * c.bend_error && distance > 0;
         const bool far = distance > least_distance * std::abs(c.mean);
         tests.push_back(
-            {.kind = RecordingFinding::Kind::unfinished_run_in,
+            {.kind = Remark::Kind::unfinished_run_in,
              .quantity = trend.quantity,
              .files = {file},
              .step = trend.step,
@@ -149,14 +148,14 @@ std::vector<RecordingFinding> run_in_tests(const std::string& file,
     return tests;
 }
 
-std::vector<RecordingFinding> drift_tests(const std::vector<StepTrend>& trends,
-                                          const std::vector<RecordingFinding>& unfinished) {
-    std::vector<RecordingFinding> tests;
+std::vector<Remark> drift_tests(const std::vector<StepTrend>& trends,
+                                const std::vector<Remark>& unfinished) {
+    std::vector<Remark> tests;
     for (const LevelColumn& column : level_columns) {
         std::vector<const StepTrend*> chosen;
-        RecordingFinding test{.kind = RecordingFinding::Kind::drift, .quantity = column.quantity};
+        Remark test{.kind = Remark::Kind::drift, .quantity = column.quantity};
         for (const StepTrend& trend : trends) {
-            const bool runs_in = std::ranges::any_of(unfinished, [&](const RecordingFinding& each) {
+            const bool runs_in = std::ranges::any_of(unfinished, [&](const Remark& each) {
                 return each.files.front() == trend.file && each.step == trend.step;
             });
             if (trend.quantity != column.quantity || runs_in) continue;

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "data/recordings/findings/finding.h"
 #include "data/recordings/findings/recorded_step.h"
+#include "data/remarks/remark.h"
 
 namespace pendular {
 
@@ -33,8 +33,7 @@ std::optional<Course> course_of(std::span<const double> samples);
 /// Tests for each step whether torque or gap still approaches a steady value at its end, by the
 /// change over its second half. Returns one entry for each test, significant or not. The p value is
 /// 1 if the trend does not clearly bend towards a constant value, or ends less than 0.5 % from it.
-std::vector<RecordingFinding> run_in_tests(const std::string& file,
-                                           const std::vector<RecordedStep>& steps);
+std::vector<Remark> run_in_tests(const std::string& file, const std::vector<RecordedStep>& steps);
 
 /// Trend of torque or gap over the second half of one step.
 struct StepTrend {
@@ -53,7 +52,7 @@ std::vector<StepTrend> step_trends(const std::string& file, const std::vector<Re
 /// most one test for each column, none for fewer than three steps. The p value is 1 if fewer than
 /// three quarters of the steps change in the direction of the mean.
 /// @param unfinished findings of `run_in_tests`, whose steps are left out
-std::vector<RecordingFinding> drift_tests(const std::vector<StepTrend>& trends,
-                                          const std::vector<RecordingFinding>& unfinished);
+std::vector<Remark> drift_tests(const std::vector<StepTrend>& trends,
+                                const std::vector<Remark>& unfinished);
 
 }  // namespace pendular

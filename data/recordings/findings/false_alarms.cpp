@@ -7,9 +7,9 @@
 
 namespace pendular {
 
-std::vector<RecordingFinding> significant_findings(std::vector<RecordingFinding> tested) {
+std::vector<Remark> significant_findings(std::vector<Remark> tested) {
     std::vector<double> p;
-    for (const RecordingFinding& each : tested)
+    for (const Remark& each : tested)
         p.push_back(each.p);
     std::ranges::sort(p);
     double limit = -1;
@@ -18,7 +18,7 @@ std::vector<RecordingFinding> significant_findings(std::vector<RecordingFinding>
             finding_significance * static_cast<double>(k + 1) / static_cast<double>(p.size());
         if (p[k] <= allowed) limit = p[k];
     }
-    std::erase_if(tested, [&](const RecordingFinding& each) { return each.p > limit; });
+    std::erase_if(tested, [&](const Remark& each) { return each.p > limit; });
     return tested;
 }
 

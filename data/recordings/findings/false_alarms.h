@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "data/recordings/findings/finding.h"
+#include "data/remarks/remark.h"
 
 namespace pendular {
 
@@ -16,7 +16,7 @@ constexpr double finding_significance = 0.005;
 /// alpha k/N, alpha = `finding_significance`. If the recordings have no fault, at least one finding
 /// is significant with the probability alpha.
 /// Source: Benjamini and Hochberg, J. R. Stat. Soc. B 57 (1995) 289.
-std::vector<RecordingFinding> significant_findings(std::vector<RecordingFinding> tested);
+std::vector<Remark> significant_findings(std::vector<Remark> tested);
 
 /// Returns the probability [1] that Student's t is farther from zero than z, an estimate over its
 /// standard error of `freedom` degrees of freedom (fewer than 1 count as 1); 1 if z is not a

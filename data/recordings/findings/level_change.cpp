@@ -201,14 +201,13 @@ bool is_offset(const FileComparison& files, const Eigen::VectorXd& change,
 /// Most significant step between the recordings in one column; p 1 for none.
 /// @param values logarithm of the quantity that is constant at repeated conditions, by reading
 /// @param column value of the column at each reading, in its SI unit
-RecordingFinding strongest_step(const FileComparison& files, const Eigen::VectorXd& values,
-                                const Eigen::VectorXd& column) {
+Remark strongest_step(const FileComparison& files, const Eigen::VectorXd& values,
+                      const Eigen::VectorXd& column) {
     const Eigen::VectorXd reduced = files.reduced(values);
     const Eigen::VectorXd order = Eigen::VectorXd::LinSpaced(files.count(), -1, 1);
     const double steady_trend =
         origin_line(files.reduced(files.of_files(order)), reduced, files.freedom).squares;
-    RecordingFinding best{.kind = RecordingFinding::Kind::level_change,
-                          .count = files.files.size()};
+    Remark best{.kind = Remark::Kind::level_change, .count = files.files.size()};
     OriginLine line;
     Eigen::Index first = 0;
     int tested = 0;
@@ -249,8 +248,8 @@ Eigen::VectorXd of_each(const std::vector<Reading>& readings, const Function& fu
 
 }  // namespace
 
-std::vector<RecordingFinding> level_change_tests(const std::vector<Reading>& readings,
-                                                 const AnnularCell& cell) {
+std::vector<Remark> level_change_tests(const std::vector<Reading>& readings,
+                                       const AnnularCell& cell) {
     std::vector<Reading> compared = repeated_readings(readings);
     FileComparison files = by_repetition(compared);
     if (files.freedom < least_freedom) {
@@ -266,8 +265,8 @@ std::vector<RecordingFinding> level_change_tests(const std::vector<Reading>& rea
         of_each(compared, [&](const Reading& r) { return torque(r.value(0), cell); });
     const Eigen::VectorXd gaps =
         of_each(compared, [&](const Reading& r) { return height(r.value(1), cell); });
-    std::vector<RecordingFinding> tests = {strongest_step(files, ratios.array().log(), torques),
-                                           strongest_step(files, gaps.array().log(), gaps)};
+    std::vector<Remark> tests = {strongest_step(files, ratios.array().log(), torques),
+                                 strongest_step(files, gaps.array().log(), gaps)};
     tests[0].quantity = "torque";
     tests[1].quantity = "height";
     return tests;

@@ -16,7 +16,7 @@ namespace pendular {
 /// takes the place of the mean at each condition:
 ///     a + b ln s22 + c (ln s22)^2 + d ln I
 /// @param readings from recordings, not from tables
-std::vector<RecordingFinding> level_change_tests(const std::vector<Reading>& readings,
-                                                 const AnnularCell& cell);
+std::vector<Remark> level_change_tests(const std::vector<Reading>& readings,
+                                       const AnnularCell& cell);
 
 }  // namespace pendular

@@ -9,7 +9,7 @@
 namespace pendular {
 namespace {
 
-void add(std::vector<RecordingFinding>& to, const std::vector<RecordingFinding>& more) {
+void add(std::vector<Remark>& to, const std::vector<Remark>& more) {
     to.insert(to.end(), more.begin(), more.end());
 }
 
@@ -27,11 +27,10 @@ void InsideRecordings::look_at(const std::string& file, std::vector<RecordedStep
     trends_.insert(trends_.end(), trends.begin(), trends.end());
 }
 
-std::vector<RecordingFinding> InsideRecordings::findings(
-    const std::vector<Reading>& from_recordings, const AnnularCell& cell) const {
-    const std::vector<RecordingFinding> run_ins = significant_findings(run_ins_);
-    std::vector<RecordingFinding> found =
-        significant_findings(level_change_tests(from_recordings, cell));
+std::vector<Remark> InsideRecordings::findings(const std::vector<Reading>& from_recordings,
+                                               const AnnularCell& cell) const {
+    const std::vector<Remark> run_ins = significant_findings(run_ins_);
+    std::vector<Remark> found = significant_findings(level_change_tests(from_recordings, cell));
     add(found, significant_findings(wobbles_));
     add(found, significant_findings(slips_));
     add(found, significant_findings(drift_tests(trends_, run_ins)));

@@ -6,8 +6,8 @@
 #include "data/annular_cell.h"
 #include "data/reading.h"
 #include "data/recordings/findings/drift.h"
-#include "data/recordings/findings/finding.h"
 #include "data/recordings/findings/recorded_step.h"
+#include "data/remarks/remark.h"
 
 namespace pendular {
 
@@ -23,11 +23,11 @@ class InsideRecordings {
                  double least_strain);
     /// Returns the `significant_findings`, grouped by kind.
     /// @param from_recordings readings of the study that were made from recordings
-    std::vector<RecordingFinding> findings(const std::vector<Reading>& from_recordings,
-                                           const AnnularCell& cell) const;
+    std::vector<Remark> findings(const std::vector<Reading>& from_recordings,
+                                 const AnnularCell& cell) const;
 
   private:
-    std::vector<RecordingFinding> wobbles_, slips_, run_ins_;
+    std::vector<Remark> wobbles_, slips_, run_ins_;
     std::vector<StepTrend> trends_;
 };
 

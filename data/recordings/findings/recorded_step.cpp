@@ -14,7 +14,7 @@ std::vector<RecordedStep> recorded_steps(const Recording& recording) {
         step.spikes = take_out_spikes(step.series);
         step.lid_turns = turns(mean_of_correlated(step.series.angular_velocity));
         if (step.series.size() >= shortest_step && step.lid_turns)
-            step.steady = end_of_transient(step.series, step.why_unsteady);
+            step.steady = end_of_transient(step.series, step.unsteady);
         if (const auto part = level_part(step)) {
             step.periodic = periodic_columns(*part);
             if (step.steady) step.beyond_whole_turns = whole_turns_begin(*part, step.periodic);

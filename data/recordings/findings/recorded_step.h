@@ -17,10 +17,10 @@ struct RecordedStep {
     StepSeries series;                ///< spikes replaced by medians
     std::vector<std::size_t> spikes;  ///< indices of the data points that were spikes
     bool lid_turns = false;
-    /// Index of the first data point after the transient; empty if no part of the step is steady
-    /// (`why_unsteady`), or if no transient was searched for.
+    /// Index of the first data point after the transient; empty if no part of the step is steady,
+    /// or if no transient was searched for.
     std::optional<std::size_t> steady;
-    std::string why_unsteady = {};
+    std::string unsteady = {};  ///< column that never becomes steady; empty: torque and height
     std::vector<PeriodicColumn> periodic = {};  ///< of `level_part`, significant or not
     /// Number of data points at the beginning of the steady part that are not averaged, so that the
     /// mean covers whole turns of the lid and a wobble does not bias it.

@@ -1,23 +1,24 @@
 #include "data/recordings/findings/saturation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <set>
 
-#include "data/recordings/plausibility.h"
 #include "data/recordings/robust.h"
 
 namespace pendular {
 namespace {
+
+using Kind = Remark::Kind;
 
 constexpr double certain_saturation = 1e-4, band_share = 2e-4, clear_edge = 5;
 constexpr std::size_t least_below = 20, least_rows = 3;
 /// Limits of several steps at one torque: their agreement, and the growth of force between them
 /// [1].
 constexpr double equal_torques = 0.005, growing_force = 1.2;
-constexpr double spoilt_share = 0.01;
 
 /// Runs of neighbouring rows.
 std::vector<Step> runs_of(const std::vector<bool>& marked) {
@@ -93,9 +94,21 @@ double flatness_p(const TopRows& rows) {
     return std::pow((staying + 1) / (others + 2), flat);
 }
 
+Remark saturation_of(const Recording& recording, const std::string& quantity, double limit,
+                     double p, const std::set<int>& lines) {
+    Remark found{.kind = Kind::saturation,
+                 .quantity = quantity,
+                 .files = {recording.file},
+                 .size = limit,
+                 .p = p};
+    for (const int line : lines)
+        add_line(found.lines, line);
+    return found;
+}
+
 /// Saturation of the rows of a column at its largest value, if it is certain.
-std::optional<Saturation> at_largest(const Recording& recording, const std::string& quantity,
-                                     const std::vector<double>& column) {
+std::optional<Remark> at_largest(const Recording& recording, const std::string& quantity,
+                                 const std::vector<double>& column) {
     const TopRows rows(column);
     const auto count = std::ranges::count(rows.marked, true);
     if (rows.top == 0 || count < static_cast<std::ptrdiff_t>(least_rows) || !has_sharp_edges(rows))
@@ -104,10 +117,10 @@ std::optional<Saturation> at_largest(const Recording& recording, const std::stri
     const double p =
         quantity == "torque" ? 2 * std::min(crowding_p(rows), flatness_p(rows)) : crowding_p(rows);
     if (p >= certain_saturation) return std::nullopt;
-    Saturation found{.quantity = quantity, .limit = rows.top, .p = p};
+    std::set<int> lines;
     for (std::size_t k = 0; k < rows.marked.size(); ++k)
-        if (rows.marked[k]) found.lines.insert(recording.line[k]);
-    return found;
+        if (rows.marked[k]) lines.insert(recording.line[k]);
+    return saturation_of(recording, quantity, rows.top, p, lines);
 }
 
 /// Step with the medians of its columns, as magnitudes.
@@ -117,7 +130,8 @@ struct StepLevels {
 };
 
 /// Saturation of whole steps: torques of the steps with the largest forces that do not grow.
-std::optional<Saturation> in_several_steps(const std::vector<RecordedStep>& steps) {
+std::optional<Remark> in_several_steps(const Recording& recording,
+                                       const std::vector<RecordedStep>& steps) {
     std::vector<StepLevels> levels;
     for (const RecordedStep& step : steps)
         if (const auto part = level_part(step))
@@ -133,101 +147,82 @@ std::optional<Saturation> in_several_steps(const std::vector<RecordedStep>& step
     // force.
     const double p =
         std::pow(equal_torques / std::log(growing_force), static_cast<double>(count - 1));
-    Saturation found{.quantity = "torque", .limit = levels[0].torque, .p = p};
+    std::set<int> lines;
     for (std::size_t k = 0; k < count; ++k)
-        found.lines.insert(levels[k].step->series.line.begin(), levels[k].step->series.line.end());
-    return found;
-}
-
-/// Number of lines of a set from `first` to `last`.
-std::ptrdiff_t lines_within(const std::set<int>& lines, int first, int last) {
-    return std::distance(lines.lower_bound(first), lines.upper_bound(last));
-}
-
-std::string limit_text(const std::string& quantity, double limit) {
-    return quantity == "torque"
-               ? fmt::format("torque stands at its largest value, {:.4g} mN m", 1e3 * limit)
-               : fmt::format("normal force stands at its largest value, {:.4g} N", limit);
+        lines.insert(levels[k].step->series.line.begin(), levels[k].step->series.line.end());
+    return saturation_of(recording, "torque", levels[0].torque, p, lines);
 }
 
 }  // namespace
 
-std::vector<Saturation> saturations(const Recording& recording,
-                                    const std::vector<RecordedStep>& steps) {
-    std::vector<Saturation> found;
+std::vector<Remark> saturations(const Recording& recording,
+                                const std::vector<RecordedStep>& steps) {
+    std::vector<Remark> found;
     auto torque = at_largest(recording, "torque", recording.torque);
-    if (!torque) torque = in_several_steps(steps);
+    if (!torque) torque = in_several_steps(recording, steps);
     if (torque) found.push_back(*std::move(torque));
     if (auto force = at_largest(recording, "normal_force", recording.normal_force))
         found.push_back(*std::move(force));
     return found;
 }
 
-void separate_from_spikes(const std::vector<Saturation>& saturated, const std::string& file,
-                          std::vector<RecordedStep>& steps, Measurements& result) {
+std::vector<Remark> saturated_steps(const std::vector<Remark>& saturations,
+                                    const Recording& recording,
+                                    const std::vector<RecordedStep>& steps) {
+    std::vector<Remark> found;
+    for (const Remark& each : saturations) {
+        const std::set<int> lines = all_lines(each.lines);
+        for (const RecordedStep& step : steps) {
+            const std::size_t rows = lines_within(lines, recording.line[step.rows.begin],
+                                                  recording.line[step.rows.end - 1]);
+            if (rows < least_rows) continue;
+            Remark& one = found.emplace_back(each);
+            one.lines.clear();
+            one.step = step.number;
+            one.relative =
+                static_cast<double>(rows) / static_cast<double>(step.rows.end - step.rows.begin);
+        }
+    }
+    return found;
+}
+
+std::vector<Remark> separate_from_spikes(const std::vector<Remark>& saturations,
+                                         const std::string& file,
+                                         std::vector<RecordedStep>& steps) {
+    std::vector<Remark> found;
+    std::vector<std::set<int>> lines;
+    for (const Remark& each : saturations)
+        lines.push_back(all_lines(each.lines));
     for (RecordedStep& step : steps) {
         std::erase_if(step.spikes, [&](std::size_t k) {
             const int line = step.series.line[k];
             const auto cause = std::ranges::find_if(
-                saturated, [&](const Saturation& each) { return each.lines.contains(line); });
-            if (cause == saturated.end()) return false;
-            result.excluded.push_back(
-                {{file, line, 0},
-                 line,
-                 "saturated: the " + limit_text(cause->quantity, cause->limit)});
+                lines, [&](const std::set<int>& each) { return each.contains(line); });
+            if (cause == lines.end()) return false;
+            const Remark& saturation = saturations[static_cast<std::size_t>(cause - lines.begin())];
+            found.push_back({.kind = Kind::saturated_row,
+                             .quantity = saturation.quantity,
+                             .files = {file},
+                             .lines = {{line, line}},
+                             .limit = saturation.size});
             return true;
         });
     }
+    return found;
 }
 
-void set_aside_saturated(const std::vector<Saturation>& saturated, const Recording& recording,
-                         const std::vector<RecordedStep>& steps, const ImportSettings& choice,
-                         Measurements& part) {
-    for (const Saturation& each : saturated) {
-        for (const RecordedStep& step : steps) {
-            const auto rows = lines_within(each.lines, recording.line[step.rows.begin],
-                                           recording.line[step.rows.end - 1]);
-            if (rows < static_cast<std::ptrdiff_t>(least_rows)) continue;
-            part.findings.push_back(
-                {.kind = RecordingFinding::Kind::saturation,
-                 .quantity = each.quantity,
-                 .files = {recording.file},
-                 .step = step.number,
-                 .size = each.limit,
-                 .relative = static_cast<double>(rows) /
-                             static_cast<double>(step.rows.end - step.rows.begin),
-                 .p = each.p,
-                 .corrected = !choice.keep_implausible});
-        }
-        if (choice.keep_implausible) continue;
-        std::erase_if(part.readings, [&](const Reading& reading) {
-            const auto rows = lines_within(each.lines, reading.origin.line, reading.last_line);
-            const int all = (reading.last_line - reading.origin.line) / recording.averaged_rows + 1;
-            if (static_cast<double>(rows) <= spoilt_share * all) return false;
-            part.excluded.push_back(left_out(
-                reading,
-                fmt::format("set aside: step {}: saturated: in {} of {} rows the {}", reading.step,
-                            rows, all, limit_text(each.quantity, each.limit))));
-            return true;
-        });
-    }
-}
-
-void doubt_saturated(Measurements& measurements, const ImportSettings& choice) {
+std::vector<Remark> saturated_columns(const std::vector<Remark>& found) {
+    std::vector<Remark> columns;
     for (const char* const quantity : {"torque", "normal_force"}) {
-        std::vector<RecordingFinding> found;
-        std::ranges::copy_if(
-            measurements.findings, std::back_inserter(found), [&](const RecordingFinding& each) {
-                return each.kind == RecordingFinding::Kind::saturation && each.quantity == quantity;
-            });
-        if (found.empty()) continue;
-        Doubt doubt{.what = sentences(found).front(),
-                    .quantity = quantity,
-                    .set_aside = !choice.keep_implausible};
-        for (const RecordingFinding& each : found)
-            doubt.origins.push_back({each.files.front(), 0, 0});
-        measurements.doubts.push_back(std::move(doubt));
+        Remark column{.kind = Kind::saturated_column, .quantity = quantity};
+        for (const Remark& each : found) {
+            if (each.kind != Kind::saturation || each.quantity != quantity) continue;
+            column.add({each.file(), 0, 0});
+            column.because.push_back(each);
+        }
+        if (!column.because.empty()) columns.push_back(std::move(column));
     }
+    return columns;
 }
 
 }  // namespace pendular

@@ -81,9 +81,9 @@ std::optional<Slips> slips(std::span<const double> samples, double resolution) {
     return best;
 }
 
-std::vector<RecordingFinding> stick_slip_tests(const std::string& file,
-                                               const std::vector<RecordedStep>& steps) {
-    std::vector<RecordingFinding> tests;
+std::vector<Remark> stick_slip_tests(const std::string& file,
+                                     const std::vector<RecordedStep>& steps) {
+    std::vector<Remark> tests;
     for (const RecordedStep& step : steps) {
         const auto part = level_part(step);
         if (!part) continue;
@@ -91,7 +91,7 @@ std::vector<RecordingFinding> stick_slip_tests(const std::string& file,
         if (!found) continue;
         const double seconds =
             (part->time.back() - part->time.front()) / static_cast<double>(part->size() - 1);
-        tests.push_back({.kind = RecordingFinding::Kind::stick_slip,
+        tests.push_back({.kind = Remark::Kind::stick_slip,
                          .quantity = "torque",
                          .files = {file},
                          .step = step.number,

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "data/recordings/findings/finding.h"
 #include "data/recordings/findings/recorded_step.h"
+#include "data/remarks/remark.h"
 
 namespace pendular {
 
@@ -28,7 +28,7 @@ std::optional<Slips> slips(std::span<const double> samples, double resolution);
 
 /// Tests the torque in the `level_part` of each step for stick-slip. Returns one entry for each
 /// test, significant or not.
-std::vector<RecordingFinding> stick_slip_tests(const std::string& file,
-                                               const std::vector<RecordedStep>& steps);
+std::vector<Remark> stick_slip_tests(const std::string& file,
+                                     const std::vector<RecordedStep>& steps);
 
 }  // namespace pendular

@@ -4,14 +4,13 @@
 
 namespace pendular {
 
-std::vector<RecordingFinding> wobble_tests(const std::string& file,
-                                           const std::vector<RecordedStep>& steps) {
-    std::vector<RecordingFinding> tests;
+std::vector<Remark> wobble_tests(const std::string& file, const std::vector<RecordedStep>& steps) {
+    std::vector<Remark> tests;
     for (const RecordedStep& step : steps) {
         for (const PeriodicColumn& column : step.periodic) {
             const double mean = std::abs(column.mean);
             for (const Harmonic& h : column.harmonics)
-                tests.push_back({.kind = RecordingFinding::Kind::wobble,
+                tests.push_back({.kind = Remark::Kind::wobble,
                                  .quantity = column.quantity,
                                  .files = {file},
                                  .step = step.number,
