@@ -42,7 +42,7 @@ double greatest_size(const std::vector<double>& values) {
 }
 
 const char* line_word(const std::vector<Lines>& lines) {
-    return lines.size() == 1 && lines[0].first == lines[0].second ? "Line" : "Lines";
+    return lines.size() == 1 && lines[0].first == lines[0].last ? "Line" : "Lines";
 }
 
 double degrees(double radians) {

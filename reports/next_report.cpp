@@ -9,7 +9,7 @@
 
 #include "analysis/diagnosis/study_evidence.h"
 #include "data/quantities/number.h"
-#include "data/study/set_point.h"
+#include "data/study/study.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
 #include "reports/joined.h"

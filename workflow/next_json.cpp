@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/diagnosis/study_evidence.h"
-#include "data/study/set_point.h"
+#include "data/study/study.h"
 #include "workflow/run_json.h"
 
 namespace pendular {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "data/files/printable.h"
-#include "data/study/allows_outside.h"
 #include "data/study/files.h"
+#include "data/study/study.h"
 #include "workflow/study_input.h"
 
 namespace pendular::app {

@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <cstring>
 
-#include "data/files/file_parts.h"
 #include "data/input_error.h"
 
 namespace pendular {

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 
 namespace pendular {
 
@@ -17,6 +19,14 @@ constexpr std::uintmax_t largest_settings = 1u << 20;
 /// @throws InputError if the file cannot be read, is no regular file, or is larger than `largest`
 ///         [bytes]
 std::string read_bytes(const std::filesystem::path& path, std::uintmax_t largest);
+
+/// Reads a regular file from beginning to end in parts of a few MB, and passes each part to `read`
+/// until `read` returns false.
+/// @param largest no part of a file larger than this is read [bytes]
+/// @return true if the end was reached; false if `read` returned false or the file is too large
+/// @throws InputError if the file cannot be read or is no regular file
+bool read_in_parts(const std::filesystem::path& path, std::uintmax_t largest,
+                   const std::function<bool(std::string_view)>& read);
 
 /// Whether a path is a symbolic link whose target is missing or outside of the link's folder.
 bool links_outside(const std::filesystem::path& path);

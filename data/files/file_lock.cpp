@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -69,12 +70,13 @@ std::string FileLock::holder() const {
     if (stat(file_.c_str(), &status) != 0) return "another process";
     // A line of /proc/locks: "1: FLOCK  ADVISORY  WRITE 4711 fe:01:1234 0 EOF".
     std::ifstream locks("/proc/locks");
-    const std::string inode = fmt::format(":{}", status.st_ino);
+    const std::string file_id =
+        fmt::format("{:02x}:{:02x}:{}", major(status.st_dev), minor(status.st_dev), status.st_ino);
     for (std::string line; std::getline(locks, line);) {
         std::istringstream words(line);
         std::string number, kind, advisory, access, process, file;
         words >> number >> kind >> advisory >> access >> process >> file;
-        if (kind != "FLOCK" || !file.ends_with(inode)) continue;
+        if (kind != "FLOCK" || file != file_id) continue;
         const std::string command = command_of(process);
         return fmt::format("process {}{}", process, command.empty() ? "" : " (" + command + ")");
     }

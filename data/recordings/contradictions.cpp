@@ -1,4 +1,4 @@
-#include "data/recordings/contradictions.h"
+#include "data/recordings/checks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 #include <limits>
 #include <utility>
 
+#include "data/recordings/checks.h"
 #include "data/recordings/interval_roles.h"
 #include "data/recordings/robust.h"
-#include "data/recordings/set_points.h"
 #include "data/recordings/stated_cell.h"
 
 namespace pendular {

@@ -1,4 +1,4 @@
-#include "data/recordings/incomplete_files.h"
+#include "data/recordings/checks.h"
 
 #include <algorithm>
 #include <iterator>

@@ -11,7 +11,6 @@
 #include "data/files/formats/layouts.h"
 #include "data/recordings/plausibility.h"
 #include "data/recordings/robust.h"
-#include "data/recordings/speed_ramp.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/time_series.h"
 

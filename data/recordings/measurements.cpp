@@ -6,22 +6,17 @@
 #include <utility>
 
 #include "data/files/formats/layouts.h"
-#include "data/recordings/contradictions.h"
+#include "data/recordings/checks.h"
 #include "data/recordings/copies.h"
 #include "data/recordings/findings/look_inside.h"
 #include "data/recordings/findings/saturation.h"
-#include "data/recordings/incomplete_files.h"
 #include "data/recordings/mark.h"
 #include "data/recordings/plausibility.h"
 #include "data/recordings/quick_recording.h"
 #include "data/recordings/readings.h"
-#include "data/recordings/repair.h"
 #include "data/recordings/replicates.h"
-#include "data/recordings/set_points.h"
-#include "data/recordings/speed_units.h"
 #include "data/recordings/stated_cell.h"
 #include "data/recordings/steady_state.h"
-#include "data/recordings/study_checks.h"
 
 namespace pendular {
 namespace {

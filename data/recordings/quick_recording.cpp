@@ -3,27 +3,123 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "data/files/columns.h"
-#include "data/files/file_parts.h"
+#include "data/files/file_bytes.h"
 #include "data/files/formats/column_names.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/printable.h"
 #include "data/files/text_file.h"
 #include "data/quantities/number.h"
-#include "data/recordings/averaged_rows.h"
 
 namespace pendular {
 namespace {
 
+/// Adds the rows of a file to a recording and limits its memory: whenever the recording has `most`
+/// rows, neighbouring rows of one interval are averaged in pairs, and each further row is the mean
+/// of twice as many rows of the file (`Recording::averaged_rows`).
+class AveragedRows {
+  public:
+    /// @param recording empty; must outlive this object
+    /// @param columns columns of the recording, in the order of the values passed to `add`
+    /// @param most at least 2
+    AveragedRows(Recording& recording, std::vector<std::vector<double> IntervalSeries::*> columns,
+                 std::size_t most);
+
+    /// Adds a row of the file, with one value in SI units for each column. Returns false if
+    /// averaging cannot make the recording shorter, since each row has an interval of its own.
+    bool add(int line, const std::vector<double>& values);
+    /// Adds the mean of the last rows of the file, too few for a mean of the usual number; must be
+    /// called after the last row.
+    void finish();
+
+  private:
+    bool append_mean();
+    void halve();
+    bool same_interval(std::size_t row) const;
+
+    Recording& recording_;
+    std::vector<std::vector<double> IntervalSeries::*> columns_;
+    std::size_t most_;
+    std::ptrdiff_t interval_ = -1;  ///< index in `columns_` of the interval numbers; -1: none
+    int first_line_ = 0;            ///< line of the first row that is not averaged yet
+    int count_ = 0;                 ///< number of rows that are not averaged yet
+    std::vector<double> sums_;      ///< sums of these rows
+};
+
+AveragedRows::AveragedRows(Recording& recording,
+                           std::vector<std::vector<double> IntervalSeries::*> columns,
+                           std::size_t most)
+    : recording_(recording), columns_(std::move(columns)), most_(most), sums_(columns_.size()) {
+    const auto found = std::ranges::find(columns_, &Recording::interval);
+    if (found != columns_.end()) interval_ = found - columns_.begin();
+}
+
+bool AveragedRows::add(int line, const std::vector<double>& values) {
+    if (count_ > 0 && interval_ >= 0) {
+        const auto i = static_cast<std::size_t>(interval_);
+        if (values[i] != sums_[i] / count_ && !append_mean()) return false;
+    }
+    if (count_ == 0) {
+        first_line_ = line;
+        sums_ = values;
+    } else {
+        std::ranges::transform(sums_, values, sums_.begin(), std::plus());
+    }
+    return ++count_ < recording_.averaged_rows || append_mean();
+}
+
+void AveragedRows::finish() {
+    if (count_ > 0) append_mean();
+}
+
+bool AveragedRows::append_mean() {
+    recording_.line.push_back(first_line_);
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+        (recording_.*columns_[k]).push_back(sums_[k] / count_);
+    }
+    count_ = 0;
+    if (recording_.line.size() < most_) return true;
+    halve();
+    return recording_.line.size() < most_;
+}
+
+bool AveragedRows::same_interval(std::size_t row) const {
+    return interval_ < 0 || recording_.interval[row] == recording_.interval[row + 1];
+}
+
+void AveragedRows::halve() {
+    const std::size_t rows = recording_.line.size();
+    std::vector<std::size_t> first;  // row of each mean, of this row alone or with the next
+    for (std::size_t row = 0; row < rows; ++row) {
+        first.push_back(row);
+        if (row + 1 < rows && same_interval(row)) ++row;
+    }
+    for (const auto member : columns_) {
+        std::vector<double>& column = recording_.*member;
+        for (std::size_t k = 0; k < first.size(); ++k) {
+            // A row alone is both the first and the last of its mean.
+            const std::size_t next = k + 1 < first.size() ? first[k + 1] : rows;
+            column[k] = (column[first[k]] + column[next - 1]) / 2;
+        }
+        column.resize(first.size());
+    }
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        recording_.line[k] = recording_.line[first[k]];
+    }
+    recording_.line.resize(first.size());
+    recording_.averaged_rows *= 2;
+}
+
 /// Column of the file that a column of the recording is read from.
 struct ReadColumn {
-    std::vector<double> Recording::*member;
-    std::string_view name;
+    std::vector<double> IntervalSeries::*member;
     Columns::Conversion from;
 };
 
@@ -102,25 +198,14 @@ class QuickReader {
             const HeaderCell parts = parse_header_cell(cell.text);
             if (!set_point_of(parts.name, parts.unit).empty()) return false;
         }
-        const std::vector<std::pair<std::vector<double> Recording::*, std::string_view>> all = {
-            {&Recording::time, "time"},
-            {&Recording::torque, "torque"},
-            {&Recording::normal_force, "normal_force"},
-            {&Recording::height, "height"},
-            {&Recording::angular_velocity, "angular_velocity"},
-            {&Recording::interval, "interval"},
-            {&Recording::shear_stress, "shear_stress"},
-            {&Recording::normal_stress, "normal_stress"},
-            {&Recording::shear_rate, "shear_rate"}};
         std::vector<std::string_view> names;
-        for (const auto& [member, name] : all) {
+        for (const auto& [name, values] : series_columns()) {
             names.push_back(name);
-            if (const auto from = columns.conversion(name))
-                columns_.push_back({member, name, *from});
+            if (const auto from = columns.conversion(name)) columns_.push_back({values, *from});
         }
         recording_.unused_columns = columns.others(names);
         numbers_.resize(cells_);
-        std::vector<std::vector<double> Recording::*> members;
+        std::vector<std::vector<double> IntervalSeries::*> members;
         for (const ReadColumn& column : columns_)
             members.push_back(column.member);
         values_.resize(members.size());

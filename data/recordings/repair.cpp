@@ -1,4 +1,4 @@
-#include "data/recordings/repair.h"
+#include "data/recordings/checks.h"
 
 #include <cmath>
 #include <optional>

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "data/reading.h"
-#include "data/study/stated_scatter.h"
+#include "data/study/study.h"
 
 namespace pendular {
 

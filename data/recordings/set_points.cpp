@@ -1,4 +1,4 @@
-#include "data/recordings/set_points.h"
+#include "data/recordings/checks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "data/recordings/speed_units.h"
+#include "data/recordings/checks.h"
 
 #include <algorithm>
 #include <cmath>

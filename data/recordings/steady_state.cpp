@@ -7,10 +7,8 @@
 #include <utility>
 
 #include "data/recordings/robust.h"
-#include "data/recordings/speed_ramp.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/time_series.h"
-#include "data/recordings/unsteady.h"
 
 namespace pendular {
 namespace {

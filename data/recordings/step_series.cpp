@@ -1,8 +1,13 @@
 #include "data/recordings/step_series.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 #include <span>
+#include <vector>
 
 #include "data/recordings/robust.h"
 #include "data/recordings/time_series.h"
@@ -144,6 +149,142 @@ std::optional<std::size_t> end_of_transient(const StepSeries& series, std::strin
     if (torque && height) return std::max(*torque, *height);
     unsteady = torque ? "height" : height ? "torque" : "";
     return std::nullopt;
+}
+
+namespace {
+
+/// A speed that changes by 20 % about its mean changes the stress ratio of dry grains by less than
+/// 3 %, nearly in proportion, so that the mean stays that at the mean speed.
+constexpr double settled = 0.2;
+
+double middle(std::span<const double> speeds) {
+    return std::abs(median({speeds.begin(), speeds.end()}));
+}
+
+}  // namespace
+
+double SpeedRamp::factor() const {
+    const auto [least, most] = std::minmax(first, last);
+    return least > 0 ? most / least : std::numeric_limits<double>::infinity();
+}
+
+std::string SpeedRamp::change() const {
+    const double by = factor();
+    if (!std::isfinite(by)) return "from or to rest";
+    return fmt::format("by a factor of {:.{}f}", by, by < 10 ? 1 : 0);
+}
+
+std::optional<SpeedRamp> speed_ramp(std::span<const double> speeds) {
+    if (speeds.size() < shortest_step) return std::nullopt;
+    // The medians of the last two quarters of a ramp differ by half of the change over the half.
+    const std::size_t quarter = speeds.size() / 4;
+    const auto last = speeds.last(quarter), before = speeds.last(2 * quarter).first(quarter);
+    const double change = std::abs(middle(last) - middle(before));
+    // The difference of two medians of independent values scatters by 1.8 noise/sqrt(quarter).
+    const double noise = std::max(sample_noise(last), sample_noise(before));
+    const bool changes = change > 0.5 * settled * std::max(middle(last), middle(before)) &&
+                         change > 5 * noise / std::sqrt(static_cast<double>(quarter));
+    if (!changes) return std::nullopt;
+    constexpr std::size_t rows = 3;  // their median is not moved by one spike
+    return SpeedRamp{middle(speeds.first(rows)), middle(speeds.last(rows))};
+}
+
+namespace {
+
+constexpr std::ptrdiff_t reach = 5;  // samples on each side of the median
+constexpr double noises = 20, least_share = 0.05, most_samples = 0.05;
+constexpr std::size_t longest = 3;  // samples; too few of 11 to move their median far
+
+double local_median(std::span<const double> series, std::size_t at) {
+    const auto place = static_cast<std::ptrdiff_t>(at);
+    const auto first = std::max<std::ptrdiff_t>(0, place - reach);
+    const auto last = std::min(std::ssize(series), place + reach + 1);
+    return median({series.begin() + first, series.begin() + last});
+}
+
+/// Indices that belong to runs of at most `longest` successive indices.
+std::vector<std::size_t> short_runs(const std::vector<std::size_t>& places) {
+    std::vector<std::size_t> result;
+    for (std::size_t begin = 0; begin < places.size();) {
+        std::size_t end = begin + 1;
+        while (end < places.size() && places[end] == places[end - 1] + 1)
+            ++end;
+        if (end - begin <= longest) {
+            result.insert(result.end(), places.begin() + static_cast<std::ptrdiff_t>(begin),
+                          places.begin() + static_cast<std::ptrdiff_t>(end));
+        }
+        begin = end;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<std::size_t> spikes(std::span<const double> series) {
+    const double noise = sample_noise(series);
+    std::vector<std::size_t> far;
+    // Samples at the ends have too few neighbours on one side to tell a spike from a rise.
+    for (std::size_t k = reach; k + reach < series.size(); ++k) {
+        const double usual = local_median(series, k);
+        if (std::abs(series[k] - usual) > std::max(noises * noise, least_share * std::abs(usual)))
+            far.push_back(k);
+    }
+    std::vector<std::size_t> found = short_runs(far);
+    if (static_cast<double>(found.size()) > most_samples * static_cast<double>(series.size()))
+        found.clear();
+    return found;
+}
+
+std::vector<std::size_t> take_out_spikes(StepSeries& series) {
+    std::set<std::size_t> changed;
+    for (std::vector<double>* column : {&series.torque, &series.normal_force, &series.height}) {
+        const std::vector<double> as_read = *column;
+        for (const std::size_t k : spikes(as_read)) {
+            (*column)[k] = local_median(as_read, k);
+            changed.insert(k);
+        }
+    }
+    return {changed.begin(), changed.end()};
+}
+
+namespace {
+
+/// Means of successive parts of a series, each of size/parts samples; samples that fill no part are
+/// left out.
+std::vector<double> part_means(const std::vector<double>& series, std::size_t parts) {
+    const std::size_t size = std::max<std::size_t>(1, series.size() / parts);
+    std::vector<double> means;
+    for (std::size_t i = 0; i + size <= series.size(); i += size)
+        means.push_back(mean_of_correlated(std::span(series).subspan(i, size)).value);
+    return means;
+}
+
+/// Relative change of the mean from the first to the last quarter of a series [1].
+double relative_change(const std::vector<double>& series) {
+    const std::vector<double> quarters = part_means(series, 4);
+    return quarters.front() == 0 ? 0 : quarters.back() / quarters.front() - 1;
+}
+
+}  // namespace
+
+double strain_of(const StepSeries& series, const AnnularCell& cell) {
+    const double rate = shear_rate(std::abs(mean_of_correlated(series.angular_velocity).value),
+                                   mean_of_correlated(series.height).value, cell);
+    return rate * (series.time.back() - series.time.front());
+}
+
+Remark::Kind looks_like(const StepSeries& series) {
+    using enum Remark::Kind;
+    // Chosen: the limits decide words in a message alone.
+    const double force = relative_change(series.normal_force);
+    if (force < -0.2) return unloading;
+    if (force > 0.2) return loading;
+    if (relative_change(series.height) < -0.01) return consolidation;
+    const std::vector<double> torque = part_means(series.torque, 20);
+    const auto peak = std::ranges::max_element(torque);
+    const bool early = peak - torque.begin() < 3 * static_cast<std::ptrdiff_t>(torque.size()) / 4;
+    if (early && torque.back() < 0.95 * *peak) return shear_to_failure;
+    return torque.back() > 1.05 * torque[torque.size() / 2] ? stopped_shear : preshear;
 }
 
 }  // namespace pendular

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "data/annular_cell.h"
 #include "data/recordings/recording.h"
 #include "data/recordings/time_series.h"
 
@@ -37,5 +40,42 @@ bool turns(const Mean& angular_velocity);
 /// steady part still counts as steady in the second half of the step if its means over the last two
 /// quarters differ by less than 0.1 %.
 std::optional<std::size_t> end_of_transient(const StepSeries& series, std::string& unsteady);
+
+/// Speeds at the beginning and end of a step in which the speed never settles, in their unit.
+struct SpeedRamp {
+    double first = 0;
+    double last = 0;
+    /// Returns the larger over the smaller speed [1]; infinite if the smaller is 0.
+    double factor() const;
+    /// Returns "by a factor of 200", or "from or to rest".
+    std::string change() const;
+};
+
+/// Returns the speeds between which the speed of a step changes, if it still changes by more than
+/// 20 % over the second half of the step; empty for a lid that turns steadily, rests, or has
+/// settled after a transient. Steps of less than `shortest_step` rows are not judged.
+/// @param speeds angular velocity or shear rate of each row of the step
+std::optional<SpeedRamp> speed_ramp(std::span<const double> speeds);
+
+/// Returns the indices of spikes in ascending order: of one to three neighbouring values that
+/// differ from the median of the 11 values around each by more than 20 times the noise
+/// (`sample_noise`) and by more than 5 %. The first and last five values are never spikes. Empty if
+/// more than 5 % of the values would be spikes.
+std::vector<std::size_t> spikes(std::span<const double> series);
+
+/// Replaces each spike in torque, normal force and height by the median of the 11 values around it.
+/// Returns the indices of the data points that changed, in ascending order.
+std::vector<std::size_t> take_out_spikes(StepSeries& series);
+
+/// Returns the shear strain [1] of a step: magnitude of the mean shear rate times the duration.
+double strain_of(const StepSeries& series, const AnnularCell& cell);
+
+/// Returns what a step that is too short for steady shear looks like:
+/// - unloading or loading: the normal force changes by more than 20 %
+/// - consolidation: the gap shrinks by more than 1 %
+/// - shear to failure: the torque peaks and drops
+/// - shear that was stopped while the torque rose
+/// - preshear: the torque levels off
+Remark::Kind looks_like(const StepSeries& series);
 
 }  // namespace pendular

@@ -1,4 +1,4 @@
-#include "data/recordings/study_checks.h"
+#include "data/recordings/checks.h"
 
 #include <algorithm>
 #include <cmath>

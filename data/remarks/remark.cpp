@@ -11,7 +11,7 @@ namespace {
 using Kind = Remark::Kind;
 using Outcome = Remark::Outcome;
 
-/// What follows from a kind of remark, in an ordinary study and in one that keeps implausible
+/// Consequence of a kind of remark, in an ordinary study and in one that keeps implausible
 /// readings, where an empty outcome means that nothing is said.
 struct Rule {
     Kind kind;

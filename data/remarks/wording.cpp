@@ -18,7 +18,7 @@
 #include "data/recordings/plausibility.h"
 #include "data/recordings/recording.h"
 #include "data/recordings/robust.h"
-#include "data/recordings/speed_ramp.h"
+#include "data/recordings/step_series.h"
 
 namespace pendular {
 namespace {

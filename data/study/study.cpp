@@ -7,9 +7,8 @@
 #include <stdexcept>
 
 #include "data/files/file_bytes.h"
+#include "data/files/formats/layouts.h"
 #include "data/files/text_file.h"
-#include "data/study/allows_outside.h"
-#include "data/study/file_format_table.h"
 #include "data/study/files.h"
 #include "data/study/study_table.h"
 
@@ -38,6 +37,23 @@ constexpr double largest_scatter = 0.5;
 constexpr double largest_discrepancy = 0.2;
 
 constexpr double right_angle = 1.5707963267948966;
+
+/// File format that an entry [[recording]] or [[readings]] states.
+/// @throws InputError at the key for an unknown layout, role of an interval or decimal mark
+FileFormat read_file_format(const StudyTable& entry) {
+    FileFormat format;
+    if (entry.has("layout")) format.layout = entry.choice("layout", layout_names());
+    if (entry.has("decimal")) format.decimal = entry.choice("decimal", {".", ","});
+    format.sheet = entry.text("sheet").value_or("");
+    format.encoding = entry.text("encoding").value_or("");
+    format.columns = entry.words("columns", {});
+    format.repair = entry.flag("repair").value_or(false);
+    if (const auto intervals = entry.table("intervals", interval_roles())) {
+        for (const std::string& role : interval_roles())
+            if (intervals->has(role)) format.roles[role] = intervals->words(role, {});
+    }
+    return format;
+}
 
 /// Path of study.toml, from the path of this file or of its folder.
 /// @throws InputError if the file does not exist
@@ -375,6 +391,17 @@ std::vector<FilePattern> read_patterns(const std::filesystem::path& study) {
     read("recording", recording_keys, Source::Kind::recording);
     read("readings", readings_keys, Source::Kind::readings);
     return patterns;
+}
+
+std::optional<SetPoint> set_point_of(const Condition& condition, const Study& study) {
+    if (!study.cell) return {};
+    AnnularCell cell = *study.cell;
+    cell.bead_volume = condition.bead_volume.value_or(cell.bead_volume);
+    constexpr double typical_solid_fraction = 0.6;
+    const double rate =
+        shear_rate_at(condition.inertial_number, condition.normal_stress, study.grains);
+    return SetPoint{normal_force(condition.normal_stress, cell),
+                    angular_velocity(rate, height(typical_solid_fraction, cell), cell)};
 }
 
 }  // namespace pendular

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -11,10 +12,8 @@
 #include "data/grains.h"
 #include "data/input_error.h"
 #include "data/reading.h"
-#include "data/study/direct_table.h"
 #include "data/study/effect_tables.h"
 #include "data/study/rig.h"
-#include "data/study/stated_scatter.h"
 
 namespace pendular {
 
@@ -71,6 +70,13 @@ struct ImportSettings {
     double least_strain = 1;
 };
 
+/// Scatter that the user states in the table [scatter] of study.toml: relative standard deviations
+/// [1] of the shear stress (index 0) and the solid fraction (index 1).
+struct StatedScatter {
+    Eigen::Vector2d step = Eigen::Vector2d::Zero();     ///< between repetitions of one step
+    Eigen::Vector2d filling = Eigen::Vector2d::Zero();  ///< between fillings of the cell
+};
+
 /// Content of study.toml.
 struct Study {
     std::filesystem::path folder;  ///< to which paths are relative
@@ -110,5 +116,22 @@ struct FilePattern {
 /// @throws InputError if study.toml cannot be read, or has an error of syntax, of its top level or
 ///         of these entries
 std::vector<FilePattern> read_patterns(const std::filesystem::path& study);
+
+/// Whether a study may use files outside of its folder: allow_outside of study.toml, by default
+/// false.
+/// @param study folder of the study, or path of its study.toml
+/// @throws InputError if study.toml cannot be read, or has an error of syntax or of its top level
+bool allows_outside(const std::filesystem::path& study);
+
+/// Set points of the lid of an annular rheometer.
+struct SetPoint {
+    double normal_force = 0;      ///< [N]
+    double angular_velocity = 0;  ///< [rad/s]
+};
+
+/// Returns the set points that impose the normal stress and the inertial number of a condition;
+/// empty if the study states no cell. The sample height is computed from a typical solid fraction
+/// of 0.6, so that the angular velocity is right within a few per cent.
+std::optional<SetPoint> set_point_of(const Condition& condition, const Study& study);
 
 }  // namespace pendular

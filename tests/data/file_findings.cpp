@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include "data/files/formats/layouts.h"
+#include "data/recordings/checks.h"
 #include "data/recordings/file_view.h"
 #include "data/recordings/measurements.h"
-#include "data/recordings/set_points.h"
 #include "data/recordings/stated_cell.h"
 #include "data/study/study.h"
 #include "tests/support/golden.h"

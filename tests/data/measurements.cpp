@@ -7,7 +7,7 @@
 
 #include "data/files/write_tables.h"
 #include "data/recordings/measurements.h"
-#include "data/recordings/speed_ramp.h"
+#include "data/recordings/step_series.h"
 #include "data/study/study.h"
 #include "tests/support/golden.h"
 #include "tests/support/ordinary_studies.h"

@@ -1,4 +1,4 @@
-#include "data/recordings/repair.h"
+#include "data/recordings/checks.h"
 
 #include "data/recordings/measurements.h"
 #include "tests/support/golden.h"

@@ -1,5 +1,5 @@
 // Set points of the rheometer at which grains are sheared at a condition.
-#include "data/study/set_point.h"
+#include "data/study/study.h"
 
 #include <gtest/gtest.h>
 

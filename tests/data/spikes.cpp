@@ -1,4 +1,4 @@
-#include "data/recordings/spikes.h"
+#include "data/recordings/step_series.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

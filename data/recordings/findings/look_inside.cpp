@@ -4,7 +4,7 @@
 #include "data/recordings/findings/level_change.h"
 #include "data/recordings/findings/stick_slip.h"
 #include "data/recordings/findings/wobble.h"
-#include "data/recordings/unsteady.h"
+#include "data/recordings/step_series.h"
 
 namespace pendular {
 namespace {

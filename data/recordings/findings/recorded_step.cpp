@@ -1,6 +1,6 @@
 #include "data/recordings/findings/recorded_step.h"
 
-#include "data/recordings/spikes.h"
+#include "data/recordings/step_series.h"
 #include "data/recordings/time_series.h"
 
 namespace pendular {
