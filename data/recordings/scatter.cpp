@@ -152,7 +152,6 @@ ScatterSums analyse_scatter(const std::vector<ReplicatedValue>& values, double e
     const Eigen::VectorXd means =
         layout.sum_first(z).cwiseQuotient(layout.sum_first(Eigen::VectorXd::Ones(n)));
     ScatterSums sums;
-    sums.of_file.assign(files.empty() ? 0 : files.back() + 1, 0.0);
     sums.left_over = whitening.cwiseProduct(z - means(layout.first));
     const double all = sums.left_over.squaredNorm(),
                  freedom = static_cast<double>(n - layout.firsts),
@@ -171,8 +170,6 @@ ScatterSums analyse_scatter(const std::vector<ReplicatedValue>& values, double e
         sums.between = std::max(0.0, all - sums.within);
         sums.freedom_between = between_files;
         sums.steps = free_weight(layout);
-        for (std::size_t k = 0; k < files.size(); ++k)
-            sums.of_file[files[k]] = of_file(static_cast<Eigen::Index>(k)) - of_file.mean();
     }
     sums.run_variance = n > 0 ? run_variance / step_share * sums.freedom_within : 0;
     return sums;

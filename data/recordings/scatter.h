@@ -32,9 +32,6 @@ struct ScatterSums {
     double steps = 0;
     double run_variance = 0;    ///< part of `within` expected from the scatter within the steps
     Eigen::VectorXd left_over;  ///< residuals, in the order of the values
-    /// Effect of each file beside those of the conditions, minus the mean over files; 0 if none was
-    /// estimated.
-    std::vector<double> of_file;
 };
 
 /// Returns the analysis of variance of deviations between replicates. Common conditions must

@@ -226,19 +226,6 @@ void note_steps(const std::vector<int>& steps, Remark note, Measurements& result
 
 }  // namespace
 
-Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
-                              const GrainProperties& grains, double liquid_content) {
-    RunClock first;
-    return reduce_recording(recording, cell, grains, liquid_content, first);
-}
-
-Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
-                              const GrainProperties& grains, double liquid_content, RunClock& clock,
-                              const ImportSettings& choice) {
-    return reduce_steps(recorded_steps(recording), recording, cell, grains, liquid_content, clock,
-                        choice);
-}
-
 Measurements reduce_steps(const std::vector<RecordedStep>& steps, const Recording& recording,
                           const AnnularCell& cell, const GrainProperties& grains,
                           double liquid_content, RunClock& clock, const ImportSettings& choice) {

@@ -27,28 +27,17 @@ class RunClock {
 /// Returns one reading for each step of a recording, the mean over its steady part, in the order of
 /// the steps. Remarks list spikes, transients and unusable steps, such as those whose steady part
 /// covers less strain than `choice.least_strain`, and further treatment, such as interpolation. If
-/// a wobble would bias the mean, it is taken over whole turns
-/// (`whole_turns_begin`).
+/// a wobble would bias the mean, it is taken over whole turns (`whole_turns_begin`).
 ///
 /// The covariance of a reading includes the autocorrelation within the run, the correlation between
 /// torque T and gap, and the error of the mean normal force F_N: the variance of T is that of the
 /// mean of T - r F_N, r: mean torque over mean normal force. For a cohesive material, r exceeds the
 /// slope dT/dF_N, and the standard error of the shear stress is slightly overestimated.
 ///
+/// @param steps `recorded_steps` of the recording
 /// @param liquid_content [1]
-/// @throws InputError if the torque has both signs within a step
-Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
-                              const GrainProperties& grains, double liquid_content, RunClock& clock,
-                              const ImportSettings& choice = {});
-
-/// Returns the readings of `reduce_recording`, from the `recorded_steps` of the recording.
 Measurements reduce_steps(const std::vector<RecordedStep>& steps, const Recording& recording,
                           const AnnularCell& cell, const GrainProperties& grains,
                           double liquid_content, RunClock& clock, const ImportSettings& choice);
-
-/// Returns the readings of the first recording of a study, with the default settings of import.
-/// @throws InputError if the torque has both signs within a step
-Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
-                              const GrainProperties& grains, double liquid_content);
 
 }  // namespace pendular

@@ -25,239 +25,11 @@ namespace {
 
 using Kind = Remark::Kind;
 
-std::string name_of(const std::string& file) {
-    return std::filesystem::path(file).filename().string();
-}
-
-std::string capitalised(std::string text) {
-    if (!text.empty())
-        text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-    return text;
-}
-
-/// Words for a column: "normal force", "gap".
-std::string words_for(std::string quantity) {
-    if (quantity == "height") return "gap";
-    std::ranges::replace(quantity, '_', ' ');
-    return quantity;
-}
-
 /// Words for the column that was measured, where the instrument computed another from it.
 const char* measured_for(const std::string& computed) {
     return computed == "shear_stress"    ? "torque"
            : computed == "normal_stress" ? "normal force"
                                          : "angular velocity";
-}
-
-// Faults inside recordings.
-
-/// Faults that one sentence describes.
-using Group = std::vector<const Remark*>;
-
-bool alike(const Remark& a, const Remark& b) {
-    const bool wobble = a.kind == Kind::wobble;
-    return a.kind == b.kind && a.quantity == b.quantity && (!wobble || a.period == b.period);
-}
-
-std::vector<Group> groups_of(const std::vector<Remark>& faults, bool all) {
-    std::vector<Group> groups;
-    for (const Remark& each : faults) {
-        const auto same = std::ranges::find_if(
-            groups, [&](const Group& group) { return alike(*group.front(), each); });
-        all || same == groups.end() ? groups.push_back({&each}) : same->push_back(&each);
-    }
-    std::ranges::stable_sort(groups, {}, [](const Group& group) { return group.front()->kind; });
-    return groups;
-}
-
-std::string with_unit(const std::string& quantity, double value) {
-    const bool force = quantity == "normal_force";
-    const char* const unit = force ? "N" : quantity == "height" ? "mm" : "mN m";
-    const double shown = force ? value : 1e3 * value;
-    return std::abs(shown) < 100 ? fmt::format("{:.2g} {}", shown, unit)
-                                 : fmt::format("{:.0f} {}", shown, unit);
-}
-
-template <typename Member>
-double usual(const Group& group, Member member) {
-    std::vector<double> values;
-    for (const Remark* each : group)
-        values.push_back(each->*member);
-    return median(std::move(values));
-}
-
-/// Text with the steps of a group: "step 3 of dry_1.csv" or "12 steps of 3 files, first step 1 of
-/// dry_1.csv".
-std::string places(const Group& group) {
-    const Remark& first = *group.front();
-    std::size_t steps = 0;
-    std::set<std::string> files;
-    for (const Remark* each : group) {
-        steps += each->count;
-        files.insert(each->files.begin(), each->files.end());
-    }
-    const std::string file = name_of(first.files.front());
-    const std::string place = first.step > 0 ? fmt::format("step {} of {}", first.step, file)
-                                             : fmt::format("in {}", file);
-    if (steps == 1) return place;
-    if (files.size() == 1) return fmt::format("{} steps of {}", steps, file);
-    return fmt::format("{} steps of {} files, first {}", steps, files.size(), place);
-}
-
-std::string p_text(const Group& group) {
-    double p = 1;
-    for (const Remark* each : group)
-        p = std::min(p, each->p);
-    return p < 1e-3 ? "p < 0.001" : fmt::format("p = {:.1g}", p);
-}
-
-/// Size with its unit and in per cent: "0.03 mm (0.5 %)".
-std::string size_text(const Group& group) {
-    return fmt::format("{} ({:.2g} %)",
-                       with_unit(group.front()->quantity, usual(group, &Remark::size)),
-                       100 * usual(group, &Remark::relative));
-}
-
-std::string saturation_text(const Group& group) {
-    const Remark& first = *group.front();
-    return fmt::format(
-        "Saturation: the {} stands at its largest value, {}, in {:.0f} % of the rows of {}. {}",
-        words_for(first.quantity), with_unit(first.quantity, first.size),
-        100 * usual(group, &Remark::relative), places(group),
-        first.corrected ? "These rows are not used as if they were true."
-                        : "The true values are larger.");
-}
-
-std::string level_text(const Group& group) {
-    const Remark& first = *group.front();
-    const double percent = 100 * std::abs(first.relative);
-    const std::string change =
-        first.offset ? fmt::format("{} (about {:.2g} %)",
-                                   with_unit(first.quantity, std::abs(first.size)), percent)
-                     : fmt::format("{:.3g} +- {:.1g} %", percent, 100 * first.relative_error);
-    return fmt::format(
-        "A step between recordings: from {} on, the {} at comparable conditions is {} {} than "
-        "before ({} recordings, {}). Was the lid remounted, or the instrument changed?",
-        name_of(first.files.front()), words_for(first.quantity), change,
-        first.relative > 0 ? "larger" : "smaller", first.count, p_text(group));
-}
-
-std::string wobble_text(const Group& group) {
-    const Remark& first = *group.front();
-    const bool corrected = std::ranges::any_of(group, &Remark::corrected);
-    return fmt::format("Wobble: the {} varies by +-{} {} per turn of the lid in {} ({}).{}",
-                       words_for(first.quantity), size_text(group),
-                       first.period == 1 ? "once" : "twice", places(group), p_text(group),
-                       corrected ? " Readings that it affects are averaged over whole turns." : "");
-}
-
-std::string stick_slip_text(const Group& group) {
-    return fmt::format("Stick-slip: the torque drops suddenly by {} every {:.2g} s in {} ({}).",
-                       size_text(group), usual(group, &Remark::period), places(group),
-                       p_text(group));
-}
-
-std::string drift_text(const Group& group) {
-    const Remark& first = *group.front();
-    return fmt::format(
-        "Drift: the {} {} by {:.2g} +- {:.1g} % within a step, after its transient, on average "
-        "over {} ({}). Look for wear, or for a loss of liquid or beads.",
-        words_for(first.quantity), first.relative > 0 ? "rises" : "falls",
-        100 * std::abs(first.relative), 100 * first.relative_error, places(group), p_text(group));
-}
-
-std::string run_in_text(const Group& group) {
-    return fmt::format(
-        "Run-in: at the end of the step the {} is still {} from its level in {} ({}). Shear "
-        "longer.",
-        words_for(group.front()->quantity), size_text(group), places(group), p_text(group));
-}
-
-std::string sentence(const Group& group) {
-    switch (group.front()->kind) {
-        case Kind::saturation:
-            return saturation_text(group);
-        case Kind::level_change:
-            return level_text(group);
-        case Kind::wobble:
-            return wobble_text(group);
-        case Kind::stick_slip:
-            return stick_slip_text(group);
-        case Kind::drift:
-            return drift_text(group);
-        default:
-            return run_in_text(group);
-    }
-}
-
-// Faults of files.
-
-const char* stress_for(const std::string& measured) {
-    return measured == "torque" ? "shear stress" : "normal stress";
-}
-
-std::string ratio_text(const Remark& fault) {
-    constexpr double ratio_tolerance = 0.05;
-    const double power = std::pow(10, std::round(std::log10(std::abs(fault.size))));
-    const bool decimal = power != 1 && std::abs(fault.size / power - 1) < ratio_tolerance;
-    const std::string force = words_for(fault.quantity), stress = stress_for(fault.quantity);
-    return fmt::format(
-        "{} and {} contradict each other in {} of {} rows: the {} is {} times what the {} gives{}.",
-        force, stress, fault.count, fault.of, force, short_text(fault.size), stress,
-        decimal ? ", as if a decimal or thousands mark was lost when the table was converted" : "");
-}
-
-std::string tests_text(const Remark& fault) {
-    return fmt::format("the file holds {} tests, whose intervals are numbered anew: {}{}.",
-                       fault.count, fmt::join(fault.names, "; "),
-                       fault.count > fault.names.size() ? "; ..." : "");
-}
-
-std::string header_text(const Remark& fault) {
-    const std::string &key = fault.names[0], &text = fault.names[1], &name = fault.names[2],
-                      &unit = fault.names[3];
-    return fmt::format(
-        "the header states {} = {}, which is {} {} of {} {}; {} {} {} instead ({:+.1f} %).", key,
-        text, std::string_view("io").find(name[0]) < 2 ? "an" : "a", name, short_text(fault.size),
-        unit, fault.kind == Kind::header_cell ? "study.toml gives" : "the columns give",
-        short_text(fault.limit), unit, 100 * fault.relative);
-}
-
-std::string set_point_text(const Remark& fault) {
-    const std::string unit = fault.names[0].empty() ? "" : " " + fault.names[0];
-    return fmt::format(
-        "in {} of {} stretches of constant set point the {} does not follow its set point: by up "
-        "to {:+.1f} %, {}{} where {}{} is set.",
-        fault.count, fault.of, quantity(fault.quantity).meaning, 100 * fault.relative,
-        short_text(fault.size), unit, short_text(fault.limit), unit);
-}
-
-std::string file_text(const Remark& fault) {
-    switch (fault.kind) {
-        case Kind::ratio_of_columns:
-            return ratio_text(fault);
-        case Kind::swapped_columns:
-            return fmt::format(
-                "the column of {} is proportional to the {}, the column of {} is not: the two "
-                "columns are in each other's place.",
-                fault.names[0], fault.names[1], fault.names[2]);
-        case Kind::declared_rows:
-            return fmt::format("interval {} declares {} points and has {}.", fault.names[0],
-                               fault.of, fault.count);
-        case Kind::time_goes_back:
-            return "time goes back within an interval: two measurements may have been joined.";
-        case Kind::no_compression:
-            return fmt::format("the normal force or stress is negative in {} of {} rows.",
-                               fault.count, fault.of);
-        case Kind::repeated_rows:
-            return fmt::format("{} rows repeat the row before them in all columns.", fault.count);
-        case Kind::several_tests:
-            return tests_text(fault);
-        case Kind::missed_set_point:
-            return set_point_text(fault);
-        default:
-            return header_text(fault);
-    }
 }
 
 // Values that are probably wrong.
@@ -326,7 +98,7 @@ std::string limit_and_check(const Remark& doubt) {
 }
 
 std::string impossible_text(const Remark& doubt) {
-    return fmt::format("the {} {:.3g} is {}", words_for(doubt.quantity), doubt.size,
+    return fmt::format("the {} {:.3g} is {}", words_for_quantity(doubt.quantity), doubt.size,
                        limit_and_check(doubt));
 }
 
@@ -338,7 +110,7 @@ std::string impossible_sentence(const Remark& doubt) {
                              doubt.files.size() > 1 ? "s" : "");
     const std::string least = fmt::format("{:.3g}", doubt.size),
                       greatest = fmt::format("{:.3g}", doubt.size_to);
-    return fmt::format("{}: the {} {} is {}.", where, words_for(doubt.quantity),
+    return fmt::format("{}: the {} {} is {}.", where, words_for_quantity(doubt.quantity),
                        least == greatest ? least : least + " to " + greatest,
                        limit_and_check(doubt.because.front()));
 }
@@ -370,13 +142,14 @@ std::string factor_text(const Remark& doubt) {
     return fmt::format(
         "the column of the {} is {:.4g} times what the {} gives with the study's cell (median of "
         "{} rows, {:.0f} % of them agree); {}",
-        words_for(doubt.quantity), doubt.size, measured_for(doubt.quantity), doubt.of,
+        words_for_quantity(doubt.quantity), doubt.size, measured_for(doubt.quantity), doubt.of,
         100 - 100.0 * static_cast<double>(doubt.count) / static_cast<double>(doubt.of),
         cause_of(doubt));
 }
 
 std::string contradicting_rows_text(const Remark& doubt) {
-    const std::string stated = words_for(doubt.quantity), measured = measured_for(doubt.quantity);
+    const std::string stated = words_for_quantity(doubt.quantity),
+                      measured = measured_for(doubt.quantity);
     return fmt::format(
         "{}: {} and {} contradict each other in {} of {} rows, first in line {}, where the {} is "
         "{:.3g} times what the {} gives; elsewhere they agree (median ratio {:.4g}). Check whether "
@@ -397,9 +170,9 @@ std::string constant_text(const Remark& doubt) {
 
 /// Names of files: "a.csv", "a.csv and b.csv", "a.csv, b.csv and 5 more".
 std::string names_of(const std::vector<std::string>& files) {
-    const std::string first = name_of(files.front());
+    const std::string first = file_name_of(files.front());
     if (files.size() == 1) return first;
-    const std::string second = name_of(files[1]);
+    const std::string second = file_name_of(files[1]);
     return files.size() == 2 ? first + " and " + second
                              : fmt::format("{}, {} and {} more", first, second, files.size() - 2);
 }
@@ -419,7 +192,7 @@ std::string far_files_text(const Remark& doubt) {
         "In {}, {} {} at all conditions, by {:.3g} %, while steps within a file agree; check the "
         "units, the zeros and calibrations of the sensors, the total bead mass and the filling. "
         "Until then, the fit takes larger errors for {}.",
-        words_for(doubt.quantity), fmt::join(doubt.names, ", "),
+        words_for_quantity(doubt.quantity), fmt::join(doubt.names, ", "),
         one ? "differs from its replicates" : "differ from one another", 100 * doubt.relative,
         one ? "this file" : "these files");
 }
@@ -458,7 +231,7 @@ std::string doubt_text(const Remark& doubt) {
             return fmt::format(
                 "The replicates {} differ in {} far beyond the scatter of the others; look for a "
                 "disturbance in these steps. The fit takes larger errors for these readings.",
-                fmt::join(doubt.names, " and "), words_for(doubt.quantity));
+                fmt::join(doubt.names, " and "), words_for_quantity(doubt.quantity));
     }
 }
 
@@ -639,7 +412,8 @@ std::string weight_text(const Remark& note) {
 std::string lost_recordings_text(const Remark& note) {
     std::vector<std::string> lost;
     for (const Remark& each : note.because)
-        lost.push_back(fmt::format("{} ({})", name_of(each.file()), rows_text_with_step(each)));
+        lost.push_back(
+            fmt::format("{} ({})", file_name_of(each.file()), rows_text_with_step(each)));
     const std::size_t more = note.count - lost.size();
     return fmt::format("No step gave a reading in {}{}.", fmt::join(lost, ", "),
                        more > 0 ? fmt::format(" and in {} more recordings", more) : "");
@@ -651,7 +425,7 @@ std::string note_on_file(const Remark& note) {
             return fmt::format(
                 "{} has more than {} rows: each {} consecutive rows count as one, with their mean. "
                 "Spikes and saturation within such a group are not seen.",
-                name_of(note.file()), note.of, note.count);
+                file_name_of(note.file()), note.of, note.count);
         case Kind::rate_at_other_radius:
             return fmt::format("{}: {}; the rate at the mean radius is used", note.file(),
                                factor_text(note));
@@ -698,13 +472,13 @@ std::string note_on_file(const Remark& note) {
             return fmt::format(
                 "{} ends after step {}, {} goes on to step {} from the same beginning. If the "
                 "measurement was not stopped there, the file was cut off: export it again.",
-                name_of(note.files[0]), note.step, name_of(note.files[1]), note.count);
+                file_name_of(note.files[0]), note.step, file_name_of(note.files[1]), note.count);
         default:
             return fmt::format(
                 "{} gives no reading at step {} ({}), but {} does. If the recording ends too "
                 "early, the file was cut off: export it again.",
-                name_of(note.files[0]), note.step, reason_of(note.because.front()),
-                name_of(note.files[1]));
+                file_name_of(note.files[0]), note.step, reason_of(note.because.front()),
+                file_name_of(note.files[1]));
     }
 }
 
@@ -715,7 +489,7 @@ std::string note_on_readings(const Remark& note) {
                 "In {}, {} differ by {:.2g} % at all conditions, while steps within a file scatter "
                 "by {:.2g} %. This difference is large for fillings: check the liquid content, "
                 "units and bead mass of each file. It counts as the error of a filling.",
-                words_for(note.quantity), fmt::join(note.names, ", "), 100 * note.relative,
+                words_for_quantity(note.quantity), fmt::join(note.names, ", "), 100 * note.relative,
                 100 * note.relative_error);
         case Kind::errors_below_rounding:
             return fmt::format(
@@ -813,70 +587,10 @@ std::string reason_of(const Remark& remark) {
 }
 
 std::string text_of(const Remark& remark) {
-    if (inside_recording(remark.kind)) return sentences({remark}).front();
-    if (remark.kind < Kind::repaired_torques) return file_text(remark);
+    if (remark.kind < Kind::repaired_torques) return fault_text(remark);
     if (remark.kind < Kind::after_interval) return doubt_text(remark);
     if (remark.kind < Kind::averaged_rows) return rows_text_with_step(remark);
     return remark.kind < Kind::unlike_files ? note_on_file(remark) : note_on_readings(remark);
-}
-
-std::string done_about(const Remark& fault) {
-    switch (fault.kind) {
-        case Kind::ratio_of_columns:
-            return fmt::format(
-                "Here the {} of these rows is used, not the {}; a study sets these rows aside, or "
-                "with repair = true takes torques from shear stresses.",
-                stress_for(fault.quantity), words_for(fault.quantity));
-        case Kind::swapped_columns:
-            return "Correct the header or state 'columns' in study.toml; nothing was changed.";
-        case Kind::declared_rows:
-            return fault.count < fault.of
-                       ? "The rows are used; if the file was cut off, export it again."
-                       : "All rows are used.";
-        case Kind::time_goes_back:
-            return "Split the interval there; as a recording, the file is refused.";
-        case Kind::no_compression:
-            return "Compression must be positive, or a study makes no readings of these rows: "
-                   "reverse the sign of the column in the file.";
-        case Kind::repeated_rows:
-            return "They are kept; check the export.";
-        case Kind::several_tests:
-            return "Intervals of different tests are never joined.";
-        case Kind::header_constant:
-            return "The columns are used.";
-        case Kind::header_cell:
-            return "The cell of study.toml is used; correct [cell] if the header is right.";
-        default:
-            return "The measured values are used, not the set points; check the control of the "
-                   "instrument and the gap.";
-    }
-}
-
-std::string text_of_lines(const std::vector<Lines>& lines, std::size_t most) {
-    std::string text;
-    for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) {
-        const auto& [first, last, file] = lines[i];
-        text +=
-            fmt::format("{}{}", text.empty() ? "" : ", ",
-                        first == last ? std::to_string(first) : fmt::format("{}-{}", first, last));
-    }
-    if (lines.size() > most) text += fmt::format(" and {} more ranges", lines.size() - most);
-    return text;
-}
-
-std::string with_lines(const Remark& fault, std::size_t most) {
-    const std::string what = text_of(fault), done = done_about(fault);
-    if (fault.lines.empty()) return fmt::format("{} {}", capitalised(what), done);
-    const bool one = fault.lines.size() == 1 && fault.first_line() == fault.last_line();
-    return fmt::format("{} {}: {} {}", one ? "Line" : "Lines", text_of_lines(fault.lines, most),
-                       what, done);
-}
-
-std::vector<std::string> sentences(const std::vector<Remark>& faults, bool all) {
-    std::vector<std::string> result;
-    for (const Group& group : groups_of(faults, all))
-        result.push_back(sentence(group));
-    return result;
 }
 
 std::optional<std::string> pendular_range_warning(double content) {
@@ -926,14 +640,14 @@ std::optional<std::string> common_reason(const Measurements& measurements) {
                             return cause.second.count;
                         })->second;
     if (doubted(measurements) >= most.count) return std::nullopt;  // the doubts say why
-    if (steps == 1) return capitalised(text_of(*most.first)) + ".";
+    if (steps == 1) return with_capital(text_of(*most.first)) + ".";
     const char* const which =
         measurements.readings.empty() ? "steps" : "steps that gave no reading";
     const std::string where = most.count == steps
                                   ? fmt::format("all {} {}", steps, which)
                                   : fmt::format("{} of {} {}", most.count, steps, which);
     const auto [what, advice] = cause_without_reading(*most.first);
-    return fmt::format("{} in {}{}{}.", capitalised(what), where, advice.empty() ? "" : "; ",
+    return fmt::format("{} in {}{}{}.", with_capital(what), where, advice.empty() ? "" : "; ",
                        advice);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "data/reading.h"
+#include "data/remarks/fault_wording.h"
 
 namespace pendular {
 
@@ -18,24 +19,6 @@ std::string text_of(const Remark& remark);
 
 /// Returns the reason why rows of a step are left out, without the number of the step.
 std::string reason_of(const Remark& remark);
-
-/// Returns a sentence on what the program does about a fault of a file.
-std::string done_about(const Remark& fault);
-
-/// Returns ranges of lines as text, such as "12-15, 20", with at most `most` ranges and the number
-/// of those left out.
-std::string text_of_lines(const std::vector<Lines>& lines, std::size_t most = 8);
-
-/// Returns a fault of a file with at most `most` ranges of lines, such as "Lines 12-15, 20: the
-/// time goes back. The rows are left out."
-std::string with_lines(const Remark& fault, std::size_t most = 8);
-
-/// Returns sentences for the user about faults inside recordings, ordered by kind. One sentence
-/// combines all that agree in kind, quantity and, for a wobble, period. It states where the fault
-/// was found, its median size with the unit and in per cent, and the smallest p value or, for a
-/// saturation, the share of saturated rows.
-/// @param all each fault has a sentence of its own
-std::vector<std::string> sentences(const std::vector<Remark>& faults, bool all = false);
 
 /// Returns a warning for the user if a liquid content [1] is outside of the pendular range, in
 /// which the liquid forms separate bridges; empty inside of it and for dry grains.

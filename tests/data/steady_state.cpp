@@ -46,8 +46,9 @@ Recording record(const Truth& truth, std::uint64_t seed = 1) {
     return recording;
 }
 
-Measurements reduce(const Recording& recording) {
-    return reduce_recording(recording, cell, grains, 0.03);
+Measurements reduce(const Recording& recording, const ImportSettings& choice = {}) {
+    RunClock clock;
+    return reduce_steps(recorded_steps(recording), recording, cell, grains, 0.03, clock, choice);
 }
 
 TEST(ReduceRecording, GivesTheStateOfASteadyRecording) {
@@ -223,10 +224,8 @@ TEST(ReduceRecording, LeavesOutStepsOfLessThanAStrainAndSaysWhatTheyLookLike) {
 
 TEST(ReduceRecording, TakesALeastStrainOfTheSteadyPart) {
     // 0.825/s for 29.9 s: 24.7 strains.
-    RunClock clock;
-    const auto count = [&](double least) {
-        return reduce_recording(record({}), cell, grains, 0, clock, {.least_strain = least})
-            .readings.size();
+    const auto count = [](double least) {
+        return reduce(record({}), {.least_strain = least}).readings.size();
     };
     EXPECT_EQ(count(20), 1u);
     EXPECT_EQ(count(26), 0u);

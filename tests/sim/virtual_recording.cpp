@@ -29,8 +29,9 @@ TrueState state(double ratio_error, double fraction_error) {
 /// Result of `import` for a recording, written to a file and read again.
 Measurements imported(const Recording& recording) {
     const TemporaryFolder folder;
-    return reduce_recording(read_recording(folder.write("run.csv", recording_csv(recording))), cell,
-                            grains, 0);
+    const Recording read = read_recording(folder.write("run.csv", recording_csv(recording)));
+    RunClock clock;
+    return reduce_steps(recorded_steps(read), read, cell, grains, 0, clock, {});
 }
 
 /// Sums of squared deviations from the truth, relative, over many steps.
