@@ -1,10 +1,10 @@
 #include "analysis/ladder.h"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <utility>
+
+#include "data/quantities/distributions.h"
 
 namespace pendular {
 namespace {
@@ -63,14 +63,14 @@ void add_step(Ladder& ladder, LadderStep before, LadderStep after) {
 }
 
 Reduction reduction_of(const LadderStep& from, const LadderStep& to) {
-    const auto limit = [](const auto& law) { return boost::math::quantile(law, 0.95); };
+    constexpr double confidence = 0.95;
     // A switch changes chi2 without a further fitted parameter: it counts as one parameter.
     const int added = std::max(1, from.dof - to.dof);
     const double reduction = from.chi2 - to.chi2;
-    if (reduction <= limit(boost::math::chi_squared(added))) return Reduction::by_chance;
-    const bool misfit = to.dof > 0 && to.chi2 > limit(boost::math::chi_squared(to.dof));
+    if (reduction <= chi_squared_quantile(confidence, added)) return Reduction::by_chance;
+    const bool misfit = to.dof > 0 && to.chi2 > chi_squared_quantile(confidence, to.dof);
     if (misfit &&
-        reduction / added <= to.chi2_per_dof() * limit(boost::math::fisher_f(added, to.dof)))
+        reduction / added <= to.chi2_per_dof() * fisher_f_quantile(confidence, added, to.dof))
         return Reduction::beside_misfit;
     return Reduction::significant;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/make_shared.hpp>
+#include <boost/program_options.hpp>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -86,8 +87,30 @@ Options::Options(std::string usage, std::string about, std::string examples, boo
     : usage_(std::move(usage)),
       about_(std::move(about)),
       examples_(std::move(examples)),
-      takes_study_(takes_study) {
+      takes_study_(takes_study),
+      variables_(std::make_unique<po::variables_map>()) {
     begin_section("Options");
+}
+Options::~Options() = default;
+
+template <typename T>
+void Options::add(const char* name, T* value, const std::string& description,
+                  const ValueKind& kind) {
+    kinds_[name] = kind;
+    sections_.back().add_options()(name, po::value<T>(value)->value_name(kind.placeholder()),
+                                   description.c_str());
+}
+template void Options::add(const char*, std::string*, const std::string&, const ValueKind&);
+template void Options::add(const char*, double*, const std::string&, const ValueKind&);
+template void Options::add(const char*, int*, const std::string&, const ValueKind&);
+
+void Options::begin_section(const std::string& heading) {
+    headings_.push_back(heading);
+    sections_.emplace_back(heading, 100);
+}
+
+bool Options::given(const std::string& name) const {
+    return variables_->count(name) > 0 && !(*variables_)[name].defaulted();
 }
 
 void Options::offer_runs_of() {
@@ -295,8 +318,8 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
                       .style(po::command_line_style::default_style &
                              ~po::command_line_style::allow_guessing)
                       .run(),
-                  variables_);
-        po::notify(variables_);
+                  *variables_);
+        po::notify(*variables_);
     } catch (const po::unknown_option& error) {
         const std::string name = error.get_option_name();
         throw InputError(fmt::format("unknown option '{}'; {}", name,
@@ -314,7 +337,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
         throw InputError(fmt::format("{}; see: pendular {} --help", error.what(),
                                      usage_.substr(0, usage_.find(' '))));
     }
-    if (variables_.count("help") > 0) {
+    if (variables_->count("help") > 0) {
         if (requested_declaration) {
             *requested_declaration = declaration(common);
         } else {
@@ -338,7 +361,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
     }
     result.study = study;
     result.fidelity = fidelity_named(values.fidelity);
-    if (variables_.count("json") > 0) {
+    if (variables_->count("json") > 0) {
         result.json = json;
         if (json != "-") {
             demand_writable(json, "--json", false);
@@ -354,7 +377,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
     result.store_named = !values.store.empty() || std::getenv("PENDULAR_STORE");
     result.store =
         values.store.empty() ? RunStore::standard_file() : std::filesystem::path(values.store);
-    if (variables_.count("out") > 0) {
+    if (variables_->count("out") > 0) {
         result.out = values.out;
         demand_writable(*result.out, "--out", true);
     }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <boost/program_options.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <list>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -14,6 +14,12 @@
 #include "app/declaration.h"
 #include "app/output_paths.h"
 #include "sim/runs/fidelity.h"
+
+// Boost.Program_options is included in options.cpp alone: it takes seconds to compile.
+namespace boost::program_options {
+class options_description;
+class variables_map;
+}  // namespace boost::program_options
 
 namespace pendular::app {
 
@@ -56,22 +62,15 @@ class Options {
     /// @param examples example commands with line ends, at the end of the help text
     /// @param takes_study whether the command needs a first argument: a study, a file or a folder
     Options(std::string usage, std::string about, std::string examples, bool takes_study);
+    ~Options();
 
     /// Adds the option --NAME, whose value `parse` stores in `value`. The text `description`, for
-    /// the help text, must state the unit of the value.
+    /// the help text, must state the unit of the value. Types: those instantiated in options.cpp.
     template <typename T>
     void add(const char* name, T* value, const std::string& description,
-             const ValueKind& kind = {}) {
-        kinds_[name] = kind;
-        sections_.back().add_options()(
-            name, boost::program_options::value<T>(value)->value_name(kind.placeholder()),
-            description.c_str());
-    }
+             const ValueKind& kind = {});
     /// Begins a section of the help text, for the options that are added after this call.
-    void begin_section(const std::string& heading) {
-        headings_.push_back(heading);
-        sections_.emplace_back(heading, 100);
-    }
+    void begin_section(const std::string& heading);
     /// Sets the default of option --threads (0: one thread per core) and its text in the help.
     void set_threads(int by_default, std::string meaning) {
         default_threads_ = by_default, threads_meaning_ = std::move(meaning);
@@ -115,9 +114,7 @@ class Options {
     ///         the file of --json or the folder for results cannot be written
     std::optional<CommonOptions> parse(const std::vector<std::string>& arguments);
     /// Whether the parsed arguments contain the option `name` (without "--").
-    bool given(const std::string& name) const {
-        return variables_.count(name) > 0 && !variables_[name].defaulted();
-    }
+    bool given(const std::string& name) const;
 
   private:
     /// Common options as the user typed them.
@@ -151,7 +148,7 @@ class Options {
     std::string out_meaning_ = "folder for results of a study (default: STUDY/out)";
     std::vector<std::string> headings_;  ///< of `sections_`
     std::list<boost::program_options::options_description> sections_;
-    boost::program_options::variables_map variables_;
+    std::unique_ptr<boost::program_options::variables_map> variables_;
 };
 
 }  // namespace pendular::app

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <filesystem>
 #include <functional>
 #include <string>
 
+#include "data/quantities/distributions.h"
 #include "data/quantities/number.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
@@ -16,13 +16,10 @@
 namespace pendular {
 namespace {
 
-const boost::math::normal standard_normal;
-
 /// Expected quantile of the value of rank k (from 0) of n ordered normal values [1].
 /// Source: Blom, Statistical Estimates and Transformed Beta-Variables (1958), with 3/8.
-double normal_quantile(std::size_t k, std::size_t n) {
-    return boost::math::quantile(
-        standard_normal, (static_cast<double>(k) + 0.625) / (static_cast<double>(n) + 0.25));
+double expected_quantile(std::size_t k, std::size_t n) {
+    return normal_quantile((static_cast<double>(k) + 0.625) / (static_cast<double>(n) + 0.25));
 }
 
 /// Decorrelated residuals of one observable, in standard errors [1], in rising order.
@@ -43,11 +40,11 @@ Curve expected_band(std::size_t n) {
     Curve band{
         .label = "normal errors, 95 %", .style = Curve::Style::band, .colour = explaining_colour};
     for (std::size_t k = 0; k < n; ++k) {
-        const double q = normal_quantile(k, n), below = boost::math::cdf(standard_normal, q);
+        const double q = expected_quantile(k, n), below = normal_below(q);
         band.x.push_back(q);
         band.y.push_back(q);
         band.y_error.push_back(1.96 * std::sqrt(below * (1 - below) / static_cast<double>(n)) /
-                               boost::math::pdf(standard_normal, q));
+                               normal_density(q));
     }
     return band;
 }
@@ -96,7 +93,8 @@ std::vector<LedgerRow> largest(std::vector<LedgerRow> parts, std::size_t most) {
 }
 
 std::string name_of(const Condition& c) {
-    return fmt::format("{} Pa, {}, {}", nominal_text(c.normal_stress), inertial_text(c.inertial_number),
+    return fmt::format("{} Pa, {}, {}", nominal_text(c.normal_stress),
+                       inertial_text(c.inertial_number),
                        c.dry() ? "dry" : fmt::format("content {:.3g}", c.liquid_content));
 }
 

@@ -9,7 +9,7 @@ packages=(
   libceres-dev libeigen3-dev libboost-dev libboost-program-options-dev libboost-iostreams-dev
   libboost-filesystem-dev libboost-system-dev libicu-dev libudunits2-dev libtomlplusplus-dev
   nlohmann-json3-dev libcereal-dev libfmt-dev libgnuplot-iostream-dev
-  libkainjow-mustache-dev libzip-dev libpugixml-dev libsqlite3-dev libsqlitecpp-dev libopenmpi-dev openmpi-bin libmuparser-dev
+  libkainjow-mustache-dev libzip-dev libpugixml-dev libsqlite3-dev libsqlitecpp-dev zlib1g-dev libopenmpi-dev openmpi-bin libmuparser-dev
   libcpp-httplib-dev libmimalloc-dev pkg-config
   # figures
   gnuplot-nox fonts-dejavu-core

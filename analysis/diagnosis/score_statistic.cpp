@@ -2,10 +2,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/non_central_chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
+
+#include "data/quantities/distributions.h"
 
 namespace pendular {
 namespace {
@@ -13,10 +12,6 @@ namespace {
 /// Ratio of squared lengths, projected change to change, below which the projected change is
 /// rounding error [1].
 constexpr double rounding = 1e-12;
-
-double upper_tail(double statistic, double freedom) {
-    return boost::math::cdf(boost::math::complement(boost::math::chi_squared(freedom), statistic));
-}
 
 /// Sets estimate, errors and statistic of a test of a change with one column, with the errors of
 /// the change included.
@@ -76,7 +71,7 @@ double ScoreTest::p() const {
     if (!seen() || statistic <= 0) {
         return 1;
     }
-    const double tail = upper_tail(statistic, static_cast<double>(basis.cols()));
+    const double tail = chi_squared_tail(statistic, static_cast<double>(basis.cols()));
     return one_sided ? tail / 2 : tail;
 }
 
@@ -85,8 +80,7 @@ double ScoreTest::critical(double limit) const {
     if (tail >= 1) {
         return 0;
     }
-    return boost::math::quantile(boost::math::complement(
-        boost::math::chi_squared(static_cast<double>(basis.cols())), std::max(tail, 1e-300)));
+    return chi_squared_exceeded_by(std::max(tail, 1e-300), static_cast<double>(basis.cols()));
 }
 
 Eigen::VectorXd ScoreTest::drawn(const WeightedResiduals& residuals, const NullDraws& draws) const {
@@ -102,12 +96,10 @@ double ScoreTest::power(double amplitude, double limit) const {
         length > 0 ? std::abs(amplitude) * std::max(0.0, information) / std::sqrt(length) : 0.0;
     const double needed = critical(limit);
     if (one_sided) {
-        return boost::math::cdf(boost::math::normal(), away - std::sqrt(needed));
+        return normal_below(away - std::sqrt(needed));
     }
-    return boost::math::cdf(boost::math::complement(
-        boost::math::non_central_chi_squared(
-            static_cast<double>(std::max<Eigen::Index>(1, basis.cols())), away * away),
-        needed));
+    return non_central_chi_squared_tail(
+        needed, static_cast<double>(std::max<Eigen::Index>(1, basis.cols())), away * away);
 }
 
 double ScoreTest::detectable(double wanted, double limit) const {
@@ -115,8 +107,7 @@ double ScoreTest::detectable(double wanted, double limit) const {
         return INFINITY;
     }
     // The other tail of the two-sided test is negligible at powers of interest.
-    const double away =
-        std::sqrt(critical(limit)) + boost::math::quantile(boost::math::normal(), wanted);
+    const double away = std::sqrt(critical(limit)) + normal_quantile(wanted);
     return away * std::sqrt(length) / information;
 }
 

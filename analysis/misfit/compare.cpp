@@ -2,14 +2,13 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <map>
 #include <span>
 #include <utility>
 
 #include "calib/model/mohr_coulomb.h"
+#include "data/quantities/distributions.h"
 #include "data/recordings/replicate_groups.h"
 
 namespace pendular {
@@ -82,11 +81,9 @@ double freedom_behind(std::span<const Reading> readings) {
 }
 
 double Misfit::p() const {
-    using namespace boost::math;
     if (dof <= 0) return 1;
-    return std::isfinite(freedom)
-               ? cdf(complement(fisher_f(static_cast<double>(dof), freedom), chi2 / dof))
-               : cdf(complement(chi_squared(dof), chi2));
+    return std::isfinite(freedom) ? fisher_f_tail(chi2 / dof, static_cast<double>(dof), freedom)
+                                  : chi_squared_tail(chi2, dof);
 }
 
 std::array<double, 2> rms_percent(const std::vector<Reading>& readings,

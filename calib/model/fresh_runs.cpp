@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <set>
 
 #include "calib/emulator/emulated_observables.h"
 #include "calib/model/study_state.h"
+#include "data/quantities/distributions.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/seeds.h"
 
@@ -79,7 +79,7 @@ double agreement(const Emulator& emulator, const std::vector<dem::RunResult>& fr
         covariance.block<2, 2>(at, at) += emulator.noise(fresh[k]);
     }
     const double chi2 = off.dot(covariance.llt().solve(off));
-    return cdf(complement(boost::math::chi_squared(static_cast<double>(off.size())), chi2));
+    return chi_squared_tail(chi2, static_cast<double>(off.size()));
 }
 
 }  // namespace pendular

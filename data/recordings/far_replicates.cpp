@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <numbers>
+
+#include "data/quantities/distributions.h"
 
 namespace pendular {
 namespace {
@@ -57,8 +58,7 @@ FarCondition farthest(const Values& values) {
         const double own = (all.within - others.within) / freedom;
         const double usual = std::max(others.within, others.run_variance) / others.freedom_within;
         if (!(usual > 0) || !(own > usual)) continue;
-        const double p = boost::math::cdf(boost::math::complement(
-            boost::math::fisher_f(freedom, others.freedom_within), own / usual));
+        const double p = fisher_f_tail(own / usual, freedom, others.freedom_within);
         if (p < result.p) result = {value.condition, own, p};
     }
     result.p *= static_cast<double>(conditions.size());

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "data/quantities/distributions.h"
 #include "data/recordings/far_replicates.h"
 #include "data/recordings/replicate_table.h"
 #include "data/recordings/rounding.h"
@@ -36,8 +33,7 @@ constexpr double unlikely_scatter = 0.025;
 /// widened standard errors cover 95 %, as two known standard errors do: Student's quantile over the
 /// normal quantile.
 double widening(double freedom) {
-    const double level = boost::math::cdf(boost::math::normal(), 2.0);
-    return boost::math::quantile(boost::math::students_t(freedom), level) / 2;
+    return students_t_quantile(normal_below(2), freedom) / 2;
 }
 
 double widened(double freedom) {
@@ -154,9 +150,8 @@ void Pooling::find_load_exponents() {
 /// Whether files differ by more than their steps explain, by an F test.
 bool files_differ(const ReplicateScatter::Filling& filling) {
     if (!(filling.within > 0)) return filling.between > 0;
-    const boost::math::fisher_f law(filling.freedom_between, filling.freedom_within);
-    return boost::math::cdf(boost::math::complement(law, filling.between / filling.within)) <
-           hint_of_fillings;
+    return fisher_f_tail(filling.between / filling.within, filling.freedom_between,
+                         filling.freedom_within) < hint_of_fillings;
 }
 
 /// Adds the prior of the filling error to the mean square between files and to its degrees of
@@ -213,8 +208,7 @@ bool Pooling::refuted(Eigen::Index o, const std::vector<MeanSquare>& own,
         freedom += own[c].freedom;
     }
     if (freedom == 0) return false;
-    const boost::math::chi_squared law(freedom);
-    return boost::math::cdf(boost::math::complement(law, chi2)) < unlikely_scatter;
+    return chi_squared_tail(chi2, freedom) < unlikely_scatter;
 }
 
 void Pooling::estimate_steps() {

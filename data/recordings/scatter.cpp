@@ -2,11 +2,10 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/special_functions/digamma.hpp>
-#include <boost/math/special_functions/trigamma.hpp>
 #include <cmath>
 #include <map>
+
+#include "data/quantities/distributions.h"
 
 namespace pendular {
 namespace {
@@ -214,7 +213,6 @@ namespace {
 
 /// Returns x > 0 with trigamma(x) = y, by Newton's method on 1/trigamma, which is nearly linear.
 double inverse_trigamma(double y) {
-    using boost::math::trigamma;
     double x = 0.5 + 1 / y;
     for (int turn = 0; turn < 50; ++turn) {
         const double value = trigamma(x), step = 1e-4 * x;
@@ -242,15 +240,12 @@ double scatter_alike_p(const std::vector<MeanSquare>& own, const MeanSquare& poo
         ++sets;
     }
     const double correction = 1 + (inverse - 1 / freedom) / (3 * (sets - 1));
-    return cdf(
-        complement(boost::math::chi_squared(sets - 1), std::max(0.0, statistic / correction)));
+    return chi_squared_tail(std::max(0.0, statistic / correction), sets - 1);
 }
 
 }  // namespace
 
 std::vector<MeanSquare> moderated(const std::vector<MeanSquare>& own) {
-    using boost::math::digamma;
-    using boost::math::trigamma;
     MeanSquare pooled;
     std::vector<double> logs;
     double spread_by_chance = 0;

@@ -5,10 +5,11 @@
 #include <span>
 
 #include "data/effect_parameter.h"
-#include "sim/dem/bridge_law.h"
-#include "sim/dem/contact_law.h"
 
 namespace pendular::dem {
+
+struct BridgeLaw;
+struct Material;
 
 /// Batch of pairs of grains that the solver passes to an effect, in reduced units (grain diameter,
 /// grain mass and imposed normal stress are 1). Each pointer points to `size` elements, one per

@@ -131,10 +131,6 @@ void average(const Series& series, std::size_t from, double rupture_distance, Ru
 
 }  // namespace
 
-double rigidity_shift(double solid_fraction, double mean_overlap) {
-    return rigidity_factor * 3 * solid_fraction * mean_overlap;
-}
-
 namespace {
 
 std::size_t blocks_in(double strain) {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "data/effect_parameter.h"
-#include "sim/dem/bridge_law.h"
 #include "sim/dem/observables.h"
+#include "sim/dem/wetting.h"
 
 namespace pendular::dem {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "sim/dem/fields.h"
+#include "sim/dem/run_result.h"
 #include "sim/dem/shear_cell.h"
 #include "sim/dem/structure.h"
-#include "sim/dem/trace.h"
 
 namespace pendular::dem {
 

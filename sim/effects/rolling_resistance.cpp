@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "sim/catalogue/effect.h"
+#include "sim/dem/contact_law.h"
 
 namespace pendular {
 namespace {

@@ -1,4 +1,5 @@
 #include "sim/catalogue/effect.h"
+#include "sim/dem/bridge_law.h"
 
 namespace pendular {
 

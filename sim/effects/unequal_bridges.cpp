@@ -1,9 +1,10 @@
 #include <bit>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <cstdint>
 
+#include "data/quantities/distributions.h"
 #include "sim/catalogue/effect.h"
+#include "sim/dem/bridge_law.h"
 
 namespace pendular {
 namespace {
@@ -16,18 +17,16 @@ class Volumes {
 
     /// @param deviation standard deviation over the mean of the distribution before the cut [1]
     explicit Volumes(double deviation) : width_(std::sqrt(std::log1p(deviation * deviation))) {
-        const boost::math::normal z;
-        const double whole = cdf(z, cut_off) - cdf(z, -cut_off);
+        const double whole = normal_below(cut_off) - normal_below(-cut_off);
         mean_ = std::exp(width_ * width_ / 2) *
-                (cdf(z, cut_off - width_) - cdf(z, -cut_off - width_)) / whole;
+                (normal_below(cut_off - width_) - normal_below(-cut_off - width_)) / whole;
         largest_ = at(cut_off);
     }
     double largest() const { return largest_; }
     /// Volume below which a fraction `share` of the bridges lies, over the mean volume [1].
     double quantile(double share) const {
-        const boost::math::normal z;
-        const double lowest = cdf(z, -cut_off);
-        return at(boost::math::quantile(z, lowest + share * (1 - 2 * lowest)));
+        const double lowest = normal_below(-cut_off);
+        return at(normal_quantile(lowest + share * (1 - 2 * lowest)));
     }
 
   private:

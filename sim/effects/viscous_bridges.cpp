@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "sim/catalogue/effect.h"
+#include "sim/dem/bridge_law.h"
 
 namespace pendular {
 namespace {

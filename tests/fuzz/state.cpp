@@ -1,7 +1,6 @@
 // States of runs: bytes that are restored are archived to the same bytes.
 #include "sim/dem/archive.h"
-#include "sim/dem/stored_sample.h"
-#include "sim/dem/trace.h"
+#include "sim/dem/run_result.h"
 #include "tests/fuzz/support.h"
 
 using namespace pendular;

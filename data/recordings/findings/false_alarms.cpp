@@ -1,9 +1,10 @@
 #include "data/recordings/findings/false_alarms.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
+
+#include "data/quantities/distributions.h"
 
 namespace pendular {
 
@@ -25,8 +26,7 @@ std::vector<Remark> significant_findings(std::vector<Remark> tested) {
 double two_sided_p(double z, double freedom) {
     if (std::isnan(z)) return 1;
     if (std::isinf(z)) return 0;
-    const boost::math::students_t law(std::max(freedom, 1.0));
-    return 2 * boost::math::cdf(boost::math::complement(law, std::abs(z)));
+    return 2 * students_t_tail(std::abs(z), std::max(freedom, 1.0));
 }
 
 }  // namespace pendular

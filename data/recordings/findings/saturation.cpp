@@ -1,12 +1,12 @@
 #include "data/recordings/findings/saturation.h"
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <functional>
 #include <optional>
 #include <set>
 
+#include "data/quantities/distributions.h"
 #include "data/recordings/robust.h"
 
 namespace pendular {
@@ -74,8 +74,7 @@ double crowding_p(const TopRows& rows) {
     std::ranges::nth_element(below, below.begin() + static_cast<std::ptrdiff_t>(near) - 1);
     const double width = std::max(rows.band, rows.resolution);
     const double share = width / (width + below[near - 1]);
-    const boost::math::binomial law(static_cast<double>(runs + near), share);
-    return boost::math::cdf(boost::math::complement(law, static_cast<double>(runs) - 1));
+    return binomial_at_least(static_cast<double>(runs), static_cast<double>(runs + near), share);
 }
 
 /// Probability that rows stay as long at the largest value, from the share of the other rows that

@@ -1,9 +1,9 @@
 #include "data/recordings/findings/stick_slip.h"
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 
+#include "data/quantities/distributions.h"
 #include "data/recordings/autoregression.h"
 #include "data/recordings/robust.h"
 
@@ -57,8 +57,7 @@ SuddenChanges sudden_changes(const std::vector<double>& series, double resolutio
 double asymmetry_p(const SuddenChanges& found) {
     const double drops = static_cast<double>(found.drops.size());
     if (found.drops.empty()) return 1;
-    const boost::math::binomial law(drops + static_cast<double>(found.rises), 0.5);
-    return boost::math::cdf(boost::math::complement(law, drops - 1));
+    return binomial_at_least(drops, drops + static_cast<double>(found.rises), 0.5);
 }
 
 }  // namespace
