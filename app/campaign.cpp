@@ -9,16 +9,16 @@
 
 #include "app/command.h"
 #include "app/console.h"
-#include "app/interrupt.h"
 #include "app/options.h"
-#include "app/progress.h"
 #include "app/stored_runs.h"
 #include "app/terminal.h"
 #include "data/input_error.h"
+#include "reports/run_report.h"
 #include "sim/runs/campaign.h"
 #include "sim/runs/mpi_ensemble.h"
 #include "sim/runs/store/run_table.h"
 #include "workflow/fit_study.h"
+#include "workflow/json/commands.h"
 
 namespace pendular::app {
 namespace {
@@ -66,10 +66,11 @@ void or_abort(const MpiProcesses& processes, const std::function<void()>& work) 
     }
 }
 
-/// Estimates and prints the duration [s] of the missing runs, from the speed of the runs in the
-/// store, else of the runs in the atlas; empty where neither has a run.
+/// Estimates the duration [s] of the missing runs, from the speed of the runs in the store, else of
+/// the runs in the atlas; empty where neither has a run.
+/// @param source receives what the estimate follows from
 std::optional<double> estimate_duration(const Survey& found, const RunStore& store, int threads,
-                                        Console& console) {
+                                        std::string& source) {
     if (found.missing.empty()) {
         return 0;
     }
@@ -81,20 +82,12 @@ std::optional<double> estimate_duration(const Survey& found, const RunStore& sto
         return runs;
     };
     std::vector<dem::RunResult> measured = runs_of(store.select());
-    std::string source =
-        fmt::format("the speed of the {} simulations in the store", measured.size());
+    source = fmt::format("the speed of the {} simulations in the store", measured.size());
     auto seconds = expected_seconds(found.missing, measured, threads);
     if (const auto atlas = atlas_file(); !seconds && !atlas.empty()) {
         seconds = expected_seconds(found.missing, runs_of(read_runs(atlas)), threads);
         source = "the speed of the simulations in the atlas, which were made on another machine";
     }
-    if (!seconds) {
-        console.line("The duration cannot be estimated: the store holds no simulation.");
-        return seconds;
-    }
-    console.line(fmt::format(
-        "Estimated duration of the {} remaining simulations: about {} on {} thread{}, from {}.",
-        found.missing.size(), duration(*seconds), threads, threads == 1 ? "" : "s", source));
     return seconds;
 }
 
@@ -104,39 +97,51 @@ void report_plan(const std::vector<dem::RunParameters>& runs, const CommonOption
     const bool there = std::filesystem::exists(common.store);
     const RunStore store(there ? common.store : std::filesystem::path(RunStore::in_memory), there);
     const Survey found = survey(runs, store);
-    console.answer(fmt::format("{} of {} simulations are in {}; {} remain to be done.",
-                               runs.size() - found.missing.size(), runs.size(),
-                               common.store.string(), found.missing.size()));
-    const auto seconds = estimate_duration(found, store, common.threads, console);
-    nlohmann::ordered_json json = {{"runs", runs.size()},
-                                   {"stored", runs.size() - found.missing.size()},
-                                   {"new", 0},
-                                   {"failed", found.failed.size()},
-                                   {"store", common.store.string()},
-                                   {"estimated_seconds", nullptr}};
-    if (seconds) {
-        json["estimated_seconds"] = *seconds;
-    }
-    console.json(json);
+    std::string source;
+    const CampaignState state{.runs = runs.size(),
+                              .stored = runs.size() - found.missing.size(),
+                              .failed = found.failed.size(),
+                              .store = common.store,
+                              .seconds = estimate_duration(found, store, common.threads, source)};
+    console.print(plan_output(state, common.threads, source));
+    console.json(to_json(state));
 }
 
 void report(std::size_t runs, const Survey& before, const Survey& after, const RunStore& store,
             Console& console) {
-    for (const auto& run : after.failed) {
-        console.note(fmt::format(
-            "The simulation with friction {}, inertial number {} and seed {} failed: {}",
-            run.parameters.friction, run.parameters.inertial_number, run.parameters.seed,
-            run.failure));
+    const CampaignState state{.runs = runs,
+                              .stored = runs - after.missing.size(),
+                              .made = before.missing.size() - after.missing.size(),
+                              .failed = after.failed.size(),
+                              .store = store.file()};
+    console.print(campaign_output(state, after.failed));
+    console.json(to_json(state));
+}
+
+/// Makes the runs of a campaign that the store lacks, and reports them.
+/// @param processes null: this process makes all of them
+void simulate_missing(const std::vector<dem::RunParameters>& runs, MpiProcesses* processes,
+                      const std::stop_token& stop, const CommonOptions& common, Console& console) {
+    RunStore store(common.store);
+    const Survey before = survey(runs, store);
+    const Workers workers{
+        .threads = common.threads,
+        .stop = stop,
+        .report = [&](const EnsembleProgress& p) { console.progress("Campaign", p); },
+        .store = &store};
+    try {
+        if (processes && processes->workers() > 0) {
+            processes->manage(before.missing, workers);
+        } else {
+            run_all(before.missing, workers);
+        }
+    } catch (const dem::Interrupted&) {
+        console.end_progress();
+        throw interrupted_with(&store);
     }
-    const std::size_t stored = runs - after.missing.size(),
-                      made = before.missing.size() - after.missing.size();
-    console.answer(fmt::format("{} of {} simulations are in {}: {} new, {} failed.", stored, runs,
-                               store.file().string(), made, after.failed.size()));
-    console.json({{"runs", runs},
-                  {"stored", stored},
-                  {"new", made},
-                  {"failed", after.failed.size()},
-                  {"store", store.file().string()}});
+    console.end_progress();
+    store.demand_present();
+    report(runs.size(), before, survey(runs, store), store, console);
 }
 
 const char* const about_campaign =
@@ -192,32 +197,13 @@ int campaign(const std::vector<std::string>& arguments) {
             return done;
         }
     }
-    const auto simulate_missing = [&] {
-        RunStore store(common->store);
-        const Survey before = survey(runs, store);
-        const Workers workers{
-            .threads = common->threads,
-            .stop = guard.token(),
-            .report = [&](const EnsembleProgress& p) { console.progress("Campaign", p); },
-            .store = &store};
-        try {
-            if (processes && processes->workers() > 0) {
-                processes->manage(before.missing, workers);
-            } else {
-                run_all(before.missing, workers);
-            }
-        } catch (const dem::Interrupted&) {
-            console.end_progress();
-            throw interrupted_with(&store);
-        }
-        console.end_progress();
-        store.demand_present();
-        report(runs.size(), before, survey(runs, store), store, console);
+    const auto work = [&] {
+        simulate_missing(runs, processes ? &*processes : nullptr, guard.token(), *common, console);
     };
     if (processes) {
-        or_abort(*processes, simulate_missing);
+        or_abort(*processes, work);
     } else {
-        simulate_missing();
+        work();
     }
     return done;
 }

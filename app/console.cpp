@@ -11,10 +11,10 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "app/progress.h"
 #include "app/terminal.h"
 #include "data/files/json_text.h"
-#include "workflow/json.h"
+#include "reports/words.h"
+#include "workflow/json/parts.h"
 
 namespace pendular::app {
 namespace {
@@ -86,6 +86,24 @@ void Console::table(const std::vector<std::string>& heading_and_rows, std::size_
     }
     for (const std::string& row : heading_and_rows) {
         if (is_legend(row)) line(row);
+    }
+}
+
+void Console::print(const Output& output) {
+    for (const Output::Part& part : output.parts()) {
+        switch (part.kind) {
+            case Output::Kind::answer:
+                answer(part.lines.front());
+                break;
+            case Output::Kind::line:
+                line(part.lines.front());
+                break;
+            case Output::Kind::table:
+                table(part.lines, part.most_rows);
+                break;
+            case Output::Kind::note:
+                note(part.lines.front());
+        }
     }
 }
 

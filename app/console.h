@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/options.h"
+#include "reports/output.h"
 #include "reports/with_error.h"
 #include "sim/runs/ensemble.h"
 
@@ -32,6 +33,8 @@ class Console {
     /// number of hidden rows. Rows that begin with "  (" explain the columns, and are always
     /// printed, below the table.
     void table(const std::vector<std::string>& heading_and_rows, std::size_t most_rows);
+    /// Prints all parts of an output.
+    void print(const Output& output);
     /// Stores a remark, which is printed as "Note: ..." before the figures and the next command.
     /// Without --all, at most three notes are printed, then the number of hidden notes; notes that
     /// differ only in words with digits count as one, of which the first is printed.

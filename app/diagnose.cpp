@@ -9,39 +9,20 @@
 #include <string>
 #include <vector>
 
-#include "analysis/diagnosis/study_evidence.h"
-#include "analysis/misfit/compare.h"
-#include "app/belief.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/open_session.h"
 #include "app/options.h"
-#include "app/progress.h"
-#include "data/remarks/wording.h"
-#include "reports/diagnosis_figure.h"
+#include "reports/diagnosis_figures.h"
+#include "reports/diagnosis_output.h"
 #include "reports/diagnosis_report.h"
-#include "reports/diagnosis_table.h"
 #include "reports/draw_figure.h"
-#include "reports/failure_report.h"
-#include "reports/impact_figure.h"
 #include "reports/impact_report.h"
 #include "reports/next_steps.h"
-#include "reports/proposal_figure.h"
 #include "reports/proposal_report.h"
-#include "reports/scan_figures.h"
-#include "reports/suspect_report.h"
-#include "reports/undetected_effects.h"
-#include "reports/with_error.h"
-#include "workflow/confirm_diagnosis.h"
-#include "workflow/diagnosis_json.h"
-#include "workflow/fit_runs.h"
-#include "workflow/impact_json.h"
-#include "workflow/json.h"
-#include "workflow/json_parts.h"
-#include "workflow/order_of_contents.h"
+#include "workflow/json/diagnosis.h"
+#include "workflow/json/parts.h"
 #include "workflow/proposed_effects.h"
-#include "workflow/rival_effects.h"
-#include "workflow/rivals.h"
 
 namespace pendular::app {
 namespace {
@@ -89,153 +70,17 @@ command continues with them.)";
 /// Time for --confirm without a number [min].
 constexpr double usual_minutes = 5;
 
-/// Sentence on doubts about the readings behind the verdict, or on readings that doubts have set
-/// aside; empty without doubts.
-std::string caution(const StudyDiagnosis& d, const Measurements& measurements) {
-    if (doubts_that_set_aside(measurements) > 0) {
-        return " The verdict does not use the readings that were set aside as implausible.";
-    }
-    const bool said = d.diagnosis.verdict == Verdict::suspect_measurement;
-    return measurements.doubts().empty() || said ? ""
-                                                 : " Warnings on the readings are listed below.";
-}
-
-/// Sentence on the simulations that confirmed the verdict.
-std::string confirmation_line(const Confirmation& confirmed) {
-    if (confirmed.runs == 0) {
-        return "The verdict is not confirmed by simulations: no simulation could finish within the "
-               "time limit.";
-    }
-    const std::string done =
-        fmt::format("{} simulation{} in {}", confirmed.runs, confirmed.runs == 1 ? "" : "s",
-                    duration(confirmed.seconds));
-    return confirmed.settled
-               ? fmt::format("The verdict is firm after {}: more of them would change little.",
-                             done)
-               : fmt::format(
-                     "The verdict is not yet firm after {}: {}. To continue, run the same command "
-                     "again.",
-                     done, confirmed.open);
-}
-
-/// Prints the evidence for the verdict and the advice that follows from it.
-void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& checks,
-                    const std::optional<ImpactTable>& impacts, const Session& session) {
+std::vector<Figure> figures_of(const StudyDiagnosis& d, const std::optional<ImpactTable>& impacts) {
     const Diagnosis& diagnosis = d.diagnosis;
     const StudyModelSpace& models = *d.models;
-    const Measurements& measurements = session.measurements();
-    console.line(fit_line(diagnosis));
-    console.table(checks_table(checks), 3);
-    const std::vector<std::string> undetected =
-        undetected_table(d, impacts, session.resolved().catalogue());
-    console.table(undetected, shown_undetected);
-    if (undetected.empty() || console.all()) {
-        console.table(diagnosis_table(diagnosis, models, console.all()), 4);
+    std::vector<Figure> drawn = {diagnosis_figure(diagnosis, models)};
+    std::ranges::move(scan_figures(diagnosis, models), std::back_inserter(drawn));
+    if (!d.proposals.empty()) {
+        drawn.push_back(
+            proposal_figure(d.proposals.front(), d.readings, diagnosis.base.fit.prediction));
     }
-    if (const std::string line =
-            rivals_line(d.rivals, diagnosis.base.fit.chi2, session.resolved().catalogue());
-        !line.empty()) {
-        console.line(line);
-    }
-    // If the named effects explain the whole misfit, the readings deviate because of these effects.
-    const bool explained = diagnosis.verdict == Verdict::missing && diagnosis.complete;
-    if (const std::string suspects = suspects_line(diagnosis, d.evidence);
-        !suspects.empty() && (!explained || console.all())) {
-        console.line(suspects);
-    }
-    if (const auto remaining = remaining_checks(d, session.options().seed)) {
-        for (const std::string& line : incomplete_lines(
-                 diagnosis, rms_percent(d.readings, diagnosis.base.fit.prediction.value),
-                 rms_percent(d.readings, diagnosis.leaders->model.fit.prediction.value),
-                 *remaining)) {
-            console.line(line);
-        }
-    }
-    // A proposed change describes the misfit better than a smooth error of the model.
-    if (d.proposals.empty()) {
-        if (const std::string line =
-                discrepancy_line(remaining_discrepancy(d, session.study().model.discrepancy[0]));
-            !line.empty()) {
-            console.line(line);
-        }
-    }
-    for (const std::string& line :
-         proposal_lines(d.proposals, diagnosis.base.fit.chi2, diagnosis.dof)) {
-        console.line(line);
-    }
-    if (const std::string line = undetectable_line(diagnosis, models); !line.empty()) {
-        console.line(line);
-    }
-    for (const std::string& line : close_effects_lines(diagnosis, models)) {
-        console.line(line);
-    }
-    if (const std::string order = order_line(d, session.resolved().catalogue()); !order.empty()) {
-        console.line(order);
-    }
-    if (measurements.doubts().empty() && !d.mistake) {
-        console.line(error_basis(measurements));
-    }
-}
-
-/// Prints a note for each effect that study.toml defines and that is estimated at a bound of its
-/// parameter, where something is missing: its true size may lie beyond.
-void note_bounds(Console& console, const StudyDiagnosis& d, const Study& study) {
-    const Verdict verdict = d.diagnosis.verdict;
-    if (verdict == Verdict::nothing_missing || verdict == Verdict::inconclusive) return;
-    for (const Finding& finding : d.diagnosis.scan) {
-        const Candidate& candidate = d.models->candidates()[finding.candidate];
-        const bool of_study =
-            std::ranges::find(study.written_effects, candidate.name, &WrittenEffect::name) !=
-            study.written_effects.end();
-        if (!of_study || candidate.is_switch()) continue;
-        const EffectParameter& p = candidate.parameters.front();
-        for (const double bound : {p.lower, p.upper}) {
-            if (bound == p.neutral || finding.value != bound) continue;
-            console.note(fmt::format(
-                "The estimate of the effect {} is at a bound of its parameter, {}: if the effect "
-                "may be larger, widen 'lower' or 'upper' of its table [[effect]] in study.toml.",
-                candidate.name, with_unit(bound, p.unit)));
-        }
-    }
-}
-
-/// Prints notes on the import and on the limits of the models. `study`: name as the user gave it.
-void print_notes(Console& console, const StudyDiagnosis& d, const Measurements& measurements,
-                 const std::string& study) {
-    const Diagnosis& diagnosis = d.diagnosis;
-    const StudyModelSpace& models = *d.models;
-    for (const Remark& note : measurements.notes()) {
-        if (note.kind != Remark::Kind::grain_weight) console.note(text_of(note));
-    }
-    if (const auto note = note_on_means(d.readings.size(), d.measured)) console.note(*note);
-    for (const UntestableEffect& aside : models.untestable_effects()) {
-        if (aside.without_runs) {
-            console.note(fmt::format("The effect {} was not tested: {}", aside.effect, aside.why));
-        }
-    }
-    if (!diagnosis.base.fit.converged) {
-        console.note(
-            fmt::format("The fit did not converge ({}): the verdict may differ at the best fit. "
-                        "For details: pendular calibrate {}",
-                        diagnosis.base.fit.message, study));
-    }
-    for (const std::string& why : models.why_unsupported(diagnosis.base.fit.parameters(0))) {
-        console.note(
-            fmt::format("The simulations in atlas and store do not cover a part of the readings: "
-                        "{}. A misfit of these readings may be an error of the emulator. To "
-                        "simulate their states: pendular calibrate {}",
-                        why, study));
-    }
-}
-
-/// Draws the figures that have panels in `folder`, and returns their names.
-std::vector<std::string> draw_all(const std::vector<Figure>& figures,
-                                  const std::filesystem::path& folder) {
-    std::vector<std::string> names;
-    for (const Figure& figure : figures) {
-        if (!figure.panels.empty() && draw(figure, folder)) names.push_back(figure.name);
-    }
-    return names;
+    if (impacts) drawn.push_back(impact_figure(*impacts));
+    return drawn;
 }
 
 /// Proposed effects of a diagnosis, with a sentence on each as its summary.
@@ -251,25 +96,6 @@ ProposedEffects proposed_of(const StudyDiagnosis& d) {
         }
     }
     return proposed;
-}
-
-/// JSON array of the proposals of a diagnosis.
-nlohmann::ordered_json proposals_json(const StudyDiagnosis& d) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
-    for (const Proposal& each : d.proposals) {
-        std::string tables;
-        for (const FittedShape& shape : each.shapes) {
-            tables += effect_table(shape.effect);
-        }
-        json.push_back({{"sentence", sentence_on(each)},
-                        {"formula", tables},
-                        {"p", each.p},
-                        {"fits", each.fits()},
-                        {"explained", each.explained},
-                        {"chi2", each.model.fit.chi2},
-                        {"dof", each.model.fit.dof}});
-    }
-    return json;
 }
 
 }  // namespace
@@ -298,67 +124,25 @@ int diagnose(const std::vector<std::string>& arguments) {
     Console console(*common);
     const OpenSession session(console, *common, {"diagnosis.json", "proposed.toml", "figures"},
                               seed);
-    const Measurements& measurements = session->measurements();
     const StudyDiagnosis d = session->diagnose(confirming);
-    const Belief& belief = d.belief;
     const Diagnosis& diagnosis = d.diagnosis;
     const StudyModelSpace& models = *d.models;
     const Checks checks = checks_of(d, session->options().seed);
-    auto json = to_json(diagnosis, models, d.evidence, checks);
-    json["line"] = verdict_line(diagnosis, models, checks);
-    json["readings"] = {{"measured", d.measured}, {"tested", d.readings.size()}};
-    json["recordings"] = recordings_json(d.recordings);
-    json["model_effects"] = names_of(session->study().model.effects);
-    json["rivals"] = to_json(d.rivals);
-    json["proposed"] = proposals_json(d);
-    json["runs"] = runs_json(d.models->simulation().emulator().runs());
-    json["confirmed"] = to_json(d.confirmed);
     const std::optional<ImpactTable> impacts =
         impacts_of(d, static_cast<std::size_t>(session->options().threads));
     const std::vector<NextStep> steps =
         next_steps(d, impacts, session->resolved(), common->study_word());
-    json["to_do"] = texts_of(steps);
-    json["impact"] = impacts ? to_json(*impacts) : nullptr;
-    add_belief(json, belief);
+    const auto json = to_json(d, checks, impacts, session->study(),
+                              {verdict_line(diagnosis, models, checks), sentences_on(d.proposals),
+                               texts_of(steps), d.confirmed ? why_open(*d.confirmed) : ""});
     write_proposed(common->out_folder() / "proposed.toml", proposed_of(d));
     write_json(common->out_folder() / "diagnosis.json", json);
-    const std::string shown = recordings_line(d.recordings);
-    if (diagnosis.recordings_first) console.line(shown);
-    console.answer(verdict_line(diagnosis, models, checks) + caution(d, measurements));
-    if (!diagnosis.recordings_first && !shown.empty()) console.line(shown);
-    if (d.confirmed) console.line(confirmation_line(*d.confirmed));
-    for (std::size_t k = 0; k < belief.reasons.size(); ++k) {
-        if (k != belief.misfit_reason) console.line("Warning: " + belief.reasons[k]);
-    }
-    for (const std::string& line : suspect_lines(d)) {
-        console.line(line);
-    }
-    if (const std::string friction = friction_line(d); !friction.empty()) console.line(friction);
-    print_limits(console, models.simulation().emulator().runs(), d.readings,
-                 rivals_of(d).front().fit.parameters(0));
-    print_evidence(console, d, checks, impacts, *session.operator->());
-    if (impacts && console.all()) console.table(impact_table(*impacts), impacts->impacts.size());
-    for (const std::string& line : step_lines(steps)) {
-        console.line(line);
-    }
-    print_notes(console, d, measurements, common->study_word());
-    note_bounds(console, d, session->study());
-    const bool named =
-        diagnosis.verdict == Verdict::missing || diagnosis.verdict == Verdict::indistinguishable;
-    if (const auto& cell = session->study().cell; named && cell) {
-        for (const std::string& note : implausible_offsets(diagnosis, models, d.readings, *cell))
-            console.note(note);
-    }
+    console.print(diagnosis_output({d, checks, remaining_checks(d, session->options().seed),
+                                    impacts, steps, session->resolved(), session->measurements(),
+                                    common->study_word(), console.all()}));
     const auto figures = common->out_folder() / "figures";
-    std::vector<Figure> drawn = {diagnosis_figure(diagnosis, models)};
-    std::ranges::move(scan_figures(diagnosis, models), std::back_inserter(drawn));
-    if (!d.proposals.empty()) {
-        drawn.push_back(
-            proposal_figure(d.proposals.front(), d.readings, diagnosis.base.fit.prediction));
-    }
-    if (impacts) drawn.push_back(impact_figure(*impacts));
     console.json(json);  // before the figures, which need gnuplot
-    console.figures(figures, draw_all(drawn, figures));
+    console.figures(figures, draw_all(figures_of(d, impacts), figures));
     console.next(next_command(diagnosis, steps, common->study_word()));
     return diagnosis.base.fit.converged ? done : not_converged;
 }

@@ -16,6 +16,7 @@
 #include "reports/effect_pages.h"
 #include "reports/effect_signature.h"
 #include "sim/catalogue/effect_catalogue.h"
+#include "workflow/json/commands.h"
 #include "workflow/known_runs.h"
 #include "workflow/study_input.h"
 
@@ -94,26 +95,8 @@ void show_one(Console& console, const EffectEntry& entry) {
 }
 
 void show_all(Console& console, const std::vector<EffectEntry>& entries) {
-    console.answer(fmt::format(
-        "The catalogue has {} effects. 'pendular effects NAME' describes the effect NAME.",
-        entries.size()));
-    for (const auto& line : effects_table(entries)) {
-        console.line(line);
-    }
-    if (std::ranges::any_of(entries, [](const EffectEntry& entry) {
-            return entry.status && entry.status->obstacle;
-        })) {
-        console.line(
-            "'pendular effects NAME --study STUDY' says what the study lacks for an effect.");
-    }
-    nlohmann::ordered_json json = {{"effects", nlohmann::ordered_json::array()}};
-    for (const EffectEntry& entry : entries) {
-        if (console.all() && entry.status && entry.status->obstacle) {
-            console.note(entry.status->obstacle->sentence);
-        }
-        json["effects"].push_back(to_json(entry));
-    }
-    console.json(json);
+    console.print(effects_output(entries, console.all()));
+    console.json(to_json(entries));
 }
 
 /// Draws the figures of effects for a manual: the signatures, changes of the readings by an effect.
@@ -160,11 +143,11 @@ class Signatures {
 void write_manual(Console& console, const std::filesystem::path& folder,
                   const std::vector<EffectEntry>& entries, Signatures signatures) {
     std::size_t drawn = 0;
-    nlohmann::ordered_json pages = nlohmann::ordered_json::array();
+    std::vector<std::pair<std::string, bool>> pages;
     for (const EffectEntry& entry : entries) {
         const std::string& name = entry.effect->name;
         std::string figure = signatures.draw_one(*entry.effect);
-        pages.push_back({{"effect", name}, {"figure", !figure.empty()}});
+        pages.emplace_back(name, !figure.empty());
         if (figure.empty()) {
             console.note(fmt::format("{} has no figure: {}", name, signatures.why_none()));
             figure = fmt::format("There is no figure: {}.", signatures.why_none());
@@ -176,7 +159,7 @@ void write_manual(Console& console, const std::filesystem::path& folder,
     write_whole(folder / "index.md", manual_index(entries));
     console.line(fmt::format("Pages on {} effects, {} of them with a figure, are written to {}.",
                              entries.size(), drawn, (folder / "index.md").string()));
-    console.json({{"index", (folder / "index.md").string()}, {"pages", std::move(pages)}});
+    console.json(manual_json(folder / "index.md", pages));
 }
 
 }  // namespace

@@ -8,41 +8,17 @@
 #include "app/import_file.h"
 #include "app/open_session.h"
 #include "app/options.h"
-#include "app/recording_views.h"
+#include "app/study_page.h"
 #include "data/files/write_tables.h"
 #include "data/remarks/wording.h"
+#include "reports/draw_figure.h"
+#include "reports/file_report.h"
 #include "reports/recording_figures.h"
-#include "reports/tables.h"
-#include "workflow/json.h"
+#include "workflow/json/measurements.h"
 #include "workflow/study_input.h"
 
 namespace pendular::app {
 namespace {
-
-/// Heading and sentences on the findings inside the recordings; empty if there are none.
-/// Saturations are left out without `all`, since warnings name them.
-std::vector<std::string> findings_lines(std::vector<Remark> findings, bool all) {
-    if (!all) {
-        std::erase_if(findings,
-                      [](const Remark& each) { return each.kind == Remark::Kind::saturation; });
-    }
-    std::vector<std::string> lines;
-    for (const std::string& sentence : sentences(findings, all))
-        lines.push_back("  " + sentence);
-    if (!lines.empty()) lines.insert(lines.begin(), "The recordings themselves show:");
-    return lines;
-}
-
-/// Heading and sentences on the files' headers and set points; empty for nothing.
-std::vector<std::string> file_findings_lines(const std::vector<Remark>& findings, bool all) {
-    std::vector<std::string> lines;
-    for (const Remark& finding : findings)
-        lines.push_back(fmt::format("  {}: {}",
-                                    std::filesystem::path(finding.file()).filename().string(),
-                                    with_lines(finding, all ? finding.lines.size() : 8)));
-    if (!lines.empty()) lines.insert(lines.begin(), "Checks of the files show:");
-    return lines;
-}
 
 /// A figure of each recording of a study, with the rows that its readings average.
 std::vector<Figure> figures_of_recordings(const StudyInput& input, Console& console) {
@@ -98,46 +74,16 @@ int import(const std::vector<std::string>& arguments) {
     const StudyInput input =
         read_input(common->study, places_of(*common, {"readings.csv", "excluded.csv"}));
     const Measurements& measurements = input.measurements;
-    const auto readings = common->out_folder() / "readings.csv";
-    write_readings(readings, measurements);
+    write_readings(common->out_folder() / "readings.csv", measurements);
     write_excluded(common->out_folder() / "excluded.csv", measurements);
-    const std::string left_out = excluded_text(measurements);
-    const std::string reason = common_reason(measurements).value_or("");
-    console.answer(fmt::format("{} written to {}.{}{}{}",
-                               measurements.readings.size() == 1
-                                   ? "1 reading"
-                                   : fmt::format("{} readings", measurements.readings.size()),
-                               readings.string(),
-                               left_out.empty()
-                                   ? ""
-                                   : fmt::format(" Excluded: {} (listed in {}).", left_out,
-                                                 (common->out_folder() / "excluded.csv").string()),
-                               reason.empty() ? "" : " ", reason));
-    for (const Remark& doubt : measurements.doubts()) {
-        console.line(fmt::format("Warning: {} {}", text_of(doubt),
-                                 doubt.outcome == Remark::Outcome::set_aside
-                                     ? "The affected readings are excluded."
-                                     : "The affected readings are kept."));
-    }
-    console.table(findings_lines(measurements.faults(true), console.all()), 6);
-    console.table(file_findings_lines(measurements.faults(false), console.all()), 6);
-    if (!measurements.readings.empty()) console.table(readings_table(measurements), 7);
-    if (console.all()) console.table(excluded_table(measurements), 0);
-    console.table(scatter_table(measurements), 5);
-    for (const Remark& note : measurements.notes()) {
-        console.note(text_of(note));
-    }
-    if (measurements.readings.empty()) {
-        console.note(
-            fmt::format("No step of the recordings gave a reading. 'pendular import {} --all' "
-                        "lists the excluded rows with the reasons.",
-                        common->study_word()));
-    } else {
+    console.print(
+        import_output(measurements, common->out_folder(), common->study_word(), console.all()));
+    if (!measurements.readings.empty())
         console.next(fmt::format("pendular calibrate {}", common->study_word()));
-    }
     console.json(to_json(measurements));
     if (!file.figures.empty())
-        draw_all(figures_of_recordings(input, console), file.figures, console);
+        console.figures(file.figures,
+                        draw_all(figures_of_recordings(input, console), file.figures));
     return mostly_set_aside(measurements) ? not_converged : done;
 }
 

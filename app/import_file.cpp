@@ -10,8 +10,8 @@
 #include <system_error>
 
 #include "app/command.h"
-#include "data/files/write_whole.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/write_whole.h"
 #include "data/quantities/nearest.h"
 #include "data/quantities/number.h"
 #include "data/recordings/file_view.h"
@@ -20,7 +20,7 @@
 #include "reports/file_report.h"
 #include "reports/recording_figures.h"
 #include "workflow/begin_study.h"
-#include "workflow/file_json.h"
+#include "workflow/json/measurements.h"
 #include "workflow/study_input.h"
 #include "workflow/tidy_table.h"
 
@@ -119,16 +119,6 @@ void ImportFileOptions::refuse_for_studies(const Options& options) const {
                             name));
 }
 
-void draw_all(const std::vector<Figure>& figures, const std::filesystem::path& folder,
-              Console& console) {
-    std::vector<std::string> names;
-    for (const Figure& figure : figures) {
-        draw(figure, folder);
-        names.push_back(figure.name);
-    }
-    console.figures(folder, names);
-}
-
 bool is_bare_file(const std::filesystem::path& path) {
     std::error_code error;  // set for a link to itself, which reading the study tells of
     return std::filesystem::is_regular_file(path, error) && path.extension() != ".toml";
@@ -149,22 +139,8 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
         write_whole_folder(options.study, files);
     }
     if (!options.tidy.empty()) write_whole(options.tidy, tidy_table(view));
-    console.answer(file_sentence(view));
-    console.line(encoding_sentence(view));
-    console.table(columns_table(view), 20);
-    console.table(intervals_table(view), 10);
-    console.table(checks_lines(view, console.all()), 10);
-    for (const std::string& line : yield_locus_lines(view))
-        console.line(line);
-    if (const std::string missing = missing_sentence(view); !missing.empty()) console.note(missing);
     const auto toml = std::filesystem::path(options.study) / "study.toml";
-    if (guesses > 0) {
-        console.line(fmt::format(
-            "{} of the values in {} {}, marked GUESS, since the file does not state {}: replace {} "
-            "before the study is calibrated.",
-            guesses, toml.string(), guesses == 1 ? "is a guess" : "are guesses",
-            guesses == 1 ? "it" : "them", guesses == 1 ? "it" : "them"));
-    }
+    console.print(file_output(view, guesses, toml, console.all()));
     const bool begins = !view.loci.empty() || view.missing.empty();
     if (options.study.empty() && begins)
         console.next(fmt::format("pendular import {} --study my-study", shell_word(path)));
@@ -173,7 +149,8 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
                                                shell_word(options.study))
                                  : fmt::format("pendular import {}", shell_word(options.study)));
     console.json(to_json(view));
-    if (!options.figures.empty()) draw_all(file_figures(view), options.figures, console);
+    if (!options.figures.empty())
+        console.figures(options.figures, draw_all(file_figures(view), options.figures));
     return done;
 }
 

@@ -29,10 +29,6 @@ struct ImportFileOptions {
     void refuse_for_studies(const Options& options) const;
 };
 
-/// Draws figures to files in a folder, and prints their names on the console.
-void draw_all(const std::vector<Figure>& figures, const std::filesystem::path& folder,
-              Console& console);
-
 /// Whether a path names a single file of measurements rather than a study: an existing file whose
 /// extension is not .toml.
 bool is_bare_file(const std::filesystem::path& path);

@@ -7,16 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "app/belief.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/open_session.h"
 #include "reports/draw_figure.h"
 #include "reports/next_report.h"
 #include "reports/next_steps.h"
-#include "workflow/fit_runs.h"
-#include "workflow/json.h"
-#include "workflow/next_json.h"
+#include "workflow/json/diagnosis.h"
+#include "workflow/json/parts.h"
 
 namespace pendular::app {
 namespace {
@@ -77,45 +75,19 @@ int next(const std::vector<std::string>& arguments) {
     const OpenSession session(console, *common, {"next.json", "figures"}, seed);
     const StudyDiagnosis d = session->diagnose();
     const NextMeasurement next = session->next(d);
-    auto json = to_json(next);
-    json["verdict"] = to_string(d.diagnosis.verdict);
     std::optional<ImpactTable> impacts;  // these choose among effects that could go undetected
     if (d.diagnosis.verdict == Verdict::inconclusive) {
         impacts = impacts_of(d, static_cast<std::size_t>(session->options().threads));
     }
     std::vector<NextStep> steps = next_steps(d, impacts, session->resolved(), common->study_word());
-    const bool possible = !next.points.empty();
-    if (!possible) std::erase_if(steps, &NextStep::readings);
-    json["runs"] = runs_json(d.models->simulation().emulator().runs());
-    json["to_do"] = texts_of(steps);
+    if (next.points.empty()) std::erase_if(steps, &NextStep::readings);
+    const auto json = to_json(next, d, texts_of(steps));
     write_json(common->out_folder() / "next.json", json);
-    const std::vector<std::string> plan = plan_lines(next);
-    const std::vector<std::string> lines = steps.empty() ? plan : step_lines(steps, plan);
-    console.answer(lines.front());
-    for (std::size_t k = 1; k < lines.size(); ++k) {
-        console.line(lines[k]);
-    }
-    print_limits(console, d.models->simulation().emulator().runs(), d.readings,
-                 next.rivals.front().fit.parameters(0));
-    const bool planned = std::ranges::any_of(steps, &NextStep::readings);
-    if (planned && !session->study().rig) {
-        console.note(
-            "study.toml has no section [rig] with the settings that the rheometer can reach: the "
-            "plan stays near the conditions already measured. 'pendular next --help' shows an "
-            "example.");
-    }
-    if (!possible && !steps.empty()) {
-        console.note(plan.front());
-    } else if (possible && next.unsupported > 0) {
-        console.note(
-            fmt::format("The simulations in atlas and store do not cover {} of {} conditions; the "
-                        "plan leaves them out. 'pendular campaign' makes simulations there.",
-                        next.unsupported, next.unsupported + next.points.size()));
-    }
+    console.print(next_output(next, d, steps, session->study().rig.has_value()));
     console.json(json);  // before the figure, which needs gnuplot
-    const Figure figure = next_figure(next);
-    if (!figure.panels.empty() && draw(figure, common->out_folder() / "figures")) {
-        console.figures(common->out_folder() / "figures", {"next"});
+    const auto figures = common->out_folder() / "figures";
+    if (const auto drawn = draw_all({next_figure(next)}, figures); !drawn.empty()) {
+        console.figures(figures, drawn);
     }
     if (d.diagnosis.verdict == Verdict::missing) {
         console.next(next_command(d.diagnosis, steps, common->study_word()));

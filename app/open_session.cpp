@@ -2,14 +2,57 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+#include <thread>
 #include <utility>
 
-#include "app/progress.h"
 #include "app/stored_runs.h"
 #include "app/terminal.h"
+#include "data/quantities/number.h"
+#include "reports/change_report.h"
+#include "reports/draw_figure.h"
+#include "reports/ladder_figure.h"
+#include "reports/words.h"
+#include "sim/dem/run.h"
+#include "workflow/json/diagnosis.h"
 
 namespace pendular::app {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Longest time to wait for another process.
+std::chrono::duration<double> patience() {
+    const char* const stated = std::getenv("PENDULAR_LOCK_SECONDS");
+    return std::chrono::duration<double>(parse_number(stated ? stated : "").value_or(60));
+}
+
+}  // namespace
+
+StudyLock::StudyLock(const std::filesystem::path& folder, const std::stop_token& stop) {
+    if (access(folder.c_str(), W_OK) != 0) return;
+    lock_.emplace(folder / ".study.toml.lock");
+    const auto end = std::chrono::steady_clock::now() + patience();
+    for (bool told = false; !lock_->take(); told = true) {
+        if (std::chrono::steady_clock::now() > end) {
+            throw std::runtime_error(fmt::format(
+                "{} is held by {}, and nothing was changed: give the same command again "
+                "once that one has ended",
+                folder.string(), lock_->holder()));
+        }
+        if (!told) {
+            print_line(stderr, fmt::format("Waiting for {}, which changes {}.", lock_->holder(),
+                                           folder.string()));
+        }
+        if (stop.stop_requested()) throw dem::Interrupted();
+        std::this_thread::sleep_for(50ms);
+    }
+}
+
 namespace {
 
 /// Listener that prints the events of a session on standard error; with --quiet, the notes only.
@@ -78,5 +121,23 @@ OpenSession::OpenSession(std::unique_ptr<InterruptGuard> guard, const std::stop_
                 .stop = guard_ ? guard_->token() : stop,
                 .listener = listener},
                options.out_folder()) {}
+
+std::vector<std::filesystem::path> outputs_of_change() {
+    return {"fit.json", "fit_runs.csv", "ladder.json", "figures"};
+}
+
+ChangedStudy change_effects(Session& session, Action action, const std::string& effect,
+                            const FitOptions& fit, bool same_fidelity) {
+    ChangeOptions options{.fit = fit, .same_fidelity = same_fidelity};
+    if (action == Action::drop) return session.drop(effect, options);
+    options.rivals = rivals_in(session.folder() / "diagnosis.json", session.study(), effect);
+    return session.add(effect, options);
+}
+
+std::string draw_ladder(const Ladder& ladder, const std::filesystem::path& folder) {
+    const Figure figure = ladder_figure(ladder);
+    draw(figure, folder);
+    return figure.name;
+}
 
 }  // namespace pendular::app

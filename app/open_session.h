@@ -5,16 +5,34 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "app/console.h"
-#include "app/interrupt.h"
 #include "app/options.h"
-#include "app/study_lock.h"
+#include "app/terminal.h"
+#include "data/files/file_lock.h"
 #include "sim/runs/store/run_store.h"
 #include "workflow/session.h"
 
 namespace pendular::app {
+
+/// Lock of a study, which each command that changes the study takes first, so that these commands
+/// run one after the other. A study in a folder without write permission is not locked, since no
+/// command can change it.
+class StudyLock {
+  public:
+    /// Locks a study. If another process has the lock, prints a line that names this process and
+    /// waits for at most a minute or $PENDULAR_LOCK_SECONDS [s].
+    /// @param folder folder of the study
+    /// @throws dem::Interrupted if a stop is requested while waiting
+    /// @throws std::runtime_error if another process keeps the lock for longer than the waiting
+    ///         time
+    StudyLock(const std::filesystem::path& folder, const std::stop_token& stop);
+
+  private:
+    std::optional<FileLock> lock_;
+};
 
 /// Returns the paths to which a command writes: the results folder, `files` in it, and the file of
 /// --json.
@@ -70,5 +88,18 @@ class OpenSession {
     std::unique_ptr<RunStore> store_;
     Session session_;
 };
+
+/// Returns the names of files and folders that `pendular add` and `pendular drop` write to the
+/// results folder.
+std::vector<std::filesystem::path> outputs_of_change();
+
+/// Calls `Session::add`, with the rivals of the effect in diagnosis.json of the results folder, or
+/// `Session::drop`, and passes on their exceptions.
+ChangedStudy change_effects(Session& session, Action action, const std::string& effect,
+                            const FitOptions& fit, bool same_fidelity);
+
+/// Draws the figure of a ladder to a folder, and returns the name of the figure.
+/// @throws std::runtime_error if gnuplot is missing or fails, or if a file cannot be written
+std::string draw_ladder(const Ladder& ladder, const std::filesystem::path& folder);
 
 }  // namespace pendular::app

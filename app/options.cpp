@@ -203,10 +203,12 @@ ValueKind first_word_of(const std::string& usage) {
 }  // namespace
 
 CommandDeclaration declaration_of(int (*run)(const std::vector<std::string>& arguments)) {
+    const struct Reset {
+        ~Reset() { requested_declaration = nullptr; }  // also where `run` throws
+    } reset;
     CommandDeclaration result;
     requested_declaration = &result;
     run({"--help"});
-    requested_declaration = nullptr;
     return result;
 }
 
@@ -288,29 +290,11 @@ po::options_description Options::common_options(CommonValues& values, bool shown
     return options;
 }
 
-std::optional<CommonOptions> Options::parse(const std::vector<std::string>& words_given) {
-    const std::vector<std::string> arguments = with_attached_times(words_given, times_);
-    std::string study;
-    CommonValues values;
-    const po::options_description common = common_options(values, true),
-                                  unused = common_options(values, false);
-    po::options_description all, hidden;
-    std::vector<std::string> words;
-    if (takes_study_) {
-        hidden.add_options()("named-study", po::value(&study));
-    }
-    hidden.add_options()("words", po::value(&words));
-    po::options_description visible;
-    for (const auto& section : sections_) {
-        visible.add(section);
-    }
-    visible.add(common);
-    all.add(visible).add(unused).add(hidden);
-    po::positional_options_description positional;
-    positional.add("named-study", takes_study_ ? 1 : 0);
-    if (words_) {
-        positional.add("words", -1);
-    }
+/// Stores the values of the options, and passes them on to their variables.
+/// @param visible options whose names a message may suggest
+void Options::store(const std::vector<std::string>& arguments, const po::options_description& all,
+                    const po::options_description& visible,
+                    const po::positional_options_description& positional) {
     try {
         po::store(po::command_line_parser(arguments)
                       .options(all)
@@ -337,19 +321,20 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
         throw InputError(fmt::format("{}; see: pendular {} --help", error.what(),
                                      usage_.substr(0, usage_.find(' '))));
     }
-    if (variables_->count("help") > 0) {
-        if (requested_declaration) {
-            *requested_declaration = declaration(common);
-        } else {
-            print_help(common);
-        }
-        return std::nullopt;
+}
+
+void Options::check_json_file(const std::string& json, const std::string& study) const {
+    demand_writable(json, "--json", false);
+    demand_json(json, "--json");
+    std::error_code error;
+    if (takes_study_ && std::filesystem::equivalent(json, study, error)) {
+        throw InputError(
+            fmt::format("--json {}: that is what the command reads; name another file", json));
     }
-    if (words_) {
-        *words_ = words;
-    }
+}
+
+CommonOptions Options::checked(const CommonValues& values, const std::string& study) const {
     CommonOptions result = values.options;
-    const std::string& json = values.json;
     if (takes_study_ && study.empty()) {
         throw InputError(fmt::format("argument {} is not given; usage: pendular {}",
                                      missing_word_.empty() ? standard_missing_word : missing_word_,
@@ -362,16 +347,8 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
     result.study = study;
     result.fidelity = fidelity_named(values.fidelity);
     if (variables_->count("json") > 0) {
-        result.json = json;
-        if (json != "-") {
-            demand_writable(json, "--json", false);
-            demand_json(json, "--json");
-            std::error_code error;
-            if (takes_study_ && std::filesystem::equivalent(json, study, error)) {
-                throw InputError(fmt::format(
-                    "--json {}: that is what the command reads; name another file", json));
-            }
-        }
+        result.json = values.json;
+        if (values.json != "-") check_json_file(values.json, study);
     }
     if (given("runs-of")) result.runs_of = runs_of_;
     result.store_named = !values.store.empty() || std::getenv("PENDULAR_STORE");
@@ -386,6 +363,44 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
         demand_writable(result.out_folder(), "--out", true);
     }
     return result;
+}
+
+std::optional<CommonOptions> Options::parse(const std::vector<std::string>& words_given) {
+    const std::vector<std::string> arguments = with_attached_times(words_given, times_);
+    std::string study;
+    CommonValues values;
+    const po::options_description common = common_options(values, true),
+                                  unused = common_options(values, false);
+    po::options_description all, hidden;
+    std::vector<std::string> words;
+    if (takes_study_) {
+        hidden.add_options()("named-study", po::value(&study));
+    }
+    hidden.add_options()("words", po::value(&words));
+    po::options_description visible;
+    for (const auto& section : sections_) {
+        visible.add(section);
+    }
+    visible.add(common);
+    all.add(visible).add(unused).add(hidden);
+    po::positional_options_description positional;
+    positional.add("named-study", takes_study_ ? 1 : 0);
+    if (words_) {
+        positional.add("words", -1);
+    }
+    store(arguments, all, visible, positional);
+    if (variables_->count("help") > 0) {
+        if (requested_declaration) {
+            *requested_declaration = declaration(common);
+        } else {
+            print_help(common);
+        }
+        return std::nullopt;
+    }
+    if (words_) {
+        *words_ = words;
+    }
+    return checked(values, study);
 }
 
 }  // namespace pendular::app

@@ -126,6 +126,13 @@ class Options {
     ///        out
     boost::program_options::options_description common_options(CommonValues& values,
                                                                bool shown) const;
+    void store(const std::vector<std::string>& arguments,
+               const boost::program_options::options_description& all,
+               const boost::program_options::options_description& visible,
+               const boost::program_options::positional_options_description& positional);
+    void check_json_file(const std::string& json, const std::string& study) const;
+    /// Checked values of the common options.
+    CommonOptions checked(const CommonValues& values, const std::string& study) const;
     void print_help(const boost::program_options::options_description& common) const;
     CommandDeclaration declaration(const boost::program_options::options_description& common) const;
 

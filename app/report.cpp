@@ -12,6 +12,7 @@
 #include "app/study_page.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
+#include "workflow/json/commands.h"
 
 namespace pendular::app {
 namespace {
@@ -64,11 +65,7 @@ int report(const std::vector<std::string>& arguments) {
     for (const std::string& note : page.notes) {
         console.note(note);
     }
-    console.json({{"page", file.string()},
-                  {"verdict", page.verdict},
-                  {"switches", page.switches},
-                  {"models", page.models},
-                  {"runs", page.runs}});
+    console.json(page_json(file, page.verdict, page.switches, page.models, page.runs));
     console.next(page.next);
     return done;
 }

@@ -5,16 +5,16 @@
 
 #include "app/command.h"
 #include "app/console.h"
-#include "app/interrupt.h"
 #include "app/options.h"
 #include "app/stored_runs.h"
+#include "app/terminal.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "reports/draw_figure.h"
 #include "reports/paper_figures.h"
 #include "reports/reproduction_report.h"
 #include "sim/runs/ensemble.h"
-#include "workflow/reproduction.h"
+#include "workflow/json/prediction.h"
 
 namespace pendular::app {
 namespace {
@@ -68,22 +68,11 @@ int reproduce(const std::vector<std::string>& arguments) {
                          console);
     }
     const Reproduction reproduction(common->fidelity, store.get());
-    console.answer(verdict_of(reproduction));
-    console.table(scoreboard_table(reproduction.rows(), common->all), 40);
-    if (const std::size_t missing = reproduction.study().missing().size(); missing > 0) {
-        console.note(
-            fmt::format("{} of the {} states of the article have not been simulated; 'pendular "
-                        "reproduce --simulate' simulates them.",
-                        missing, missing + reproduction.study().states().size()));
-    }
+    console.print(reproduction_output(reproduction, common->all));
     if (common->out) {
         write_whole(*common->out / "reproduction.md", reproduction_page(reproduction));
-        std::vector<std::string> names;
-        for (const Figure& figure : paper_figures(reproduction.study())) {
-            draw(figure, *common->out / "figures");
-            names.push_back(figure.name);
-        }
-        console.figures(*common->out / "figures", names);
+        const auto folder = *common->out / "figures";
+        console.figures(folder, draw_all(paper_figures(reproduction.study()), folder));
     } else {
         console.next("pendular reproduce --out paper   # writes reproduction.md and the figures");
     }

@@ -1,14 +1,12 @@
 #include "app/run_effects.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "data/input_error.h"
 #include "data/quantities/units.h"
-#include "workflow/json.h"
 
 namespace pendular::app {
 namespace {
@@ -88,52 +86,13 @@ dem::RunParameters RunEffects::changed(const dem::RunParameters& run, const Opti
     }
 }
 
-void RunEffects::print(Console& console, const dem::RunParameters& changed) const {
-    std::string text;
-    for (const ActiveEffect& active : effects_) {
-        text += (text.empty() ? "With " : ", ") + to_string(active);
-    }
-    if (changed.friction != without_.friction) {
-        text +=
-            fmt::format("; friction {:g} in place of {:g}", changed.friction, without_.friction);
-    }
-    if (!changed.wetting && without_.wetting) {
-        text += "; the grains are dry";
-    } else if (changed.wetting &&
-               changed.wetting->reduced_pressure != without_.wetting->reduced_pressure) {
-        text += fmt::format("; reduced pressure {:.4g} in place of {:g}",
-                            changed.wetting->reduced_pressure, without_.wetting->reduced_pressure);
-    }
-    if (!text.empty()) {
-        console.line(text + ".");
-    }
-    if (scaled_) {
-        console.line(fmt::format(
-            "The normal stress is {:.4g} Pa, on grains of {:.4g} um and {:g} kg/m^3{}.",
-            scale_.normal_stress, 1e6 * scale_.grains.diameter, scale_.grains.density,
-            without_.wetting
-                ? fmt::format(", surface tension {:.4g} mN/m", 1e3 * scale_.liquid.surface_tension)
-                : ""));
-    } else if (scale_given_) {
-        console.note(
-            "no effect of this simulation has a parameter in SI units: --diameter, --density, "
-            "--normal-stress and --surface-tension change nothing");
-    }
-}
-
-void RunEffects::add_to(nlohmann::ordered_json& json) const {
-    if (effects_.empty()) {
-        return;
-    }
-    json["effects"] = effects_json(effects_);
-    if (scaled_) {
-        json["scale"] = {{"diameter", scale_.grains.diameter},
-                         {"density", scale_.grains.density},
-                         {"normal_stress", scale_.normal_stress}};
-        if (without_.wetting) {
-            json["scale"]["surface_tension"] = scale_.liquid.surface_tension;
-        }
-    }
+Simulated RunEffects::simulated(const dem::RunResult& run, int threads) const {
+    return {.run = run,
+            .without = without_,
+            .effects = effects_,
+            .scale = scaled_ ? std::optional(scale_) : std::nullopt,
+            .scale_given = scale_given_,
+            .threads = threads};
 }
 
 std::string example_of_run() {

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "app/console.h"
 #include "app/effect_options.h"
 #include "app/options.h"
-#include "sim/runs/single_run.h"
+#include "workflow/json/run.h"
 
 namespace pendular::app {
 
@@ -28,14 +27,9 @@ class RunEffects {
     ///         cannot change this simulation
     dem::RunParameters changed(const dem::RunParameters& run, const Options& options);
 
-    /// Prints the effects that `changed` applied, a friction coefficient or reduced pressure that
-    /// they changed and, if an effect has parameters in SI units, the scale. If none has but the
-    /// user gave the scale, prints a note that the scale changes nothing.
-    /// @param changed parameters of the simulation with the effects
-    void print(Console& console, const dem::RunParameters& changed) const;
-    /// Adds to the JSON of a simulation the key `effects` and, if an effect has parameters in SI
-    /// units, the key `scale` in SI units. Adds nothing if the simulation has no effects.
-    void add_to(nlohmann::ordered_json& json) const;
+    /// Returns a simulation with these effects, for its texts. This object and `run` must outlive
+    /// it.
+    Simulated simulated(const dem::RunResult& run, int threads) const;
 
   private:
     void read_scale(const dem::RunParameters& run, const Options& options);

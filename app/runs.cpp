@@ -12,9 +12,7 @@
 
 #include "app/command.h"
 #include "app/console.h"
-#include "app/observable_line.h"
 #include "app/options.h"
-#include "app/runs_request.h"
 #include "app/stored_runs.h"
 #include "app/terminal.h"
 #include "calib/emulator/emulated_observables.h"
@@ -24,113 +22,35 @@
 #include "data/quantities/nearest.h"
 #include "reports/draw_figure.h"
 #include "reports/run_plots.h"
+#include "reports/run_report.h"
 #include "sim/dem/grain_effects.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_table.h"
-#include "workflow/json.h"
+#include "workflow/json/commands.h"
+#include "workflow/json/run.h"
 
 namespace pendular::app {
 namespace {
 
-using nlohmann::ordered_json;
-
-std::string wetness(const dem::RunParameters& p) {
-    return p.wetting ? fmt::format("{:>8.3g} {:>8.3g}", p.wetting->reduced_pressure,
-                                   p.wetting->bridge_volume)
-                     : fmt::format("{:>8} {:>8}", "dry", "");
-}
-
-std::string flags(const dem::RunResult& run) {
-    std::vector<std::string> words;
-    const auto flag = [&](bool holds, const char* word) {
-        if (holds) {
-            words.emplace_back(word);
-        }
-    };
-    if (!run.failure.empty()) {
-        return "failed";
-    }
-    flag(run.crystallised, "crystallised");
-    flag(!run.steady, "not steady");
-    flag(run[dem::Observable::localization].value > dem::localised_above, "localised");
-    return fmt::format("{}", fmt::join(words, ", "));
-}
-
-/// Text of the effects of a run, preceded by `before`; empty for a run without effects.
-std::string with_effects(const dem::RunParameters& p, const std::string& before) {
-    return p.effects.empty() ? "" : before + effects_text(p.effects);
-}
-
-ordered_json stored_json(const StoredRun& stored) {
-    ordered_json json = {{"id", stored.id}, {"physics_version", stored.physics_version}};
-    json.update(pendular::to_json(stored.run));
-    if (!stored.run.failure.empty()) {
-        json["failure"] = stored.run.failure;
-    }
-    return json;
-}
-
 int list(const RunsRequest& request, Console& console) {
     const auto runs = request.selected();
-    const bool effects = std::ranges::any_of(
-        runs, [](const StoredRun& stored) { return !stored.run.parameters.effects.empty(); });
-    console.answer(fmt::format("{} simulation{}.", runs.size(), runs.size() == 1 ? "" : "s"));
-    console.line(
-        "                inertial  reduced   bridge stiffness               stress              "
-        "solid");
-    console.line(fmt::format(
-        "  run friction    number pressure   volume    number grains strain ratio               "
-        "fraction            remarks{}",
-        effects ? "       effects" : ""));
-    for (const auto& [id, version, run] : runs) {
-        const auto& p = run.parameters;
-        const Mean &ratio = run[dem::Observable::stress_ratio],
-                   &solid = run[dem::Observable::solid_fraction];
-        std::string row = fmt::format(
-            "{:>5} {:>8.4g} {:>9.3g} {} {:>9.4g} {:>6} {:>6.3g} {:<19} {:<19} {:<13} {}", id,
-            p.friction, p.inertial_number, wetness(p), p.stiffness_number, p.grains, p.strain,
-            run.failure.empty() ? with_error(ratio.value, ratio.standard_error) : "",
-            run.failure.empty() ? with_error(solid.value, solid.standard_error) : "", flags(run),
-            with_effects(p, ""));
-        row.erase(row.find_last_not_of(' ') + 1);
-        console.line(row);
-    }
-    console.line(
-        fmt::format("  (reduced pressure: P* = a^2 s22/F0; bridge volume: V0/a^3; a: grain "
-                    "diameter, s22: normal "
-                    "stress, F0: pull-off force of a bridge{})",
-                    effects ? "; effects: in units of a, s22 and the grain mass" : ""));
-    ordered_json json = ordered_json::array();
-    for (const StoredRun& run : runs) {
-        json.push_back(stored_json(run));
-    }
-    console.json({{"runs", json}});
+    console.print(runs_output(runs));
+    console.json(to_json(runs));
     return done;
 }
 
 int show(const RunsRequest& request, Console& console) {
     request.demand_words(1, "a run: pendular runs show 12");
     const auto store = request.source();
-    ordered_json json = ordered_json::array();
+    std::vector<StoredRun> shown;
     for (const std::string& word : request.words) {
-        const StoredRun stored = numbered_run(*store, word);
-        json.push_back(stored_json(stored));
-        console.line(fmt::format("run {}\n{}", stored.id,
-                                 run_description(stored.run.parameters, stored.run.threads)));
-        for (std::size_t k = 0; k < dem::observable_count; ++k) {
-            const auto which = static_cast<dem::Observable>(k);
-            if (stored.run.parameters.wetting || !dem::needs_bridges(which)) {
-                console.line(observable_line(which, stored.run[which]));
-            }
-        }
-        if (const std::string words = flags(stored.run); !words.empty()) {
-            console.note(words + (stored.run.failure.empty() ? "" : ": " + stored.run.failure));
-        }
+        const StoredRun& stored = shown.emplace_back(numbered_run(*store, word));
+        console.print(run_output(stored));
         if (request.common.out && !stored.run.trace.empty()) {
             draw(trace_figure(stored), *request.common.out / "figures");
         }
     }
-    console.json({{"runs", json}});
+    console.json(to_json(shown));
     return done;
 }
 
@@ -139,32 +59,8 @@ int compare_two(const RunsRequest& request, Console& console) {
     const auto store = request.source();
     const StoredRun first = numbered_run(*store, request.words[0]),
                     second = numbered_run(*store, request.words[1]);
-    console.line(fmt::format("{:<32} {:>20} {:>20} {:>26}", "", fmt::format("run {}", first.id),
-                             fmt::format("run {}", second.id), "(second - first)/std. err."));
-    for (const StoredRun* stored : {&first, &second}) {
-        if (!stored->run.parameters.effects.empty()) {
-            console.line(with_effects(stored->run.parameters,
-                                      fmt::format("run {} has the effects ", stored->id)));
-        }
-    }
-    ordered_json json = {{"first", first.id}, {"second", second.id}};
-    for (std::size_t k = 0; k < dem::observable_count; ++k) {
-        const auto which = static_cast<dem::Observable>(k);
-        const bool wet = first.run.parameters.wetting && second.run.parameters.wetting;
-        if (!wet && dem::needs_bridges(which)) {
-            continue;
-        }
-        const Mean &a = first.run[which], &b = second.run[which];
-        const double error = std::hypot(a.standard_error, b.standard_error),
-                     z = error > 0 ? (b.value - a.value) / error : 0;
-        const std::string name(dem::observable_names[k]);
-        console.line(fmt::format("{:<32} {:>20} {:>20} {:>26.1f}", name,
-                                 with_error(a.value, a.standard_error),
-                                 with_error(b.value, b.standard_error), z));
-        json["observables"][name] = {
-            {"difference", {{"value", b.value - a.value}, {"stderr", error}}}, {"standardised", z}};
-    }
-    console.json(json);
+    console.print(difference_output(first, second));
+    console.json(differences_json(first, second));
     return done;
 }
 
@@ -210,7 +106,7 @@ int take_in(const RunsRequest& request, Console& console, const std::string& act
     }
     console.line(fmt::format("{} runs added to {}, which now holds {} runs.", added,
                              store.file().string(), store.size()));
-    console.json({{"added", added}, {"runs", store.size()}});
+    console.json(added_json(added, store.size()));
     return done;
 }
 
@@ -293,34 +189,38 @@ const std::vector<std::pair<std::string, int (*)(const RunsRequest&, Console&)>>
     {"plot", plot},   {"export", export_runs}, {"import", import_runs},
     {"merge", merge}, {"prune", prune},        {"learn", learn}};
 
+const char* const about_runs =
+    "Lists, shows, compares, draws, exports, adds and removes stored simulations (runs). The "
+    "columns for\n"
+    "--where, --x and --y are those of the table that 'export' writes.\n"
+    "  list              print one line per simulation\n"
+    "  show ID...        print all data of the simulations; with --out, also draw their time "
+    "series\n"
+    "  compare ID ID     print two simulations side by side\n"
+    "  plot              draw one column against another; the figure is put into the folder "
+    "--out\n"
+    "  export FILE.csv   write the simulations as a table\n"
+    "  import FILE.csv   add to the store the simulations of a table that 'export' wrote\n"
+    "  merge STORE...    add to the store the simulations of other stores\n"
+    "  prune             remove from the store the simulations that match --where\n"
+    "  learn FILE.csv    fit the hyperparameters of the emulator (for developers of Pendular)";
+
+const char* const runs_examples =
+    "  pendular runs list --where \"friction = 0.09 AND reduced_pressure IS NULL\"\n"
+    "  pendular runs list --atlas\n"
+    "  pendular runs compare 1 2 --atlas\n"
+    "  pendular runs list --where \"effects IS NULL\"\n"
+    "  pendular runs learn --atlas sim/atlas/emulator.csv\n"
+    "  pendular runs plot --x inertial_number --y solid_fraction --out figures\n"
+    "  pendular runs prune --where \"crystallised\" --yes\n";
+
 }  // namespace
 
 int runs(const std::vector<std::string>& arguments) {
     RunsRequest request;
     Options options(
         "runs list|show|compare|plot|export|import|merge|prune|learn [arguments] [options]",
-        "Lists, shows, compares, draws, exports, adds and removes stored simulations (runs). The "
-        "columns for\n"
-        "--where, --x and --y are those of the table that 'export' writes.\n"
-        "  list              print one line per simulation\n"
-        "  show ID...        print all data of the simulations; with --out, also draw their time "
-        "series\n"
-        "  compare ID ID     print two simulations side by side\n"
-        "  plot              draw one column against another; the figure is put into the folder "
-        "--out\n"
-        "  export FILE.csv   write the simulations as a table\n"
-        "  import FILE.csv   add to the store the simulations of a table that 'export' wrote\n"
-        "  merge STORE...    add to the store the simulations of other stores\n"
-        "  prune             remove from the store the simulations that match --where\n"
-        "  learn FILE.csv    fit the hyperparameters of the emulator (for developers of Pendular)",
-        "  pendular runs list --where \"friction = 0.09 AND reduced_pressure IS NULL\"\n"
-        "  pendular runs list --atlas\n"
-        "  pendular runs compare 1 2 --atlas\n"
-        "  pendular runs list --where \"effects IS NULL\"\n"
-        "  pendular runs learn --atlas sim/atlas/emulator.csv\n"
-        "  pendular runs plot --x inertial_number --y solid_fraction --out figures\n"
-        "  pendular runs prune --where \"crystallised\" --yes\n",
-        false);
+        about_runs, runs_examples, false);
     options.take(&request.words, one_of({"list", "show", "compare", "plot", "export", "import",
                                          "merge", "prune", "learn"}));
     options.set_out("folder for figures (default: here)");

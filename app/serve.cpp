@@ -6,19 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "app/change_effects.h"
 #include "app/command.h"
 #include "app/console.h"
-#include "app/interrupt.h"
 #include "app/open_session.h"
 #include "app/options.h"
 #include "app/serve/live_study.h"
 #include "app/serve/page_server.h"
 #include "app/serve/received_recording.h"
 #include "app/study_page.h"
+#include "app/terminal.h"
 #include "data/input_error.h"
 #include "data/study/study.h"
+#include "reports/change_report.h"
 #include "reports/page/report_page.h"
+#include "workflow/json/commands.h"
 
 namespace pendular::app {
 namespace {
@@ -87,7 +88,7 @@ StudyWork work_on(const CommonOptions& common, const ServeOptions& own, Console&
 /// Writes the address as JSON. Only the user can read a new file, since it has the token.
 void write_address(Console& console, const ServerAddress& address) {
     const mode_t before = umask(077);
-    console.json({{"address", address.text()}, {"port", address.port}});
+    console.json(address_json(address.text(), address.port));
     umask(before);
     std::fflush(stdout);
 }

@@ -8,102 +8,29 @@
 #include <optional>
 #include <utility>
 
-#include "app/closures.h"
 #include "app/command.h"
 #include "app/console.h"
-#include "app/interrupt.h"
-#include "app/observable_line.h"
 #include "app/options.h"
 #include "app/run_effects.h"
 #include "app/stored_runs.h"
 #include "app/terminal.h"
-#include "calib/emulator/emulated_observables.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
-#include "data/quantities/quantity.h"
 #include "reports/draw_figure.h"
 #include "reports/figure.h"
-#include "reports/run_fields.h"
+#include "reports/run_plots.h"
+#include "reports/run_report.h"
 #include "sim/dem/checkpoint.h"
 #include "sim/dem/run.h"
 #include "sim/dem/series.h"
 #include "sim/dem/snapshot.h"
 #include "sim/runs/run_request.h"
-#include "workflow/json.h"
-#include "workflow/run_json.h"
+#include "workflow/json/parts.h"
+#include "workflow/json/run.h"
+#include "workflow/state_prediction.h"
 
 namespace pendular::app {
 namespace {
-
-void print_result(Console& console, const dem::RunResult& run, const RunEffects& effects) {
-    const auto& p = run.parameters;
-    console.answer(
-        fmt::format("Simulated: stress ratio {}, solid fraction {} at friction {:g}, inertial "
-                    "number {:g}, stiffness number {:g}.",
-                    with_error(run[dem::Observable::stress_ratio].value,
-                               run[dem::Observable::stress_ratio].standard_error),
-                    with_error(run[dem::Observable::solid_fraction].value,
-                               run[dem::Observable::solid_fraction].standard_error),
-                    p.friction, p.inertial_number, p.stiffness_number));
-    effects.print(console, p);
-    if (p.wetting) {
-        console.line(fmt::format(
-            "Reduced pressure {:g} and bridge volume {:g} a^3 give a liquid content of {}; {} of "
-            "the liquid is in bridges without contact.",
-            p.wetting->reduced_pressure, p.wetting->bridge_volume,
-            with_error(run[dem::Observable::liquid_content].value,
-                       run[dem::Observable::liquid_content].standard_error),
-            fmt::format("{:.0f} %", 100 * run[dem::Observable::distant_coordination].value /
-                                        (run[dem::Observable::distant_coordination].value +
-                                         run[dem::Observable::contact_coordination].value))));
-        if (p.wetting->bridge_volume > dem::largest_pendular_volume) {
-            console.note(fmt::format(
-                "The bridge volume {:g} a^3 is above {:g} a^3, where the bridges between three "
-                "grains in contact merge: the model holds for separate bridges.",
-                p.wetting->bridge_volume, dem::largest_pendular_volume));
-        }
-    }
-    if (const Mean& banded = run[dem::Observable::localization];
-        banded.value > dem::localised_above) {
-        console.note(
-            fmt::format("The shear is localised: its localisation (0: uniform shear, 1: a thin "
-                        "band) is {}, above the limit of {}.{}",
-                        with_error(banded.value, banded.standard_error), dem::localised_above,
-                        banded.value > emulated::banded_above
-                            ? " The emulator is not trained on this simulation."
-                            : ""));
-    }
-    if (run.crystallised) {
-        console.note(
-            "The sample crystallised: its averages are not those of a random packing. Use another "
-            "seed, more grains or a higher friction.");
-    }
-    for (const dem::Precision& wanted : p.precision) {
-        const double reached = run[wanted.which].standard_error;
-        if (reached > wanted.standard_error) {
-            console.note(
-                fmt::format("The standard error of {} is {:.2g} after averaging over a strain of "
-                            "{:.3g}; the request was {:g}: raise --strain or --beads.",
-                            dem::observable_names[static_cast<std::size_t>(wanted.which)], reached,
-                            run.strain_averaged, wanted.standard_error));
-        }
-    }
-    if (!run.steady) {
-        console.note("No steady state was found within the simulated strain: raise --strain.");
-    }
-    for (std::size_t k = 0; k < dem::observable_count; ++k) {
-        if (!p.wetting && dem::needs_bridges(static_cast<dem::Observable>(k))) {
-            continue;
-        }
-        console.line(observable_line(static_cast<dem::Observable>(k), run.means[k]));
-    }
-    console.line(fmt::format(
-        "{} grains; averages over a strain of {:.2f} after a transient strain of {:.2f}; {} time "
-        "steps, each {:.3g} sqrt(m/(a s22)) (m: grain mass, a: grain diameter, s22: normal "
-        "stress); computing time {:.1f} s, {:.3g} grain updates per second.",
-        p.grains, run.strain_averaged, run.strain_transient, run.steps, run.time_step,
-        run.wall_seconds, run.particle_steps_per_second()));
-}
 
 /// Requested standard error of an observable, parsed from "OBSERVABLE=STANDARD_ERROR".
 /// @throws InputError for a malformed text or an unknown observable
@@ -132,10 +59,25 @@ struct Extras {
     double checkpoint_minutes = 10;  ///< time between checkpoints [min]
     std::string start;  ///< number of the stored run to start from, or "nearest"; empty: none
 
+    void declare(Options& options);
     /// Checks that these options go together with each other and with the common options.
     /// @throws InputError where they do not
     void check_combination(const Options& options, const CommonOptions& common) const;
 };
+
+void Extras::declare(Options& options) {
+    options.add("start", &start,
+                "number of the stored simulation ('pendular runs list') whose final state is the "
+                "initial state, or 'nearest': the stored simulation with the nearest parameters (a "
+                "random state if there is none); shortens the transient");
+    options.add("snapshot-every", &snapshot_every,
+                "strain between snapshots for OVITO and ParaView in the folder of --out [1]");
+    options.add("checkpoint", &checkpoint,
+                "file for the state of the running simulation; the same command resumes it",
+                a_file());
+    options.add("checkpoint-every", &checkpoint_minutes,
+                "time between checkpoints [min] (default 10)");
+}
 
 void Extras::check_combination(const Options& options, const CommonOptions& common) const {
     if (options.given("snapshot-every")) {
@@ -262,6 +204,25 @@ dem::RunResult shear(const dem::RunParameters& run, const dem::StoredSample* sta
     }
 }
 
+/// Computes, prints and returns the closures for a simulation. They need the stress ratio of dry
+/// grains, which is predicted from earlier simulations; if that is impossible, a sentence says so.
+/// Empty then, and for dry grains.
+/// @param store null: only the atlas is used
+std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& run,
+                                                         const CommonOptions& common,
+                                                         const RunStore* store, Console& console) {
+    if (!run.parameters.wetting) return {};
+    std::optional<closures::ClosureValues> values;
+    try {
+        values = StatePredictor(common.fidelity, store, run.parameters.stiffness_number)
+                     .closures_of(run);
+    } catch (const InputError&) {
+        // Without earlier runs there is no stress ratio of dry grains either.
+    }
+    console.print(closures_output(values, run[dem::Observable::stress_ratio].value));
+    return values;
+}
+
 void simulate_and_report(dem::RunParameters run, const RunEffects& effects, const Extras& extras,
                          const CommonOptions& common, Console& console) {
     std::optional<dem::Checkpoint> checkpoint;
@@ -295,19 +256,16 @@ void simulate_and_report(dem::RunParameters run, const RunEffects& effects, cons
     if (store) {
         store->add(result);
     }
-    print_result(console, result, effects);
-    const auto closures = print_closures_of(result, common, store.get(), console);
+    Simulated simulated = effects.simulated(result, common.threads);
+    console.print(simulation_output(simulated));
+    simulated.closures = print_closures_of(result, common, store.get(), console);
     if (start) {
         console.line(fmt::format(
             "The simulation started from the final state of stored run {}: friction {:.4g}, "
             "inertial number {:.4g}.",
             start->id, start->run.parameters.friction, start->run.parameters.inertial_number));
     }
-    nlohmann::ordered_json json = to_json(result);
-    effects.add_to(json);
-    json["threads"] = common.threads;
-    if (closures) json["closures"] = closures_json(*closures);
-    json.update(fields_json(result));
+    const auto json = to_json(simulated);
     console.json(json);
     if (common.out) {
         write_fields(result, json, *common.out);
@@ -317,33 +275,41 @@ void simulate_and_report(dem::RunParameters run, const RunEffects& effects, cons
     }
 }
 
-}  // namespace
+const char* const about_simulate =
+    "Simulates a sample of equal grains, dry or joined by liquid bridges, that is sheared at "
+    "constant\n"
+    "normal stress until the flow is steady, and prints time averages with standard errors. "
+    "The results\n"
+    "hold for the simulated stiffness number, without correction. Options --EFFECT.PARAMETER "
+    "add physical\n"
+    "effects.";
 
-int simulate(const std::vector<std::string>& arguments) {
+std::string simulate_examples() {
+    return "  pendular simulate --friction 0.09 --inertial-number 0.003\n"
+           "  pendular simulate --reduced-pressure 3 --bridge-volume 0.002\n"
+           "  pendular simulate --fidelity quick --friction 0.3 --json run.json\n"
+           "  pendular simulate --strain 40 --precision stress_ratio=0.003\n"
+           "  pendular simulate --fidelity quick --out run --snapshot-every 0.1\n"
+           "  pendular simulate --fidelity paper --checkpoint run.checkpoint --threads 4\n"
+           "  pendular simulate --normal-stress \"3 kPa\" " +
+           example_of_run() + "\n";
+}
+
+/// Options for the state to simulate.
+struct StateOptions {
     dem::RunParameters run;
-    Options options(
-        "simulate [options]",
-        "Simulates a sample of equal grains, dry or joined by liquid bridges, that is sheared at "
-        "constant\n"
-        "normal stress until the flow is steady, and prints time averages with standard errors. "
-        "The results\n"
-        "hold for the simulated stiffness number, without correction. Options --EFFECT.PARAMETER "
-        "add physical\n"
-        "effects.",
-        "  pendular simulate --friction 0.09 --inertial-number 0.003\n"
-        "  pendular simulate --reduced-pressure 3 --bridge-volume 0.002\n"
-        "  pendular simulate --fidelity quick --friction 0.3 --json run.json\n"
-        "  pendular simulate --strain 40 --precision stress_ratio=0.003\n"
-        "  pendular simulate --fidelity quick --out run --snapshot-every 0.1\n"
-        "  pendular simulate --fidelity paper --checkpoint run.checkpoint --threads 4\n"
-        "  pendular simulate --normal-stress \"3 kPa\" " +
-            example_of_run() + "\n",
-        false);
-    options.set_threads(
-        1, "threads of this simulation; equal numbers of threads give identical results");
-    options.set_out(
-        "folder for run.json, profiles and distributions as CSV and figures, and snapshots "
-        "(default: no files)");
+    std::vector<std::string> precisions;
+    dem::Wetting wetting{.bridge_volume = 2e-3};
+    std::string bridge_force = to_string(FormulaVariant::derived);
+    std::int64_t seed = 1;
+
+    void declare(Options& options);
+    /// Returns the parameters of the run, those that were not given from the fidelity.
+    /// @throws InputError where the options do not go together
+    dem::RunParameters complete(const Options& options, const CommonOptions& common);
+};
+
+void StateOptions::declare(Options& options) {
     options.add("friction", &run.friction,
                 "friction coefficient between grains [1] (default 0.09)");
     options.add(
@@ -363,12 +329,9 @@ int simulate(const std::vector<std::string>& arguments) {
     options.add("strain", &run.strain,
                 "shear strain over which averages are taken, after the transient [1] (default: the "
                 "value that belongs to --fidelity)");
-    std::vector<std::string> precisions;
     options.add("precision", &precisions,
                 "OBSERVABLE=STANDARD_ERROR: averaging stops at this standard error, even before "
                 "--strain is reached; may be repeated");
-    dem::Wetting wetting{.bridge_volume = 2e-3};
-    std::string bridge_force = to_string(FormulaVariant::derived);
     options.add("reduced-pressure", &wetting.reduced_pressure,
                 "P* = a^2 s22/F0 of wet grains, with the pull-off force F0 of a liquid bridge [1] "
                 "(default: dry)");
@@ -379,26 +342,11 @@ int simulate(const std::vector<std::string>& arguments) {
                 "force of a bridge between grains that do not touch: derived (default), or "
                 "as_printed in Badetti et al. (2018), Eq. (5), which has half the liquid volume",
                 one_of({"derived", "as_printed"}));
-    std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the random initial state (default 1)");
-    Extras extras;
-    options.add("start", &extras.start,
-                "number of the stored simulation ('pendular runs list') whose final state is the "
-                "initial state, or 'nearest': the stored simulation with the nearest parameters (a "
-                "random state if there is none); shortens the transient");
-    options.add("snapshot-every", &extras.snapshot_every,
-                "strain between snapshots for OVITO and ParaView in the folder of --out [1]");
-    options.add("checkpoint", &extras.checkpoint,
-                "file for the state of the running simulation; the same command resumes it",
-                a_file());
-    options.add("checkpoint-every", &extras.checkpoint_minutes,
-                "time between checkpoints [min] (default 10)");
-    RunEffects effects(options, arguments);
-    const auto common = options.parse(arguments);
-    if (!common) {
-        return done;
-    }
-    const auto& f = common->fidelity;
+}
+
+dem::RunParameters StateOptions::complete(const Options& options, const CommonOptions& common) {
+    const auto& f = common.fidelity;
     run.seed = checked_seed(seed);
     wetting.bridge_force = formula_variant_named(bridge_force);
     if (options.given("reduced-pressure")) {
@@ -417,7 +365,28 @@ int simulate(const std::vector<std::string>& arguments) {
     for (const auto& text : precisions) {
         run.precision.push_back(precision_from(text));
     }
+    return run;
+}
 
+}  // namespace
+
+int simulate(const std::vector<std::string>& arguments) {
+    Options options("simulate [options]", about_simulate, simulate_examples(), false);
+    options.set_threads(
+        1, "threads of this simulation; equal numbers of threads give identical results");
+    options.set_out(
+        "folder for run.json, profiles and distributions as CSV and figures, and snapshots "
+        "(default: no files)");
+    StateOptions state;
+    state.declare(options);
+    Extras extras;
+    extras.declare(options);
+    RunEffects effects(options, arguments);
+    const auto common = options.parse(arguments);
+    if (!common) {
+        return done;
+    }
+    dem::RunParameters run = state.complete(options, *common);
     refuse_impossible(run);
     run = effects.changed(run, options);
     refuse_impossible(run);

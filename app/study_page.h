@@ -2,12 +2,16 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/options.h"
+#include "data/recordings/file_view.h"
+#include "data/study/study.h"
+#include "reports/page/page_recordings.h"
 #include "workflow/session.h"
 
 namespace pendular::app {
@@ -42,5 +46,15 @@ StudyPage study_page(const Session& session, const CommonOptions& common, std::s
 /// Returns the name of a study on its page: that of the folder that contains `file`, its
 /// study.toml.
 std::string study_name(const std::filesystem::path& file);
+
+/// Reads each recording of a study, in the order of study.toml, and passes it to `take` or, if it
+/// cannot be read, a sentence that says why to `note`.
+void for_each_recording(const Study& study, const std::function<void(const std::string&)>& note,
+                        const std::function<void(const FileView&)>& take);
+
+/// Returns the recordings of a study for its HTML page, with the ranges of rows that are averaged
+/// to readings. Recordings that cannot be drawn give a sentence to `note`.
+std::vector<PageRecording> recordings_of(const Session& session,
+                                         const std::function<void(const std::string&)>& note);
 
 }  // namespace pendular::app

@@ -7,18 +7,19 @@
 #include "app/command.h"
 #include "app/console.h"
 #include "app/effect_options.h"
-#include "app/interrupt.h"
 #include "app/lab_options.h"
 #include "app/options.h"
+#include "app/terminal.h"
 #include "data/files/json_text.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/remarks/wording.h"
-#include "reports/truth.h"
+#include "reports/lab_report.h"
 #include "sim/lab/lab_checks.h"
 #include "sim/lab/virtual_lab.h"
 #include "sim/lab/virtual_study.h"
 #include "sim/runs/store/run_store.h"
+#include "workflow/json/laboratory.h"
 
 namespace pendular::app {
 namespace {
@@ -30,64 +31,6 @@ void demand_new(const std::filesystem::path& folder) {
     if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder)) {
         throw InputError(fmt::format("{} is not empty; name a new folder, or remove this one first",
                                      folder.string()));
-    }
-}
-
-void print_wet_step(Console& console, const LabRecording& recording, const LabStep& step) {
-    const Mean& found = step.run[dem::Observable::liquid_content];
-    const auto& wetting = *step.run.parameters.wetting;
-    console.line(fmt::format("  {:<16} {:>11g} {:>9.3g} {:>9g} {:>10.3e}   {:g}: {}",
-                             recording.file, step.condition.normal_stress, wetting.reduced_pressure,
-                             step.condition.inertial_number, wetting.bridge_volume,
-                             step.imposed.liquid_content,
-                             with_error(found.value, found.standard_error)));
-}
-
-const char* what_pilots_found(const LabResult& result) {
-    bool speeds = false, wet = false;
-    for (const LabRecording& recording : result.recordings) {
-        wet = wet || recording.liquid_content > 0;
-        for (const LabStep& step : recording.steps)
-            speeds = speeds || step.angular_velocity > 0;
-    }
-    return speeds && wet ? "heights and bridge volumes" : speeds ? "heights" : "bridge volumes";
-}
-
-void print_result(Console& console, const LabResult& result, const std::filesystem::path& folder) {
-    const LabPlan& plan = result.plan;
-    std::size_t steps = 0;
-    for (const auto& recording : result.recordings) {
-        steps += recording.steps.size();
-    }
-    const auto counted = [](std::size_t count, const char* what) {
-        return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-    };
-    console.answer(fmt::format(
-        "{} holds {} with {} in all, with noise {:g}; truth.json states the hidden friction{}.",
-        folder.string(), counted(result.recordings.size(), "recording"), counted(steps, "step"),
-        plan.instrument.noise, plan.effects.empty() ? "" : " and the hidden effects"));
-    console.line(fmt::format(
-        "Each step has its own simulation and seed: {} grains, stiffness number {:g}, averages "
-        "over a strain of {:g}.{}",
-        result.recordings.front().steps.front().run.parameters.grains,
-        plan.fidelity.stiffness_number, plan.fidelity.strain,
-        result.pilots > 0 ? fmt::format(" {} shorter simulations found the {}.", result.pilots,
-                                        what_pilots_found(result))
-                          : ""));
-    if (std::ranges::any_of(contents_of(plan), [](double content) { return content > 0; })) {
-        console.line(fmt::format("  {:<16} {:>11} {:>9} {:>9} {:>10}   {}", "wet", "normal",
-                                 "reduced", "inertial", "bridge", "liquid content"));
-        console.line(fmt::format("  {:<16} {:>11} {:>9} {:>9} {:>10}   {}", "recording",
-                                 "stress [Pa]", "pressure", "number", "volume/a^3",
-                                 "requested: reached"));
-    }
-    for (const auto& recording : result.recordings) {
-        for (const auto& step : recording.steps) {
-            if (!step.imposed.dry()) print_wet_step(console, recording, step);
-        }
-    }
-    for (const auto& note : result.notes) {
-        console.note(note);
     }
 }
 
@@ -122,27 +65,37 @@ std::string examples() {
         of_instrument(false), of_instrument(true));
 }
 
+const char* const about_virtual_lab =
+    "Makes test recordings of an annular cell whose friction and effects are known, and writes "
+    "them to\n"
+    "the new folder OUT as a study. Its study.toml lists no effects; truth.json states the "
+    "hidden friction\n"
+    "and the hidden effects, and no command reads it. The recordings come from new simulations "
+    "with 1.5\n"
+    "times the number of grains of --fidelity, which are not stored, so that no calibration "
+    "uses them.\n"
+    "By default the cell has radii of 21 and 45 mm and holds grains of 500 um and 1050 kg/m^3; "
+    "--like STUDY takes\n"
+    "these and the set points from a study. Unless a hidden effect changes this, the weight of "
+    "the beads is\n"
+    "neglected. Normal stresses, inertial numbers and speeds are those that the instrument "
+    "displays; hidden\n"
+    "effects on it make the true ones differ.";
+
+LabResult simulated(const LabPlan& plan, const std::string& states, const std::stop_token& stop,
+                    const CommonOptions& common, Console& console) {
+    std::string phase;
+    const std::unique_ptr<RunStore> store = open_states(states, common);
+    const Workers workers{common.threads, stop,
+                          [&](const EnsembleProgress& p) { console.progress(phase, p); },
+                          store.get()};
+    return simulate_lab(plan, workers, [&](const std::string& name) { phase = name; });
+}
+
 }  // namespace
 
 int virtual_lab(const std::vector<std::string>& arguments) {
-    Options options(
-        "virtual-lab OUT [options]",
-        "Makes test recordings of an annular cell whose friction and effects are known, and writes "
-        "them to\n"
-        "the new folder OUT as a study. Its study.toml lists no effects; truth.json states the "
-        "hidden friction\n"
-        "and the hidden effects, and no command reads it. The recordings come from new simulations "
-        "with 1.5\n"
-        "times the number of grains of --fidelity, which are not stored, so that no calibration "
-        "uses them.\n"
-        "By default the cell has radii of 21 and 45 mm and holds grains of 500 um and 1050 kg/m^3; "
-        "--like STUDY takes\n"
-        "these and the set points from a study. Unless a hidden effect changes this, the weight of "
-        "the beads is\n"
-        "neglected. Normal stresses, inertial numbers and speeds are those that the instrument "
-        "displays; hidden\n"
-        "effects on it make the true ones differ.",
-        examples(), true);
+    Options options("virtual-lab OUT [options]", about_virtual_lab, examples(), true);
     options.set_first_word("OUT (the folder for the new study)");
     LabOptions experiment(options);
     std::int64_t seed = 1, noise_seed = 1;
@@ -189,19 +142,13 @@ int virtual_lab(const std::vector<std::string>& arguments) {
             console.note(*warning);
         }
     }
-    std::string phase;
-    const std::unique_ptr<RunStore> store = open_states(states, *common);
-    const Workers workers{common->threads, guard.token(),
-                          [&](const EnsembleProgress& p) { console.progress(phase, p); },
-                          store.get()};
-    const LabResult result =
-        simulate_lab(plan, workers, [&](const std::string& name) { phase = name; });
+    const LabResult result = simulated(plan, states, guard.token(), *common, console);
     const auto truth = to_json(result);
     auto files = study_files(result);
     files["truth.json"] = json_text(truth, 1);
     demand_new(folder);
     write_whole_folder(folder, files);
-    print_result(console, result, folder);
+    console.print(lab_output(result, folder));
     console.next("pendular import " + shell_word(folder));
     console.json(truth);
     return done;

@@ -112,16 +112,16 @@ def study_one(pendular, lab, work, name):
     run([pendular, "calibrate", work, "--no-confirm", "--quiet"])
     before = diagnose(pendular, work, work / "before.json")
     row = {"planted": name, "verdict": before["verdict"],
-           "named": " ".join(before["effects"] + before["suspects"]),
+           "named": " ".join(before["effects"] + before["suspect_measurements"]),
            "confidence_set": " | ".join(" + ".join(each) for each in before["confidence_set"]),
            "chi2_per_dof_joint": before["chi2"] / before["dof"]}  # fmt: skip
     if name == "complete":
         return row
     found = next(each for each in before["scan"] if each["effect"] == name)
-    row |= {"power": found["power"], "p": found["p"], "predicted_drop": found["predicted_drop"],
-            "refit_drop": found["refit_drop"]}  # fmt: skip
+    row |= {"power": found["power"], "p": found["p"], "predicted_reduction": found["predicted_reduction"],
+            "refitted_reduction": found["refitted_reduction"]}  # fmt: skip
     run([pendular, "add", work, name, "--quiet"])
-    ladder = json.loads((work / "out/ladder.json").read_text())["rungs"]
+    ladder = json.loads((work / "out/ladder.json").read_text())["ladder_steps"]
     start, end = ladder[0], ladder[-1]
     fit = json.loads((work / "out/fit.json").read_text())
     floor = scatter(fit)

@@ -1,12 +1,16 @@
 #include "reports/change_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "reports/fit_report.h"
+#include "reports/other_causes.h"
+#include "reports/tables.h"
 #include "reports/with_error.h"
 
 namespace pendular {
@@ -228,6 +232,104 @@ std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& 
             change.effect, drift(p, *later)));
     }
     return lines;
+}
+
+std::string answer_on(const ChangedStudy& changed) {
+    const StudyChange& change = changed.change;
+    const bool adds = change.change == Action::add;
+    if (changed.written)
+        return verdict_of(change, changed.before.ladder_step,
+                          changed.comparable_after().ladder_step);
+    return fmt::format("{} not {}: the fit {} it did not converge ({}). {} is unchanged.",
+                       change.effect, adds ? "added" : "dropped", adds ? "with" : "without",
+                       changed.after.calibration.fit.message, change.study.study().file.string());
+}
+
+namespace {
+
+/// Sentence on the readings that the fits before and after a change use, where the study itself
+/// fits the dry readings alone before or after it; empty otherwise.
+std::string on_fitted_readings(const ChangedStudy& changed) {
+    if (changed.after_to_all) {
+        const Calibration& c = changed.after.calibration;
+        return fmt::format(
+            "The fits with and without {0} use all readings, dry and wet. Without {0}, a fit to "
+            "the dry readings alone ('pendular calibrate') gives {1} = {2}.",
+            changed.change.effect, c.parameters[0].name,
+            estimate_text(c.fit, 0, c.parameters[0].unit));
+    }
+    return changed.widened ? fmt::format(
+                                 "Both fits, with and without {0}, use all readings, dry and wet, "
+                                 "as 'pendular calibrate' does if the model contains {0}.",
+                                 changed.change.effect)
+                           : "";
+}
+
+}  // namespace
+
+Output change_output(const ChangedStudy& changed) {
+    Output output;
+    output.answer(answer_on(changed));
+    if (!changed.written) {
+        output.notes(changed.after.calibration.notes);
+        return output;
+    }
+    add_doubts(output, changed.after.belief, 0,
+               changed.after_to_all
+                   ? "Warning from 'pendular calibrate', which fits the dry readings alone: "
+                   : "Warning about the new fit: ");
+    const StudyChange& change = changed.change;
+    const FittedStudy& before = changed.before;
+    const FittedStudy& after = changed.comparable_after();
+    output.table(error_changes(before.ladder_step, after.ladder_step), 10);
+    output.table(parameter_changes(before.ladder_step, after.ladder_step), 5);
+    const bool adds = change.change == Action::add;
+    output.line(fmt::format("Chi2 is {:.2f} for {} {} {}, and {:.2f} for {} {} it.",
+                            before.ladder_step.chi2, freedom_text(before.ladder_step.dof),
+                            adds ? "without" : "with", change.effect, after.ladder_step.chi2,
+                            after.ladder_step.dof, adds ? "with" : "without"));
+    output.line(on_fitted_readings(changed));
+    if (change.change == Action::drop &&
+        change.study.catalogue().is_written(change.study.catalogue().find(change.effect))) {
+        output.line(
+            fmt::format("Its table [[effect]] stays in {}.", change.study.study().file.string()));
+    }
+    output.notes(advice_on(change, before.ladder_step, after.ladder_step));
+    if (const auto& rivals = after.ladder_step.rivals; !rivals.empty()) {
+        std::vector<std::string> names, effects = {change.effect};
+        for (const auto& rival : rivals) {
+            names.push_back(fmt::format("{}", fmt::join(rival, " with ")));
+            for (const std::string& effect : rival) {
+                if (std::ranges::find(effects, effect) == effects.end()) effects.push_back(effect);
+            }
+        }
+        output.line(fmt::format(
+            "In the last diagnosis, other effects explained the readings as well as {}: {}. "
+            "'pendular diagnose' and 'pendular next' continue to compare these models.",
+            change.effect, fmt::join(names, ", ")));
+        const std::string methods = direct_methods(effects, change.study.catalogue());
+        if (!methods.empty()) {
+            output.line(
+                fmt::format("A direct measurement would decide between them: {}.", methods));
+        }
+    }
+    add_limits(output, after.calibration.runs, after.calibration.readings,
+               after.calibration.fit.parameters(0));
+    if (!before.calibration.fit.converged) {
+        output.note("The fit before the change did not converge: " +
+                    before.calibration.fit.message);
+    }
+    if (after.left_out.undetermined > 0) {
+        output.note(fmt::format(
+            "Cross-validation: without {} of the {} conditions, the other conditions do not "
+            "determine a parameter, which then keeps its starting value.",
+            after.left_out.undetermined == 1
+                ? "one"
+                : fmt::format("any of {}", after.left_out.undetermined),
+            after.left_out.conditions));
+    }
+    output.notes(after.calibration.notes);
+    return output;
 }
 
 }  // namespace pendular

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/output.h"
 #include "workflow/study_change.h"
 
 namespace pendular {
@@ -34,5 +35,14 @@ std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& 
 /// @param study the study's name as the user gave it
 std::string next_after(const StudyChange& change, const LadderStep& before, const LadderStep& after,
                        bool believable, const std::string& study);
+
+/// Returns a sentence on the result of a change: chi2 per degree of freedom and the relative RMS
+/// error of shear stress before and after it or, if the fit did not converge, that the study is
+/// unchanged.
+std::string answer_on(const ChangedStudy& changed);
+
+/// Returns what `pendular add` and `pendular drop` say: the sentence on the result, then errors and
+/// parameters before and after the change.
+Output change_output(const ChangedStudy& changed);
 
 }  // namespace pendular

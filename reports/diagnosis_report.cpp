@@ -7,11 +7,10 @@
 #include <cmath>
 
 #include "reports/failure_report.h"
-#include "reports/joined.h"
-#include "reports/parameter_name.h"
 #include "reports/tables.h"
 #include "reports/with_error.h"
-#include "workflow/diagnosis_json.h"
+#include "reports/words.h"
+#include "workflow/json/diagnosis.h"
 
 namespace pendular {
 namespace {

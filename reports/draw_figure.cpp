@@ -399,4 +399,12 @@ bool draw(const Figure& whole, const fs::path& folder) {
     return true;
 }
 
+std::vector<std::string> draw_all(const std::vector<Figure>& figures, const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const Figure& figure : figures) {
+        if (draw(figure, folder)) names.push_back(figure.name);
+    }
+    return names;
+}
+
 }  // namespace pendular

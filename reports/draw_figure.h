@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "reports/figure.h"
 
@@ -13,5 +15,9 @@ namespace pendular {
 /// @throws std::runtime_error if gnuplot is missing, a drawing is incomplete or a file cannot be
 ///        written
 bool draw(const Figure& figure, const std::filesystem::path& folder);
+
+/// Draws figures in the same way, and returns the names of those that have a panel.
+std::vector<std::string> draw_all(const std::vector<Figure>& figures,
+                                  const std::filesystem::path& folder);
 
 }  // namespace pendular

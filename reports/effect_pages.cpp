@@ -6,64 +6,42 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "data/printed_unit.h"
 #include "reports/with_error.h"
+#include "reports/words.h"
 #include "sim/lab/lab_plan.h"
 
 namespace pendular {
 namespace {
 
-/// Groups of the catalogue, by the part of the experiment that an effect changes.
+/// Group of the catalogue, by the part of the experiment that an effect changes.
 struct Group {
-    const char* name;                  ///< name of the group in JSON
     const char* heading;               ///< heading of the group in tables
     bool in_simulate, in_virtual_lab;  ///< whether these commands have options for the effects
 };
 
+/// In the order of `Part`.
 constexpr std::array<Group, 5> groups = {{
-    {"instrument", "the instrument", false, true},
-    {"beads-and-liquid", "the properties of the grains and the liquid", true, true},
-    {"grains", "the forces between grains and the grain sizes", true, true},
-    {"closure",
-     "the formula of the strength of wet grains (base model \"mohr-coulomb\" or \"rumpf\"; the "
+    {"the instrument", false, true},
+    {"the properties of the grains and the liquid", true, true},
+    {"the forces between grains and the grain sizes", true, true},
+    {"the formula of the strength of wet grains (base model \"mohr-coulomb\" or \"rumpf\"; the "
      "base model \"dem\" uses no formula)",
      false, false},
-    {"flow", "the predicted shear stress and solid fraction", false, false},
+    {"the predicted shear stress and solid fraction", false, false},
 }};
 
 std::size_t group_index(const Effect& effect) {
-    if (effect.of_instrument()) {
-        return 0;
-    }
-    if (effect.of_condition()) {
-        return 1;
-    }
-    if (effect.of_grains()) {
-        return 2;
-    }
-    return effect.of_closure() ? 3 : 4;
-}
-
-const char* touched(const Effect& effect) {
-    switch (effect.touches) {
-        case Touches::dry:
-            return "dry";
-        case Touches::wet:
-            return "wet";
-        case Touches::failure:
-            return "failure";
-        default:
-            return "all";
-    }
+    return static_cast<std::size_t>(part_changed(effect));
 }
 
 /// Readings that an effect can change, as a sentence has them: "wet readings".
 std::string readings_text(const Effect& effect) {
-    return effect.touches == Touches::failure ? "readings at failure (peaks)"
-                                              : fmt::format("{} readings", touched(effect));
+    return effect.touches == Touches::failure
+               ? "readings at failure (peaks)"
+               : fmt::format("{} readings", readings_changed(effect));
 }
 
 /// Entry of the column "applies" of a table.
@@ -80,12 +58,6 @@ std::string unit_of(const EffectParameter& parameter) {
 /// Value at which an effect of one parameter vanishes, as text.
 std::string neutral_text(const Effect& effect, const EffectParameter& p) {
     return effect.given_by_liquid ? "the value in study.toml" : printed_value(p.neutral, p);
-}
-
-/// Name of a quantity without underscores, "normal stress".
-std::string spoken(std::string name) {
-    std::ranges::replace(name, '_', ' ');
-    return name;
 }
 
 }  // namespace
@@ -114,9 +86,10 @@ void add_effect(std::vector<std::string>& lines, const EffectEntry& entry) {
     const Effect& effect = *entry.effect;
     for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
         const EffectParameter& p = effect.parameters[k];
-        lines.push_back(k == 0 ? table_line(effect.name, p.name, unit_of(p), touched(effect),
-                                            applies(entry), effect.summary)
-                               : table_line("", p.name, unit_of(p), "", "", p.meaning));
+        lines.push_back(k == 0
+                            ? table_line(effect.name, p.name, unit_of(p), readings_changed(effect),
+                                         applies(entry), effect.summary)
+                            : table_line("", p.name, unit_of(p), "", "", p.meaning));
     }
 }
 
@@ -338,9 +311,9 @@ std::string manual_index(const std::vector<EffectEntry>& entries) {
             for (const EffectParameter& p : effect.parameters) {
                 parameters.push_back(fmt::format("`{}` [{}]", p.name, markdown(unit_of(p))));
             }
-            rows +=
-                fmt::format("| [{0}]({0}.md) | {1} | {2} | {3} |\n", effect.name,
-                            fmt::join(parameters, ", "), touched(effect), markdown(effect.summary));
+            rows += fmt::format("| [{0}]({0}.md) | {1} | {2} | {3} |\n", effect.name,
+                                fmt::join(parameters, ", "), readings_changed(effect),
+                                markdown(effect.summary));
         }
         if (!rows.empty()) {
             text += fmt::format(
@@ -352,34 +325,23 @@ std::string manual_index(const std::vector<EffectEntry>& entries) {
     return text;
 }
 
-nlohmann::ordered_json to_json(const EffectEntry& entry) {
-    const Effect& effect = *entry.effect;
-    nlohmann::ordered_json json = {{"name", effect.name},
-                                   {"summary", effect.summary},
-                                   {"equation", effect.equation},
-                                   {"changes", groups[group_index(effect)].name},
-                                   {"touches", touched(effect)},
-                                   {"parameters", nlohmann::ordered_json::array()},
-                                   {"acts_through", effect.acts_through},
-                                   {"measured_by", effect.directly},
-                                   {"references", effect.references},
-                                   {"written", entry.written}};
-    for (const EffectParameter& p : effect.parameters) {
-        json["parameters"].push_back({{"name", p.name},
-                                      {"unit", p.unit},
-                                      {"lower", p.lower},
-                                      {"upper", p.upper},
-                                      {"neutral", p.neutral},
-                                      {"matters", p.smallest_of_interest},
-                                      {"meaning", p.meaning},
-                                      {"switch", p.is_switch()}});
+Output effects_output(const std::vector<EffectEntry>& entries, bool all) {
+    Output output;
+    output.answer(fmt::format(
+        "The catalogue has {} effects. 'pendular effects NAME' describes the effect NAME.",
+        entries.size()));
+    output.lines(effects_table(entries));
+    const auto lacks = [](const EffectEntry& entry) {
+        return entry.status && entry.status->obstacle;
+    };
+    if (std::ranges::any_of(entries, lacks)) {
+        output.line(
+            "'pendular effects NAME --study STUDY' says what the study lacks for an effect.");
     }
-    if (entry.status) {
-        json["listed"] = entry.status->listed;
-        json["applies"] = !entry.status->obstacle;
-        if (entry.status->obstacle) json["why_not"] = entry.status->obstacle->sentence;
+    for (const EffectEntry& entry : entries) {
+        if (all && lacks(entry)) output.note(entry.status->obstacle->sentence);
     }
-    return json;
+    return output;
 }
 
 }  // namespace pendular

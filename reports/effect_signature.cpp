@@ -351,10 +351,6 @@ Study signature_study(const std::vector<Effect>& effects) {
     return study;
 }
 
-std::vector<Condition> signature_conditions(const Study& study) {
-    return {usual(true, study), usual(false, study)};
-}
-
 Figure signature_figure(const Effect& effect, const Study& study,
                         const std::shared_ptr<const EmulatedSimulation>& simulation) {
     const Models models(effect, study, simulation);

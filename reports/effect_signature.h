@@ -15,10 +15,6 @@ namespace pendular {
 /// study lists `effects`, so that its emulator also uses simulations with them.
 Study signature_study(const std::vector<Effect>& effects);
 
-/// Returns the dry and the wet condition of signatures. One quantity varies along each curve; all
-/// others keep their values at one of these conditions.
-std::vector<Condition> signature_conditions(const Study& study);
-
 /// Returns the change of the readings by an effect of the smallest size of interest: of the shear
 /// stress [%] in the upper row, 1000 times that of the solid fraction [1] in the lower row. The
 /// columns show it against reduced pressure [1], liquid content [1], inertial number [1] and height

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "data/remarks/wording.h"
-#include "reports/parameter_name.h"
+#include "reports/words.h"
 
 namespace pendular {
 namespace {
@@ -58,7 +58,7 @@ std::vector<std::string> checks_table(const Checks& checks) {
     std::vector<std::string> lines;
     bool correlated = false;  // one sentence serves all correlation lengths
     for (const Check* check : significant_checks(checks)) {
-        const bool correlation = sentence(*check).starts_with("Residuals");
+        const bool correlation = check->kind == Check::Kind::neighbours;
         if (!correlation || !std::exchange(correlated, true)) {
             lines.push_back("  " + sentence(*check));
         }

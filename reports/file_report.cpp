@@ -14,6 +14,7 @@
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/remarks/wording.h"
+#include "reports/tables.h"
 
 namespace pendular {
 namespace {
@@ -263,6 +264,93 @@ std::string missing_sentence(const FileView& view) {
     else
         text += " Export these columns too.";
     return text;
+}
+
+namespace {
+
+/// Heading and sentences on the findings inside the recordings; empty if there are none.
+/// Saturations are left out without `all`, since warnings name them.
+std::vector<std::string> findings_lines(std::vector<Remark> findings, bool all) {
+    if (!all) {
+        std::erase_if(findings,
+                      [](const Remark& each) { return each.kind == Remark::Kind::saturation; });
+    }
+    std::vector<std::string> lines;
+    for (const std::string& sentence : sentences(findings, all))
+        lines.push_back("  " + sentence);
+    if (!lines.empty()) lines.insert(lines.begin(), "The recordings themselves show:");
+    return lines;
+}
+
+/// Heading and sentences on the files' headers and set points; empty for nothing.
+std::vector<std::string> file_findings_lines(const std::vector<Remark>& findings, bool all) {
+    std::vector<std::string> lines;
+    for (const Remark& finding : findings)
+        lines.push_back(fmt::format("  {}: {}",
+                                    std::filesystem::path(finding.file()).filename().string(),
+                                    with_lines(finding, all ? finding.lines.size() : 8)));
+    if (!lines.empty()) lines.insert(lines.begin(), "Checks of the files show:");
+    return lines;
+}
+
+}  // namespace
+
+Output import_output(const Measurements& measurements, const std::filesystem::path& folder,
+                     const std::string& study, bool all) {
+    const std::string left_out = excluded_text(measurements);
+    const std::string reason = common_reason(measurements).value_or("");
+    Output output;
+    output.answer(fmt::format("{} written to {}.{}{}{}",
+                              measurements.readings.size() == 1
+                                  ? "1 reading"
+                                  : fmt::format("{} readings", measurements.readings.size()),
+                              (folder / "readings.csv").string(),
+                              left_out.empty()
+                                  ? ""
+                                  : fmt::format(" Excluded: {} (listed in {}).", left_out,
+                                                (folder / "excluded.csv").string()),
+                              reason.empty() ? "" : " ", reason));
+    for (const Remark& doubt : measurements.doubts()) {
+        output.line(fmt::format("Warning: {} {}", text_of(doubt),
+                                doubt.outcome == Remark::Outcome::set_aside
+                                    ? "The affected readings are excluded."
+                                    : "The affected readings are kept."));
+    }
+    output.table(findings_lines(measurements.faults(true), all), 6);
+    output.table(file_findings_lines(measurements.faults(false), all), 6);
+    if (!measurements.readings.empty()) output.table(readings_table(measurements), 7);
+    if (all) output.table(excluded_table(measurements), 0);
+    output.table(scatter_table(measurements), 5);
+    for (const Remark& note : measurements.notes()) {
+        output.note(text_of(note));
+    }
+    if (measurements.readings.empty()) {
+        output.note(
+            fmt::format("No step of the recordings gave a reading. 'pendular import {} --all' "
+                        "lists the excluded rows with the reasons.",
+                        study));
+    }
+    return output;
+}
+
+Output file_output(const FileView& view, std::size_t guesses, const std::filesystem::path& toml,
+                   bool all) {
+    Output output;
+    output.answer(file_sentence(view));
+    output.line(encoding_sentence(view));
+    output.table(columns_table(view), 20);
+    output.table(intervals_table(view), 10);
+    output.table(checks_lines(view, all), 10);
+    output.lines(yield_locus_lines(view));
+    if (const std::string missing = missing_sentence(view); !missing.empty()) output.note(missing);
+    if (guesses > 0) {
+        output.line(fmt::format(
+            "{} of the values in {} {}, marked GUESS, since the file does not state {}: replace {} "
+            "before the study is calibrated.",
+            guesses, toml.string(), guesses == 1 ? "is a guess" : "are guesses",
+            guesses == 1 ? "it" : "them", guesses == 1 ? "it" : "them"));
+    }
+    return output;
 }
 
 }  // namespace pendular

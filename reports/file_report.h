@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "data/recordings/file_view.h"
+#include "data/recordings/measurements.h"
+#include "reports/output.h"
 
 namespace pendular {
 
@@ -37,5 +41,16 @@ std::vector<std::string> yield_locus_lines(const FileView& view);
 /// height, and asks the user to export them; with yield loci it says that points of failure need
 /// only the stresses. Empty if nothing is lacking or the file is a report of yield loci.
 std::string missing_sentence(const FileView& view);
+
+/// Returns what `pendular import STUDY` says of the readings of a study.
+/// @param folder of readings.csv and excluded.csv
+/// @param study the study's name as the user gave it
+Output import_output(const Measurements& measurements, const std::filesystem::path& folder,
+                     const std::string& study, bool all);
+
+/// Returns what `pendular import FILE` says of a file.
+/// @param guesses number of guessed values in `toml`, the study.toml that was written
+Output file_output(const FileView& view, std::size_t guesses, const std::filesystem::path& toml,
+                   bool all);
 
 }  // namespace pendular

@@ -12,8 +12,9 @@
 #include "data/study/study.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
-#include "reports/joined.h"
+#include "reports/fit_report.h"
 #include "reports/with_error.h"
+#include "reports/words.h"
 
 namespace pendular {
 namespace {
@@ -198,6 +199,34 @@ std::vector<std::string> plan_lines(const NextMeasurement& next) {
             "there."};
     }
     return next.plans.empty() ? sharpening_lines(next) : separating_lines(next);
+}
+
+Output next_output(const NextMeasurement& next, const StudyDiagnosis& diagnosis,
+                   const std::vector<NextStep>& steps, bool has_rig) {
+    const std::vector<std::string> plan = plan_lines(next);
+    std::vector<std::string> lines = steps.empty() ? plan : step_lines(steps, plan);
+    Output output;
+    output.answer(lines.front());
+    lines.erase(lines.begin());
+    output.lines(std::move(lines));
+    add_limits(output, diagnosis.models->simulation().emulator().runs(), diagnosis.readings,
+               next.rivals.front().fit.parameters(0));
+    const bool possible = !next.points.empty();
+    if (std::ranges::any_of(steps, &NextStep::readings) && !has_rig) {
+        output.note(
+            "study.toml has no section [rig] with the settings that the rheometer can reach: the "
+            "plan stays near the conditions already measured. 'pendular next --help' shows an "
+            "example.");
+    }
+    if (!possible && !steps.empty()) {
+        output.note(plan.front());
+    } else if (possible && next.unsupported > 0) {
+        output.note(
+            fmt::format("The simulations in atlas and store do not cover {} of {} conditions; the "
+                        "plan leaves them out. 'pendular campaign' makes simulations there.",
+                        next.unsupported, next.unsupported + next.points.size()));
+    }
+    return output;
 }
 
 namespace {

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "reports/figure.h"
+#include "reports/next_steps.h"
+#include "reports/output.h"
 #include "workflow/next.h"
 
 namespace pendular {
@@ -13,6 +15,11 @@ namespace pendular {
 /// tell the models apart with the prediction of each model or, if no possible readings do, say so
 /// and state the predictions where these differ most.
 std::vector<std::string> plan_lines(const NextMeasurement& next);
+
+/// Returns what `pendular next` says: what to do, in order, with the plan of the readings.
+/// @param has_rig whether study.toml states the settings that the rheometer can reach
+Output next_output(const NextMeasurement& next, const StudyDiagnosis& diagnosis,
+                   const std::vector<NextStep>& steps, bool has_rig);
 
 /// Returns a figure of the predicted stress ratio and solid fraction against the normal stress,
 /// with a curve and a band of one standard error for each of up to five models that fit. All other

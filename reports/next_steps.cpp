@@ -12,12 +12,12 @@
 
 #include "analysis/design/point.h"
 #include "analysis/diagnosis/study_evidence.h"
+#include "reports/diagnosis_table.h"
 #include "reports/impact_report.h"
-#include "reports/joined.h"
 #include "reports/sensor_checks.h"
 #include "reports/suspect_report.h"
-#include "reports/undetected_effects.h"
 #include "reports/with_error.h"
+#include "reports/words.h"
 #include "workflow/rivals.h"
 
 namespace pendular {

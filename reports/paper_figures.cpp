@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "calib/emulator/emulated_observables.h"
-#include "reports/symbol_code.h"
+#include "reports/symbol.h"
 
 namespace pendular {
 namespace {

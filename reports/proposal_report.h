@@ -4,6 +4,9 @@
 #include <vector>
 
 #include "analysis/proposals/propose.h"
+#include "calib/model/model.h"
+#include "data/reading.h"
+#include "reports/figure.h"
 
 namespace pendular {
 
@@ -18,6 +21,7 @@ std::string sentence_on(const FittedShape& shape);
 
 /// Returns a sentence for each change of a proposal, without a full stop at the end.
 std::string sentence_on(const Proposal& proposal);
+std::vector<std::string> sentences_on(const std::vector<Proposal>& proposals);
 
 /// Returns lines on proposals, the best first, with chi2/dof without and with the changes of the
 /// best. Empty if `proposals` is empty.
@@ -25,5 +29,12 @@ std::string sentence_on(const Proposal& proposal);
 /// @param dof degrees of freedom of `chi2`
 std::vector<std::string> proposal_lines(const std::vector<Proposal>& proposals, double chi2,
                                         int dof);
+
+/// Returns a figure of a proposed change of unknown cause: the deviations of shear stress and of
+/// solid fraction from the study's model [%], as measured and as predicted with the change. The x
+/// axis is the quantity with which the change varies, or the normal stress if it is constant.
+/// @param model predictions of the study's model without the change
+Figure proposal_figure(const Proposal& proposal, const std::vector<Reading>& readings,
+                       const Prediction& model);
 
 }  // namespace pendular

@@ -80,4 +80,17 @@ std::string reproduction_page(const Reproduction& r) {
     return page;
 }
 
+Output reproduction_output(const Reproduction& reproduction, bool all) {
+    Output output;
+    output.answer(verdict_of(reproduction));
+    output.table(scoreboard_table(reproduction.rows(), all), 40);
+    if (const std::size_t missing = reproduction.study().missing().size(); missing > 0) {
+        output.note(
+            fmt::format("{} of the {} states of the article have not been simulated; 'pendular "
+                        "reproduce --simulate' simulates them.",
+                        missing, missing + reproduction.study().states().size()));
+    }
+    return output;
+}
+
 }  // namespace pendular

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/output.h"
 #include "workflow/reproduction.h"
 
 namespace pendular {
@@ -19,5 +20,9 @@ std::vector<std::string> scoreboard_table(const std::vector<ScoreboardRow>& rows
 /// Returns a page in Markdown with a table of numbers for each section of Badetti et al. (2018),
 /// and how to repeat the comparison.
 std::string reproduction_page(const Reproduction& reproduction);
+
+/// Returns what `pendular reproduce` says.
+/// @param all whether numbers that agree are shown too
+Output reproduction_output(const Reproduction& reproduction, bool all);
 
 }  // namespace pendular

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "reports/figure.h"
+#include "sim/dem/run.h"
 #include "sim/runs/store/run_store.h"
 
 namespace pendular {
@@ -20,5 +22,15 @@ Figure trace_figure(const StoredRun& run);
 /// @throws InputError if a column does not exist or contains no numbers, or if no successful
 ///        simulation has numbers in both
 Figure runs_figure(const std::vector<StoredRun>& runs, const std::string& x, const std::string& y);
+
+/// Returns the profiles and distributions of a simulation as CSV, one table for each coordinate,
+/// keyed by file name. Headers are `NAME [unit]`; a column NAME_sd after each column NAME contains
+/// the standard errors.
+std::map<std::string, std::string> field_tables(const dem::RunResult& run);
+
+/// Returns `profiles` of velocity, solid fraction and granular temperature along the velocity
+/// gradient, and `distributions` of orientations and forces of contacts and, for wet grains, of
+/// orientations and gaps of bridges between grains that do not touch.
+std::vector<Figure> field_figures(const dem::RunResult& run);
 
 }  // namespace pendular

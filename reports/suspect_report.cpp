@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "reports/joined.h"
 #include "reports/with_error.h"
+#include "reports/words.h"
 
 namespace pendular {
 

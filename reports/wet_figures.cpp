@@ -10,7 +10,7 @@
 #include "calib/fit/wet_groups.h"
 #include "reports/figure_style.h"
 #include "reports/model_curve.h"
-#include "reports/symbol_code.h"
+#include "reports/symbol.h"
 
 namespace pendular {
 namespace {

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
@@ -84,7 +83,6 @@ class Confirming {
         }
         confirmation_.seconds = seconds_since(start_);
         confirmation_.settled = firm(diagnosis);
-        if (!confirmation_.settled) confirmation_.open = open_;
         diagnosis.confirmed = confirmation_;
         return diagnosis;
     }
@@ -110,7 +108,7 @@ class Confirming {
                   diagnosis.effects.empty() ? "" : ", ", fmt::join(diagnosis.effects, ", "))});
     }
 
-    /// Whether the verdict is firm; if not, sets `open_` to the reason.
+    /// Whether the verdict is firm; if not, `Confirmation::open` is the reason.
     bool firm(const StudyDiagnosis& diagnosis) {
         Enlargement largest;
         for (const FittedModel& each : models_in_the_running(diagnosis.diagnosis)) {
@@ -120,14 +118,14 @@ class Confirming {
             if (own.size > largest.size) largest = own;
         }
         excess_ = largest.excess();
-        open_ = confirmation_.runs == 0 ? "no simulation was made"
-                : !same_                ? "the verdict changed with the last simulations"
-                : p_ < disagreement
-                    ? "the last simulations differed from the emulator's predictions"
-                : excess_ > 1
-                    ? fmt::format("the noise of the simulations enlarges {}", text_of(largest))
-                    : "";
-        return open_.empty();
+        using Open = Confirmation::Open;
+        confirmation_.enlargement = largest;
+        confirmation_.open = confirmation_.runs == 0 ? Open::no_simulation
+                             : !same_                ? Open::verdict_changed
+                             : p_ < disagreement     ? Open::emulator_disagrees
+                             : excess_ > 1           ? Open::noise
+                                                     : Open::nothing;
+        return confirmation_.open == Open::nothing;
     }
 
     /// Runs of the next round; none where the time is over.
@@ -194,18 +192,9 @@ class Confirming {
     double p_ = 1;                      ///< p-value of the agreement of the last runs
     double excess_ = 1;  ///< factor by which the variance from the noise of the runs is too large
     Confirmation confirmation_;
-    std::string open_;
 };
 
 }  // namespace
-
-nlohmann::ordered_json to_json(const std::optional<Confirmation>& confirmed) {
-    if (!confirmed) return nullptr;
-    return {{"runs", confirmed->runs},
-            {"seconds", confirmed->seconds},
-            {"settled", confirmed->settled},
-            {"open", confirmed->open}};
-}
 
 StudyDiagnosis confirm_diagnosis(const ResolvedStudy& study, const Measurements& measurements,
                                  const SessionOptions& session, double seconds) {

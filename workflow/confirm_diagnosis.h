@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "workflow/study_diagnosis.h"
@@ -17,9 +16,5 @@ namespace pendular {
 /// @throws dem::Interrupted if the user requests a stop; the message says how to continue
 StudyDiagnosis confirm_diagnosis(const ResolvedStudy& study, const Measurements& measurements,
                                  const SessionOptions& session, double seconds);
-
-/// Returns the JSON of a confirmation: runs, time [s], whether the verdict is firm, and the reason
-/// why it is not. Null if no simulations were requested.
-nlohmann::ordered_json to_json(const std::optional<Confirmation>& confirmed);
 
 }  // namespace pendular

@@ -8,7 +8,7 @@
 #include "calib/fit/calibrate_study.h"
 #include "sim/dem/simulation_error.h"
 #include "sim/runs/store/run_store.h"
-#include "workflow/fit_runs.h"
+#include "workflow/json/training_runs.h"
 #include "workflow/listener.h"
 
 namespace pendular {

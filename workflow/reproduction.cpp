@@ -1,28 +1,16 @@
 #include "workflow/reproduction.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "calib/emulator/emulated_observables.h"
 #include "data/input_error.h"
 #include "sim/runs/store/run_table.h"
-#include "workflow/fit_runs.h"
 #include "workflow/known_runs.h"
 #include "workflow/requested_state.h"
 
 namespace pendular {
-namespace {
-
-/// JSON of a number that may be infinite: null in JSON.
-nlohmann::ordered_json number(double value) {
-    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
-
-}  // namespace
-
 Reproduction::Reproduction(const Fidelity& fidelity, const RunStore* store) : fidelity_(fidelity) {
     auto known = known_runs(Study{}, fidelity, store);
     if (!known) {
@@ -49,28 +37,6 @@ std::vector<dem::RunParameters> Reproduction::missing_runs() const {
                               fidelity_, fidelity_.stiffness_number));
     }
     return runs;
-}
-
-nlohmann::ordered_json to_json(const Reproduction& reproduction) {
-    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    for (const ScoreboardRow& row : reproduction.rows()) {
-        rows.push_back({{"section", row.section},
-                        {"what", row.what},
-                        {"published", row.published},
-                        {"published_range", {number(row.lower), number(row.upper)}},
-                        {"ours", row.ours},
-                        {"our_range", {row.least, row.greatest}},
-                        {"distance", row.distance},
-                        {"values", row.values},
-                        {"outside", row.outside},
-                        {"where", row.where},
-                        {"agrees", row.agrees}});
-    }
-    return {{"rows", rows},
-            {"agreeing", reproduction.agreeing()},
-            {"runs", runs_json(reproduction.emulator().runs())},
-            {"states", reproduction.study().states().size()},
-            {"missing", reproduction.study().missing().size()}};
 }
 
 }  // namespace pendular

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "analysis/reproduction/published_numbers.h"
@@ -37,8 +36,5 @@ class Reproduction {
     std::unique_ptr<const PaperStudy> study_;
     std::vector<ScoreboardRow> rows_;
 };
-
-/// Returns the JSON of a reproduction, as `pendular reproduce --json` writes it.
-nlohmann::ordered_json to_json(const Reproduction& reproduction);
 
 }  // namespace pendular

@@ -6,16 +6,13 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "analysis/diagnosis/ranking.h"
-#include "data/files/text_file.h"
 #include "sim/catalogue/written_effect.h"
-#include "workflow/rival_effects.h"
 
 namespace pendular {
 namespace {
@@ -188,18 +185,12 @@ EffectNames explaining_sets(const StudyDiagnosis& d) {
     return sets;
 }
 
-EffectNames rivals_in(const std::filesystem::path& file, const Study& study,
-                      const std::string& effect) {
-    std::error_code error;
-    if (!std::filesystem::exists(file, error)) return {};
-    try {
-        const auto json = nlohmann::json::parse(read_text(file));
-        const EffectNames sets = json.at("confidence_set");
-        const bool same = json.at("model_effects") == nlohmann::json(names_of(study.model.effects));
-        return same ? rivals_among(sets, effect) : EffectNames{};
-    } catch (const std::exception&) {
-        return {};  // the file is from another version or is not of a diagnosis
+std::vector<std::string> names_of(const std::vector<ListedEffect>& effects) {
+    std::vector<std::string> names;
+    for (const ListedEffect& effect : effects) {
+        names.push_back(effect.name);
     }
+    return names;
 }
 
 }  // namespace pendular

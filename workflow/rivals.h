@@ -37,10 +37,7 @@ EffectNames rivals_among(const EffectNames& sets, const std::string& effect);
 /// Returns the sets of effects that explain the readings according to a diagnosis.
 EffectNames explaining_sets(const StudyDiagnosis& diagnosis);
 
-/// Reads the alternatives to an effect from the result of an earlier diagnosis (`rivals_among`).
-/// Empty if `file` (a diagnosis.json) cannot be read, or if the study's list of effects has changed
-/// since the diagnosis.
-EffectNames rivals_in(const std::filesystem::path& file, const Study& study,
-                      const std::string& effect);
+/// Returns the names of the effects that a study lists, in the order of the list.
+std::vector<std::string> names_of(const std::vector<ListedEffect>& effects);
 
 }  // namespace pendular

@@ -7,8 +7,8 @@
 #include "data/files/text_file.h"
 #include "data/input_error.h"
 #include "workflow/confirm_diagnosis.h"
-#include "workflow/fit_file.h"
-#include "workflow/ladder_file.h"
+#include "workflow/json/fit.h"
+#include "workflow/json/ladder.h"
 #include "workflow/rivals.h"
 
 namespace pendular {

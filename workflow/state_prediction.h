@@ -9,7 +9,7 @@
 #include "calib/emulator/known_range.h"
 #include "sim/closures/closure_values.h"
 #include "sim/runs/store/run_store.h"
-#include "workflow/fit_runs.h"
+#include "workflow/json/training_runs.h"
 #include "workflow/requested_state.h"
 
 namespace pendular {

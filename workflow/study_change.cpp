@@ -12,9 +12,9 @@
 #include "data/files/text_file.h"
 #include "data/input_error.h"
 #include "data/study/study_edit.h"
-#include "workflow/fit_file.h"
+#include "workflow/json/fit.h"
+#include "workflow/json/ladder.h"
 #include "workflow/known_runs.h"
-#include "workflow/ladder_file.h"
 #include "workflow/proposed_effects.h"
 
 namespace pendular {
@@ -90,23 +90,6 @@ StudyChange plan_change(const ResolvedStudy& study, Action change, const std::st
     const std::string& text = defined ? with_table(old_text, effect_table(*defined)) : old_text;
     return {change, effect, defining.changed_to(std::move(changed)), old_text,
             with_effect(text, file, effect)};
-}
-
-nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before,
-                               const LadderStep& after, bool written) {
-    const auto side = [](const LadderStep& ladder_step) {
-        auto json = to_json(ladder_step);
-        for (const char* of_the_ladder : {"step", "change", "effect", "rivals"}) {
-            json.erase(of_the_ladder);
-        }
-        return json;
-    };
-    return {{"change", word_for(change.change)},
-            {"effect", change.effect},
-            {"written", written},
-            {"rivals", after.rivals},
-            {"before", side(before)},
-            {"after", side(after)}};
 }
 
 void apply_change(const StudyChange& change, const LadderStep& before, LadderStep after,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,13 +30,6 @@ struct StudyChange {
 ///         does not apply to the study or is listed already, or if an effect to drop is not listed
 StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect,
                         const std::vector<WrittenEffect>& proposed = {});
-
-/// Returns the JSON of a change, as `pendular add --json` and `pendular drop --json` write it: the
-/// effect, the alternatives to an added effect, and the parameters and errors of the model before
-/// and after the change.
-/// @param written whether study.toml was changed
-nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before,
-                               const LadderStep& after, bool written);
 
 /// Makes a fitted change permanent: appends the model after the change to the ladder, writes
 /// fit.json and ladder.json to `folder`, and last study.toml.

@@ -15,6 +15,7 @@
 #include "analysis/misfit/recording_evidence.h"
 #include "analysis/misfit/unit_mistakes.h"
 #include "analysis/proposals/propose.h"
+#include "calib/fit/stopping_rule.h"
 #include "calib/model/study_model_space.h"
 #include "workflow/fit_study.h"
 
@@ -28,7 +29,10 @@ struct Confirmation {
     /// emulator, and the noise of all runs increases no standard error, of a fitted parameter or of
     /// a difference between measured and predicted value, by more than 20 %.
     bool settled = false;
-    std::string open = {};  ///< reason why the verdict is not firm; empty if it is
+    /// Reason why the verdict is not firm.
+    enum class Open { nothing, no_simulation, verdict_changed, emulator_disagrees, noise };
+    Open open = Open::nothing;
+    Enlargement enlargement = {};  ///< largest one by the noise of the simulations
 };
 
 /// Diagnosis of a study: search for physical effects that the study's model lacks, with the

@@ -13,7 +13,7 @@
 #include "calib/fit/nearby_fit.h"
 #include "calib/fit/reading_order.h"
 #include "data/input_error.h"
-#include "workflow/rival_effects.h"
+#include "workflow/rivals.h"
 
 namespace pendular {
 namespace {

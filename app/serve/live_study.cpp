@@ -9,9 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "app/progress.h"
 #include "data/input_error.h"
+#include "reports/words.h"
 #include "sim/dem/run.h"
+#include "workflow/json/commands.h"
 
 namespace pendular::app {
 namespace {
@@ -66,7 +67,7 @@ bool LiveStudy::work_once(const std::stop_token& end) {
     job();
     const StudyStamps now = work_.look();
     lock.lock();
-    working_ = false;
+    state_.working = false;
     stale_ = stale_ || now != made_from_;
     return true;
 }
@@ -83,7 +84,7 @@ void LiveStudy::make_page(const std::stop_token& end) {
         stop = page_stop_.get_token();
         made_from_ = now;
         stale_ = false;
-        version = version_ + 1;
+        version = state_.version + 1;
     }
     begin("Reading the study.");
     try {
@@ -95,16 +96,16 @@ void LiveStudy::make_page(const std::stop_token& end) {
         take_trouble(text_of_exception());
     }
     const std::scoped_lock lock(mutex_);
-    working_ = false;
+    state_.working = false;
 }
 
 void LiveStudy::take_page(StudyPage page) {
     {
         const std::scoped_lock lock(mutex_);
         page_ = std::make_shared<const std::string>(std::move(page.html));
-        ++version_;
-        made_ = fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::localtime(std::time(nullptr)));
-        trouble_.clear();
+        ++state_.version;
+        state_.made = fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::localtime(std::time(nullptr)));
+        state_.trouble.clear();
     }
     tell_outcome(page.measure.empty() ? page.answer : page.answer + " " + page.measure,
                  fmt::format("{} readings. {}", page.readings, page.answer), true);
@@ -113,7 +114,7 @@ void LiveStudy::take_page(StudyPage page) {
 void LiveStudy::take_trouble(const std::string& text) {
     {
         const std::scoped_lock lock(mutex_);
-        trouble_ = text;
+        state_.trouble = text;
     }
     tell_outcome("error: " + text, text, false);
 }
@@ -144,7 +145,7 @@ Answer LiveStudy::change_now(Action action, const std::string& effect, const std
     }
     {
         const std::scoped_lock lock(mutex_);
-        changing_ = false;
+        state_.changing = false;
     }
     add_event(answer.text, true, answer.ok());
     work_.print(fmt::format("{} {}", time_now(), answer.text));
@@ -171,9 +172,9 @@ void LiveStudy::watch(const std::stop_token& over) {
 
 void LiveStudy::begin(const std::string& sentence) {
     const std::scoped_lock lock(mutex_);
-    working_ = true;
-    sentence_ = sentence;
-    share_.reset();
+    state_.working = true;
+    state_.sentence = sentence;
+    state_.share.reset();
 }
 
 Listener LiveStudy::progress() {
@@ -181,15 +182,15 @@ Listener LiveStudy::progress() {
         std::string sentence = progress_sentence(event);
         if (sentence.empty()) return;
         const std::scoped_lock lock(mutex_);
-        sentence_ = std::move(sentence);
-        share_ = progress_share(event);
+        state_.sentence = std::move(sentence);
+        state_.share = progress_share(event);
     };
 }
 
 void LiveStudy::add_event(const std::string& text, bool of_effect, bool ok) {
     const std::scoped_lock lock(mutex_);
-    events_.push_back({++events_so_far_, time_now(), text, of_effect, ok});
-    if (events_.size() > most_events) events_.pop_front();
+    state_.events.push_back({++events_so_far_, time_now(), text, of_effect, ok});
+    if (state_.events.size() > most_events) state_.events.pop_front();
 }
 
 std::shared_ptr<const std::string> LiveStudy::page() const {
@@ -198,24 +199,8 @@ std::shared_ptr<const std::string> LiveStudy::page() const {
 }
 
 std::string LiveStudy::state() const {
-    nlohmann::ordered_json json, events = nlohmann::ordered_json::array();
     const std::scoped_lock lock(mutex_);
-    for (const RecentEvent& each : events_) {
-        events.push_back({{"number", each.number},
-                          {"time", each.time},
-                          {"text", each.text},
-                          {"of_effect", each.of_effect},
-                          {"ok", each.ok}});
-    }
-    json["version"] = version_;
-    json["made"] = made_;
-    json["working"] = working_;
-    json["sentence"] = sentence_;
-    json["share"] = share_ ? nlohmann::ordered_json(*share_) : nlohmann::ordered_json();
-    json["changing"] = changing_;
-    json["trouble"] = trouble_;
-    json["events"] = std::move(events);
-    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    return to_json(state_).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::optional<std::future<Answer>> LiveStudy::queue(std::function<Answer()> work) {
@@ -250,10 +235,11 @@ Answer LiveStudy::receive(std::string name, std::string bytes) {
 
 Answer LiveStudy::change(Action action, const std::string& effect) {
     const std::scoped_lock lock(mutex_);
-    if (changing_) return {409, "Another effect is being added or removed; wait for its end."};
+    if (state_.changing)
+        return {409, "Another effect is being added or removed; wait for its end."};
     if (!queue([this, action, effect] { return change_now(action, effect, end_); }))
         return {503, "Pendular is busy; try again in a moment."};
-    changing_ = true;
+    state_.changing = true;
     return {202, fmt::format("{} {}: the study is being fitted.",
                              action == Action::add ? "Adding" : "Removing", effect)};
 }

@@ -14,9 +14,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/serve/answer.h"
+#include "app/serve/received_recording.h"
 #include "app/serve/study_watch.h"
 #include "app/study_page.h"
+#include "workflow/json/commands.h"
 #include "workflow/study_change.h"
 
 namespace pendular::app {
@@ -72,11 +73,6 @@ class LiveStudy {
     Answer change(Action action, const std::string& effect);
 
   private:
-    struct RecentEvent {
-        std::size_t number = 0;
-        std::string time, text;
-        bool of_effect = false, ok = true;
-    };
     using Job = std::packaged_task<Answer()>;
 
     bool work_once(const std::stop_token& end);
@@ -98,17 +94,14 @@ class LiveStudy {
     mutable std::mutex mutex_;  ///< guards all members below
     std::condition_variable_any wake_;
     std::shared_ptr<const std::string> page_;
-    std::size_t version_ = 0;
-    std::string made_, trouble_, sentence_;
-    std::optional<double> share_;
-    bool working_ = false, changing_ = false, ended_ = false;
+    PageState state_;
+    bool ended_ = false;
     bool stale_ = true;      ///< whether files have changed since the last page, or there is none
     StudyStamps made_from_;  ///< files when the newest page was begun
     StudyStamps told_;  ///< files at the last `tell_outcome`, which names those that changed since
     std::stop_source page_stop_;  ///< stops the making of the page in progress
     std::stop_token end_;         ///< of `run`: ends all computations
     std::deque<Job> jobs_;
-    std::deque<RecentEvent> events_;  ///< the oldest first
     std::size_t events_so_far_ = 0;
 };
 

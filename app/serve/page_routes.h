@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "app/serve/answer.h"
+#include "app/serve/received_recording.h"
 #include "app/serve/request_check.h"
 #include "workflow/study_change.h"
 

@@ -1,10 +1,10 @@
 #include "app/serve/received_recording.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <stdio.h>
 
+#include <fcntl.h>
+#include <stdio.h>
 #include <cerrno>
 #include <cstring>
 #include <optional>
@@ -22,6 +22,7 @@
 #include "workflow/study_input.h"
 
 namespace pendular::app {
+
 namespace {
 
 namespace fs = std::filesystem;

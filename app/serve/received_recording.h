@@ -4,9 +4,15 @@
 #include <filesystem>
 #include <string>
 
-#include "app/serve/answer.h"
-
 namespace pendular::app {
+
+/// Answer to a request of a browser: the HTTP status, and a text that the page shows.
+struct Answer {
+    int status = 200;
+    std::string text;
+
+    bool ok() const { return status < 400; }
+};
 
 constexpr std::size_t largest_received = 64u << 20;  ///< [bytes]
 

@@ -10,13 +10,13 @@
 #include <mutex>
 #include <tuple>
 
-#include "app/interrupt.h"
-#include "app/progress.h"
+#include "app/terminal.h"
 #include "bench/hidden_effects/design.h"
 #include "bench/hidden_effects/report.h"
 #include "bench/hidden_effects/resolve.h"
 #include "bench/hidden_effects/rig.h"
 #include "bench/hidden_effects/walk.h"
+#include "reports/words.h"
 #include "sim/runs/store/run_store.h"
 #include "sim/runs/store/run_table.h"
 
@@ -104,7 +104,7 @@ class Benchmark {
                                   shown = progress.fraction;
                                   fmt::print(stderr, "{}: {}, {} of {} runs, {} left\n", truth.name,
                                              phase, progress.runs_done, progress.runs,
-                                             app::duration(progress.seconds_left));
+                                             duration(progress.seconds_left));
                               },
                               &store_};
         return simulate_lab(plan, workers, [&](const std::string& name) {

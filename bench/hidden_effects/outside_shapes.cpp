@@ -8,7 +8,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "app/interrupt.h"
+#include "app/terminal.h"
 #include "bench/hidden_effects/design.h"
 #include "bench/hidden_effects/rig.h"
 #include "bench/hidden_effects/walk.h"

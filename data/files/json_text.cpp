@@ -19,10 +19,13 @@ std::string json_text(const nlohmann::ordered_json& object, int indent) {
 void check_json_format(const nlohmann::ordered_json& object, const std::filesystem::path& file,
                        std::string_view advice) {
     const auto format = object.find("format");
-    if (format != object.end() && *format != json_format) {
+    const auto known = [](const nlohmann::ordered_json& version) {
+        return version.is_number_integer() && version >= 1 && version <= json_format;
+    };
+    if (format != object.end() && !known(*format)) {
         throw InputError({file.string()},
                          fmt::format("This file has the format {}, and this version of pendular "
-                                     "reads the format {}; update pendular, or {}",
+                                     "reads the formats 1 to {}; update pendular, or {}",
                                      format->dump(), json_format, advice));
     }
 }

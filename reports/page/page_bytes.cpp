@@ -3,6 +3,7 @@
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 
 namespace pendular {
@@ -33,6 +34,13 @@ void Bytes::append(const void* value, std::size_t size) {
     const std::size_t at = bytes_.size();
     bytes_.resize(at + size);
     std::memcpy(bytes_.data() + at, value, size);
+}
+
+std::string page_text(std::string text) {
+    for (std::size_t at = 0; (at = text.find("+-", at)) != std::string::npos;) {
+        text.replace(at, 2, "±");
+    }
+    return text;
 }
 
 }  // namespace pendular

@@ -27,4 +27,7 @@ class Bytes {
     std::string bytes_;
 };
 
+/// Returns a text for an HTML page, with a plus-minus sign for each "+-".
+std::string page_text(std::string text);
+
 }  // namespace pendular

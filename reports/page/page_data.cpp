@@ -11,7 +11,6 @@
 #include <string>
 
 #include "reports/page/page_bytes.h"
-#include "reports/page/page_text.h"
 #include "reports/with_error.h"
 
 namespace pendular {

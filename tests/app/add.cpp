@@ -8,8 +8,9 @@
 #include "reports/with_error.h"
 #include "tests/support/app_support.h"
 #include "tests/support/wet_study_support.h"
-#include "workflow/json.h"
-#include "workflow/ladder_file.h"
+#include "workflow/json/comparison.h"
+#include "workflow/json/ladder.h"
+#include "workflow/json/parts.h"
 #include "workflow/proposed_effects.h"
 #include "workflow/study_change.h"
 
@@ -194,7 +195,10 @@ TEST_F(StudyChanges, AreToldInOneLineWithTheErrorBeforeAndAfter) {
     expect_told(error_changes(before, after));
     expect_told(parameter_changes(before, after));
     expect_told(parameter_changes(after, before));
-    const auto json = to_json(change, before, after, true);
+    const auto json = to_json(ChangedStudy{.change = change,
+                                           .before = {.calibration = {}, .ladder_step = before},
+                                           .after = {.calibration = {}, .ladder_step = after},
+                                           .written = true});
     EXPECT_EQ(json["change"], "add");
     EXPECT_EQ(json["effect"], "torque-offset");
     EXPECT_EQ(json["before"]["chi2"], 401.8);

@@ -51,17 +51,17 @@ TEST(Effects, AreJson) {
         list, [](const auto& effect) { return effect.at("name") == "torque-offset"; });
     ASSERT_NE(found, list.end());
     auto one = nlohmann::json::parse(run_pendular("effects torque-offset --json -").output);
-    EXPECT_EQ(one.at("format"), 1);
+    EXPECT_EQ(one.at("format"), 2);
     one.erase("format");
     EXPECT_EQ(one, *found);
-    EXPECT_EQ(one.at("changes"), "instrument");
-    EXPECT_EQ(one.at("touches"), "all");
+    EXPECT_EQ(one.at("acts_on"), "instrument");
+    EXPECT_EQ(one.at("readings"), "all");
     EXPECT_EQ(one.at("written"), false);
     const auto& parameter = one.at("parameters").at(0);
     EXPECT_EQ(parameter.at("name"), "torque");
     EXPECT_EQ(parameter.at("unit"), "N m");
     EXPECT_EQ(parameter.at("upper"), 0.1);
-    EXPECT_EQ(parameter.at("matters"), 1e-4);
+    EXPECT_EQ(parameter.at("smallest_of_interest"), 1e-4);
     EXPECT_EQ(parameter.at("switch"), false);
     EXPECT_FALSE(one.contains("applies"));
 }
@@ -176,7 +176,7 @@ TEST_F(EffectsOfAStudy, SayWhetherTheyApply) {
     const auto effects = nlohmann::json::parse(all.output).at("effects");
     for (const auto& effect : effects) {
         EXPECT_EQ(effect.at("listed"), false);
-        if (effect.at("changes") == "instrument") {
+        if (effect.at("acts_on") == "instrument") {
             EXPECT_EQ(effect.at("applies"), false);
         }
     }

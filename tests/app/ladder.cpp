@@ -15,7 +15,7 @@
 #include "reports/layout.h"
 #include "tests/support/app_support.h"
 #include "tests/support/known_flow.h"
-#include "workflow/ladder_file.h"
+#include "workflow/json/ladder.h"
 
 namespace analysis_ladder_test {
 
@@ -169,7 +169,7 @@ TEST(Ladder, IsReadBackAsItWasWritten) {
     EXPECT_EQ(back[1].rms_percent, ladder[1].rms_percent);
     EXPECT_EQ(back[1].left_out_percent, ladder[1].left_out_percent);
     const auto json = nlohmann::json::parse(content_of(file));
-    EXPECT_EQ(json["rungs"][1]["parameters"]["friction"]["stderr"], 0.004);
+    EXPECT_EQ(json["ladder_steps"][1]["parameters"]["friction"]["stderr"], 0.004);
 }
 
 TEST(Ladder, BeginsAnewWhereTheStudyWasChangedOtherwise) {
@@ -204,7 +204,7 @@ TEST(Ladder, RefusesAFileThatIsCutOrSomethingElse) {
     write_ladder(file, ladder);
     const std::string whole = content_of(file);
     auto strange = nlohmann::json::parse(whole);
-    strange["rungs"][1]["change"] = "fly";
+    strange["ladder_steps"][1]["change"] = "fly";
     for (const std::string& broken :
          {whole.substr(0, whole.size() / 2), std::string(), std::string("[]"), std::string("{}"),
           std::string("null"), std::string("{\"rungs\": [{\"step\": \"one\"}]}"), strange.dump()}) {

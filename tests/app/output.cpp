@@ -41,6 +41,7 @@ Outcome interrupted_at(const fs::path& checkpoint, const std::string& words) {
 json without_times(const std::string& text) {
     json result = json::parse(text);
     result.erase("wall_seconds");
+    result.erase("grain_steps_per_second");
     result.erase("particle_steps_per_second");
     return result;
 }

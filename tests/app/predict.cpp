@@ -28,7 +28,7 @@ TEST(Predict, TellsADryStateWithErrors) {
     // Simulation of Badetti et al. (2018) in the quasi-static limit: 0.257 +- 0.002.
     EXPECT_NEAR(said["stress_ratio"]["value"], 0.257, 0.008);
     EXPECT_LT(said["stress_ratio"]["stderr"], 0.004);
-    EXPECT_GT(said["stress_ratio"]["by"]["friction"]["value"], 0.5);
+    EXPECT_GT(said["stress_ratio"]["derivatives"]["friction"]["value"], 0.5);
     EXPECT_FALSE(said.contains("distant_force"));
     EXPECT_EQ(said["beyond"], "");
 }

@@ -47,7 +47,7 @@ TEST(Simulate, PrintsJsonAloneOnStandardOutput) {
           "second_normal_stress_difference"}) {
         EXPECT_TRUE(json.at(key).contains("value") && json.at(key).contains("stderr")) << key;
     }
-    for (const std::string key : {"particle_steps_per_second", "wall_seconds", "steps", "time_step",
+    for (const std::string key : {"grain_steps_per_second", "particle_steps_per_second", "wall_seconds", "steps", "time_step",
                                   "strain_averaged", "crystallised", "steady", "seed"}) {
         EXPECT_TRUE(json.contains(key)) << key;
     }

@@ -11,15 +11,16 @@
 #include "analysis/misfit/compare.h"
 #include "calib/fit/calibrate_study.h"
 #include "data/input_error.h"
-#include "reports/comparison_figures.h"
 #include "reports/draw_figure.h"
 #include "reports/failure_report.h"
+#include "reports/misfit_figures.h"
 #include "reports/tables.h"
 #include "sim/runs/run_request.h"
 #include "tests/support/app_support.h"
 #include "tests/support/wet_study_support.h"
-#include "workflow/fit_file.h"
-#include "workflow/json.h"
+#include "workflow/json/comparison.h"
+#include "workflow/json/fit.h"
+#include "workflow/json/run.h"
 
 namespace reports_test {
 
@@ -215,7 +216,8 @@ TEST(FitFile, NamesItsRunsWhichStandBesideIt) {
     const TemporaryFolder folder;
     const Calibration c = small_calibration();
     const auto file = folder.path() / "fit.json", runs = folder.path() / "fit_runs.csv";
-    const auto json = write_calibration(folder.path(), c, compare(c), {});
+    write_calibration(folder.path(), c, compare(c), {});
+    const auto json = nlohmann::ordered_json::parse(content_of(file));
     EXPECT_EQ(json["runs"]["number"], c.runs.size());
     EXPECT_EQ(json["runs"]["names"].get<std::string>().size(), 17 * c.runs.size() - 1);
     const Calibration back = read_calibration(file, study(), c.readings);
@@ -255,7 +257,7 @@ TEST(FitFile, NamesItsRunsWhichStandBesideIt) {
 TEST(FitFile, HoldsWetReadingsAndCohesionLines) {
     const Calibration c = planted::calibration(planted::readings());
     const Comparison comparison = compare(c);
-    const auto json = to_json(c, comparison);
+    const auto json = to_json(c, comparison, {});
     EXPECT_EQ(json["dof"], comparison.fitted.dof);
     EXPECT_EQ(json["predicted_only"]["dof"], 2 * static_cast<int>(c.readings.size() - c.fitted));
     EXPECT_EQ(json["predictions"].size(), c.readings.size());

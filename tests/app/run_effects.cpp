@@ -26,6 +26,7 @@ json run_json(const std::string& words) {
     EXPECT_EQ(run.code, 0) << run.errors;
     json result = json::parse(run.output);
     result.erase("wall_seconds");
+    result.erase("grain_steps_per_second");
     result.erase("particle_steps_per_second");
     return result;
 }

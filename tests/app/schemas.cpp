@@ -54,10 +54,17 @@ void expect_valid(const std::string& text, const std::string& kind) {
     EXPECT_EQ(violations(json::parse(text), schema_named(kind)), "") << kind;
 }
 
-/// Every schema within a schema that says what a value is, with where it stands.
+/// Every schema within a schema that says what a value is, with where it stands. Schemas of `$defs`
+/// are looked at once, not wherever "$ref" names them.
 void for_each_value(const json& schema, const std::string& place,
                     const std::function<void(const json&, const std::string&)>& look) {
+    if (schema.contains("$ref")) return;
     look(schema, place);
+    if (schema.contains("$defs")) {
+        for (const auto& [key, value] : schema["$defs"].items()) {
+            for_each_value(value, place + "#" + key, look);
+        }
+    }
     if (schema.contains("properties")) {
         for (const auto& [key, value] : schema["properties"].items()) {
             EXPECT_TRUE(value.contains("description")) << place << "/" << key;
@@ -100,14 +107,14 @@ TEST(Schemas, DescribeEveryKeyWithItsUnit) {
 }
 
 TEST(Schemas, RefuseKeysTheyDoNotKnowAndNumbersThatAreNull) {
-    json document = {{"format", 1}, {"added", 3}, {"runs", 8}};
+    json document = {{"format", 2}, {"added", 3}, {"runs", 8}};
     EXPECT_EQ(violations(document, schema_named("runs-added")), "");
     document["more"] = 1;
     EXPECT_NE(violations(document, schema_named("runs-added")), "");
     document.erase("more");
     document["runs"] = nullptr;
     EXPECT_NE(violations(document, schema_named("runs-added")), "");
-    document["runs"] = 8, document["format"] = 2;
+    document["runs"] = 8, document["format"] = 3;
     EXPECT_NE(violations(document, schema_named("runs-added")), "");
 }
 
@@ -283,7 +290,7 @@ class CalibratedStudy : public JsonOutput {
 
 TEST_F(CalibratedStudy, OfAnotherFormatSaysWhatToDo) {
     auto other = fit();
-    other["format"] = 2;
+    other["format"] = 3;
     write(other);
     expect_refused({"compare " + study_});
     other.erase("format");  // older than formats
@@ -291,8 +298,29 @@ TEST_F(CalibratedStudy, OfAnotherFormatSaysWhatToDo) {
     EXPECT_EQ(run_pendular("compare " + study_ + " --quiet").code, 0);
 }
 
+TEST_F(CalibratedStudy, OfFormatOneIsStillRead) {
+    const std::string compared = run_pendular("compare " + study_ + " --quiet --json -").output;
+    auto older = fit();
+    auto& emulator = older["emulator"];
+    emulator["scales"] = emulator["hyperparameters"];
+    emulator.erase("hyperparameters");
+    older["format"] = 1;
+    write(older);
+    EXPECT_EQ(run_pendular("compare " + study_ + " --quiet --json -").output, compared);
+    ASSERT_EQ(run_pendular("add " + study_ + " dry-adhesion --quiet").code, 0);
+    auto ladder = nlohmann::ordered_json::parse(content_of(path("out/ladder.json")));
+    ladder["rungs"] = ladder["ladder_steps"];
+    ladder.erase("ladder_steps");
+    ladder["format"] = 1;
+    folder_.write("out/ladder.json", ladder.dump());
+    ASSERT_EQ(run_pendular("drop " + study_ + " dry-adhesion --quiet").code, 0);
+    ladder = nlohmann::ordered_json::parse(content_of(path("out/ladder.json")));
+    EXPECT_EQ(ladder["format"], 2);
+    EXPECT_EQ(ladder["ladder_steps"].size(), 3u);
+}
+
 TEST_F(CalibratedStudy, RefusesALadderOfAnotherFormat) {
-    folder_.write("out/ladder.json", "{\"format\": 2, \"rungs\": []}");
+    folder_.write("out/ladder.json", "{\"format\": 3, \"ladder_steps\": []}");
     expect_refused({"add " + study_ + " dry-adhesion"});
 }
 

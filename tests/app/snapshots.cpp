@@ -25,7 +25,7 @@ ShearCell tilted_sample(bool to_the_left) {
                      BridgeLaw({.reduced_pressure = 2, .bridge_volume = 4e-3}));
     EXPECT_TRUE(sample.compress());
     const auto offset = [&] {
-        Cell cell = sample.cell();
+        dem::Cell cell = sample.cell();
         cell.reduce_offset();
         return cell.offset;
     };
@@ -46,7 +46,7 @@ std::vector<double> data_array(const std::string& vtp, const std::string& name) 
 }
 
 /// Whether two places differ by whole lattice vectors.
-bool same_place(const Cell& cell, const Vector& a, const Vector& b) {
+bool same_place(const dem::Cell& cell, const Vector& a, const Vector& b) {
     const Vector apart = cell.fractions(a - b);
     for (std::size_t d = 0; d < 3; ++d) {
         if (std::abs(apart[d] - std::round(apart[d])) > 1e-8) {
@@ -59,7 +59,7 @@ bool same_place(const Cell& cell, const Vector& a, const Vector& b) {
 struct ReadFrame {
     double time = 0;
     long step = 0;
-    Cell cell;
+    dem::Cell cell;
     std::map<int, Vector> position, velocity, angular_velocity;
     std::map<int, int> coordination;
 };

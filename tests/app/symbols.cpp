@@ -11,7 +11,7 @@
 
 #include "reports/draw_figure.h"
 #include "reports/layout.h"
-#include "reports/symbol_code.h"
+#include "reports/symbol.h"
 #include "tests/support/app_support.h"
 
 namespace reports_symbols_test {

@@ -14,10 +14,10 @@
 
 #include "calib/model/run_planner.h"
 #include "data/files/write_whole.h"
-#include "reports/truth.h"
 #include "sim/lab/liquid_volume.h"
 #include "sim/runs/seeds.h"
 #include "tests/support/app_support.h"
+#include "workflow/json/laboratory.h"
 
 namespace sim_virtual_lab_test {
 

@@ -1,9 +1,9 @@
 // Calibrations that are read back: fit.json, ladder.json and proposed.toml of a study's results.
+#include "workflow/json/fit.h"
 #include "calib/fit/reading_order.h"
 #include "sim/catalogue/resolved_study.h"
 #include "tests/fuzz/support.h"
-#include "workflow/fit_file.h"
-#include "workflow/ladder_file.h"
+#include "workflow/json/ladder.h"
 #include "workflow/proposed_effects.h"
 #include "workflow/study_input.h"
 
@@ -36,7 +36,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzz::refuse_or([&] {
         if (!text.starts_with('{'))
             read_proposed(fuzz::file_of("proposed.toml", text));
-        else if (text.find("rungs") != std::string::npos)
+        else if (text.find("rungs") != std::string::npos ||
+                 text.find("ladder_steps") != std::string::npos)
             read_ladder(fuzz::file_of("ladder.json", text));
         else
             read_calibration(fuzz::file_of("fit.json", text), study, dry_first(measurements));

@@ -67,7 +67,7 @@ TEST_P(HiddenEffects, AreFoundByTheWholeWalk) {
     const auto compared = told("compare " + path);
     const auto diagnosis = told("diagnose " + path);
     if (truth.effect.empty()) {
-        EXPECT_TRUE(nothing_missing(diagnosis)) << diagnosis.at("line");
+        EXPECT_TRUE(nothing_missing(diagnosis)) << diagnosis.at("sentence");
         const auto friction = fit.at("parameters").at("friction");
         EXPECT_NEAR(friction.at("value"), truth.friction, 3 * friction.at("stderr").get<double>());
         return;

@@ -87,7 +87,7 @@ TEST(AddAndDrop, FindAPlantedDragAndLeaveTheStudyAsItWas) {
     ASSERT_EQ(dropped.code, 0) << dropped.errors;
     EXPECT_EQ(content_of(study), study_toml);
     const auto ladder = nlohmann::json::parse(content_of(folder.path() / "out/ladder.json"));
-    EXPECT_EQ(ladder.at("rungs").size(), 3u);
+    EXPECT_EQ(ladder.at("ladder_steps").size(), 3u);
     EXPECT_TRUE(fs::exists(folder.path() / "out/figures/ladder.png"));
 }
 

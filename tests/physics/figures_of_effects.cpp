@@ -16,7 +16,7 @@
 #include "calib/fit/common_inertial_number.h"
 #include "data/study/effect_tables.h"
 #include "data/study/study_table.h"
-#include "reports/comparison_figures.h"
+#include "reports/misfit_figures.h"
 #include "tests/support/effect_study.h"
 
 namespace figures_of_effects_test {

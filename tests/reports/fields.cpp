@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "reports/layout.h"
-#include "reports/run_fields.h"
+#include "reports/run_plots.h"
 #include "tests/support/golden.h"
 
 namespace reports_fields_test {

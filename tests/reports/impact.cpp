@@ -12,10 +12,9 @@
 
 #include "calib/fit/range_text.h"
 #include "reports/draw_figure.h"
-#include "reports/impact_figure.h"
 #include "reports/with_error.h"
 #include "tests/support/golden.h"
-#include "workflow/impact_json.h"
+#include "workflow/json/diagnosis.h"
 
 namespace pendular::impact_report_test {
 

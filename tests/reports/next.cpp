@@ -16,7 +16,7 @@
 #include "reports/next_report.h"
 #include "tests/support/golden.h"
 #include "tests/support/known_flow.h"
-#include "workflow/next_json.h"
+#include "workflow/json/diagnosis.h"
 
 namespace pendular::analysis_next_test {
 

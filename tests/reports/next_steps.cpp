@@ -2,9 +2,9 @@
 #include "reports/next_steps.h"
 
 #include "reports/diagnosis_report.h"
+#include "reports/diagnosis_table.h"
 #include "reports/sensor_checks.h"
 #include "reports/suspect_report.h"
-#include "reports/undetected_effects.h"
 #include "tests/support/golden.h"
 #include "workflow/rivals.h"
 #include "workflow/session.h"

@@ -1,5 +1,5 @@
 // Figures of all effects of a diagnosis: reductions of chi2, and similarity of the changes.
-#include "reports/scan_figures.h"
+#include "reports/diagnosis_figures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,0 +1,205 @@
+#include "reports/fit_report.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "calib/fit/range_text.h"
+#include "data/recordings/replicate_groups.h"
+#include "data/remarks/wording.h"
+#include "reports/failure_report.h"
+#include "reports/tables.h"
+#include "reports/with_error.h"
+#include "reports/words.h"
+#include "sim/catalogue/effect_catalogue.h"
+#include "workflow/rivals.h"
+
+namespace pendular {
+
+std::string warning_on(const Belief& belief, const std::string& what) {
+    if (belief.believable()) return "";
+    return fmt::format("Do not use {}{}. {}", what, belief.meaningless ? ": it is meaningless" : "",
+                       as_sentence(belief.reasons.front()));
+}
+
+void add_doubts(Output& output, const Belief& belief, std::size_t named_already,
+                const std::string& heading) {
+    for (std::size_t k = named_already; k < belief.reasons.size(); ++k) {
+        const std::string& reason = belief.reasons[k];
+        output.line(heading + as_sentence(reason));
+    }
+}
+
+void add_limits(Output& output, const std::vector<dem::RunResult>& runs,
+                const std::vector<Reading>& readings, double friction) {
+    for (const auto& note : {implausible_friction(friction), extrapolation_note(runs, readings)}) {
+        if (note) output.line("Note: " + *note);
+    }
+}
+
+namespace {
+
+/// Sentence on the simulations that a calibration's emulator was trained on.
+std::string basis_of(const Calibration& c) {
+    std::size_t ordered = 0;
+    std::string why;
+    for (const SimulatedRuns& each : c.simulated) {
+        ordered += each.runs;
+        why += fmt::format("{}{} {}", why.empty() ? ": " : ", ", each.runs, each.why);
+    }
+    if (ordered == 0) {
+        return fmt::format(
+            "The emulator was trained on {} simulations that existed already; no simulation was "
+            "run for this study.",
+            c.runs.size());
+    }
+    return fmt::format(
+        "The emulator was trained on {} simulations; {} of them were run for this study at {} "
+        "fidelity{}.",
+        c.runs.size(), ordered, c.fidelity.name, why);
+}
+
+/// How the model predicts the wet readings that were not fitted, as the end of a sentence.
+std::string source_of_wet(const Calibration& c) {
+    if (const int cohesions = fitted_cohesions(c.model, c.grains, c.liquid))
+        return fmt::format(
+            "by straight lines of the stress ratio in 1/P*, with {} fitted to the readings at P* "
+            ">= "
+            "{}",
+            cohesions == 1 ? "one cohesion" : fmt::format("{} cohesions", cohesions),
+            lowest_cohesion_pressure);
+    const Study study{.grains = c.grains, .liquid = c.liquid, .model = c.model};
+    return level_of(study) == closures::Level::simulation
+               ? "with the fitted friction coefficient"
+               : "by the formula of the base model and the simulated dry law";
+}
+
+/// p value of chi2 [1] below which a misfit is pointed out although the fit can be used.
+constexpr double noticed_p = 0.05;
+
+/// Text of a fitted parameter after its name: "0.1204 +- 0.0019 (0.0017 from the readings, 0.00084
+/// from the simulations)".
+std::string estimate_text(const Calibration& c, std::size_t k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    const bool stated = c.model.discrepancy != std::array{0.0, 0.0};
+    const std::string& unit = c.parameters[k].unit;
+    const std::string value = estimate_text(c.fit, i, unit);
+    if (!(c.fit.standard_error(i) > 0) || !c.fit.determines(i)) return value;
+    return fmt::format(
+        "{} ({} from the readings, {} from the {})", value,
+        with_unit(c.fit.measurement_error(i), unit), with_unit(c.fit.simulation_error(i), unit),
+        stated ? "simulations and the model discrepancy in study.toml" : "simulations");
+}
+
+/// Beginning of the answer with the effects of the model: "With torque-offset and lid-slip, the
+/// relative RMS error of the model is".
+std::string with_effects(const ModelSettings& model) {
+    return model.effects.empty() ? "The relative RMS error of the model is"
+                                 : fmt::format("With {}, the relative RMS error of the model is",
+                                               joined(names_of(model.effects), "and"));
+}
+
+/// Part of the answer on readings that were predicted, not fitted, and that the model does not
+/// describe: "; the model does not describe the 12 readings that were predicted, not fitted
+/// (p < 0.001)". Empty where it describes them or there are none.
+std::string verdict_on_predicted(const Calibration& c, const Comparison& comparison) {
+    if (c.fitted == c.readings.size() || comparison.predicted.p() >= incredible_p) return "";
+    return fmt::format(
+        "; the model does not describe the {} readings that were predicted, not fitted (p {})",
+        c.readings.size() - c.fitted, p_text(comparison.predicted.p()));
+}
+
+}  // namespace
+
+Output calibration_output(const FittedStudy& result, const Measurements& measurements,
+                          const std::string& study, bool all) {
+    const Calibration& c = result.calibration;
+    const Comparison& comparison = result.comparison;
+    const Belief& belief = result.belief;
+    Output output;
+    const std::string first = estimate_text(c, 0);
+    output.answer(
+        belief.believable()
+            ? fmt::format("Fitted: {} = {}.", c.parameters[0].name, first)
+            : warning_on(belief, fmt::format("the fitted {}, {}",
+                                             parameter_in_words(c.parameters[0].name), first)));
+    for (std::size_t k = 1; k < c.parameters.size(); ++k) {
+        output.line(fmt::format("{} = {}.", c.parameters[k].name, estimate_text(c, k)));
+    }
+    add_doubts(output, belief, 1);
+    if (c.profile) {
+        output.line(fmt::format(
+            "The 68 % profile likelihood interval of the friction coefficient is {:.4f} to {:.4f}.",
+            c.profile->first, c.profile->second));
+    }
+    const double p = comparison.fitted.p();
+    if (belief.misfit_reason != 0) {  // else the answer states it
+        output.line(fmt::format("The fit has {}{}.", misfit_text(comparison.fitted),
+                                p < noticed_p && p >= incredible_p
+                                    ? ": more than the errors explain; 'pendular diagnose' tests "
+                                      "what is missing"
+                                    : ""));
+    }
+    output.line(error_basis(measurements));
+    add_limits(output, c.runs, c.readings, c.fit.parameters(0));
+    output.line(basis_of(c));
+    if (c.fitted < c.readings.size()) {
+        output.line(fmt::format("{} wet readings are predicted {}: {}.",
+                                c.readings.size() - c.fitted, source_of_wet(c),
+                                misfit_text(comparison.predicted)));
+    }
+    if (all) output.table(predictions_table(comparison), 0);
+    output.table(cohesion_table(c.cohesion_lines), 8);
+    output.notes(c.cohesion_notes);
+    output.notes(c.notes);
+    if (!c.fit.converged) {
+        output.note("The fit did not converge: " + c.fit.message);
+    }
+    for (const Remark& note : measurements.notes()) {
+        output.note(text_of(note));
+    }
+    if (beyond_transients(measurements)) {
+        output.note(fmt::format("Import excluded {}. To list them: pendular import {} --all",
+                                excluded_text(measurements), study));
+    }
+    if (replicate_groups(c.readings).size() < 2) {
+        output.note(
+            "All readings are at one condition: nothing tests the model. Measure at two or more "
+            "normal stresses.");
+    }
+    return output;
+}
+
+Output comparison_output(const FittedStudy& compared, const WhereItFails& where,
+                         const Measurements& measurements, bool all) {
+    const Calibration& c = compared.calibration;
+    const Comparison& comparison = compared.comparison;
+    const Belief& belief = compared.belief;
+    Output output;
+    output.answer(fmt::format(
+        "{} {:.2f} % in shear stress and {:.2f} % in solid fraction; for all readings, {}{}. {}",
+        with_effects(c.model), comparison.rms_percent[0], comparison.rms_percent[1],
+        misfit_text(comparison.total),
+        belief.believable() ? verdict_on_predicted(c, comparison) : "",
+        belief.believable() ? error_basis(measurements)
+                            : warning_on(belief, "the fitted friction coefficient")));
+    add_doubts(output, belief, 1);
+    if (c.fitted < c.readings.size()) {
+        output.line(fmt::format("Readings that were predicted, not fitted: {}.",
+                                misfit_text(comparison.predicted)));
+    }
+    add_limits(output, c.runs, c.readings, c.fit.parameters(0));
+    output.table(failure_table(where), 3);
+    output.table(predictions_table(comparison, !all), 5);
+    if (all) output.table(misfit_table(comparison), 0);
+    if (all) output.table(cohesion_table(c.cohesion_lines), 0);
+    for (const Remark& note : measurements.notes()) {
+        if (note.kind != Remark::Kind::grain_weight) output.note(text_of(note));
+    }
+    output.notes(c.cohesion_notes);
+    output.notes(c.notes);
+    if (!c.fit.converged) output.note("The calibration did not converge.");
+    return output;
+}
+
+}  // namespace pendular
