@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/diagnosis/recording_evidence.h"
 #include "analysis/diagnosis/where_it_fails.h"
-#include "analysis/misfit/recording_evidence.h"
 
 namespace pendular {
 

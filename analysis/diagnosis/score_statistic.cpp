@@ -9,21 +9,22 @@
 namespace pendular {
 namespace {
 
-/// Ratio of squared lengths, projected change to change, below which the projected change is
-/// rounding error [1].
-constexpr double rounding = 1e-12;
+/// Ratio of lengths, projected change to change, below which the projected change is rounding error
+/// [1].
+constexpr double rounding = 1e-6;
 
 /// Sets estimate, errors and statistic of a test of a change with one column, with the errors of
 /// the change included.
 void test_amplitude(ScoreTest& test, const WeightedResiduals& residuals, const Signature& signature,
-                    const Eigen::VectorXd& projected, bool is_switch) {
-    const double v = projected.squaredNorm();
-    double u = projected.dot(residuals.residuals()), noise = 0;
+                    const ColumnScores& column, bool is_switch) {
+    const double length = column.lengths(0), v = length * length;
+    double u = length * column.along(0), noise = 0;
     test.length = test.information = v;
     if (signature.errors.change.size() > 0) {
         u += residuals.trace_of_projected(signature.errors.with_without);
         test.information -= residuals.trace_of_projected(signature.errors.change);
-        noise = std::max(0.0, residuals.variance_along(projected, signature.errors.change));
+        noise = std::max(0.0, residuals.variance_along(length * column.directions.col(0),
+                                                       signature.errors.change));
     }
     if (test.information <= 0) {
         return;  // the change is not larger than its error
@@ -34,27 +35,12 @@ void test_amplitude(ScoreTest& test, const WeightedResiduals& residuals, const S
     test.standard_error = std::sqrt(variance) / test.information;
     test.statistic = test.one_sided && u < 0 ? 0.0 : u * u / v;
     test.predicted_reduction = is_switch ? 2 * u - test.information : test.statistic;
-    test.basis = projected / std::sqrt(v);
+    test.basis = column.directions;
 }
 
-}  // namespace
-
-ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signature,
-                     bool is_switch) {
-    const Eigen::MatrixXd whitened = residuals.whiten(signature.change);
-    const Eigen::MatrixXd projected = residuals.project(whitened);
-    ScoreTest test;
-    test.one_sided = signature.one_sided;
-    const double whole = whitened.squaredNorm();
-    if (!(projected.squaredNorm() > rounding * whole)) {
-        test.share_imitated = 1;
-        return test;
-    }
-    test.share_imitated = 1 - projected.squaredNorm() / whole;
-    if (projected.cols() == 1) {
-        test_amplitude(test, residuals, signature, projected, is_switch);
-        return test;
-    }
+/// Sets estimates and statistic of a test of a change with several columns.
+void test_amplitudes(ScoreTest& test, const WeightedResiduals& residuals,
+                     const Eigen::MatrixXd& projected) {
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed(projected);
     decomposed.setThreshold(1e-9);
     test.basis =
@@ -64,6 +50,47 @@ ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signat
     test.predicted_reduction = test.statistic;
     test.length = test.information = projected.col(0).squaredNorm();
     test.standard_error = 1 / std::sqrt(test.information);
+}
+
+}  // namespace
+
+ColumnScores score_columns(const WeightedResiduals& residuals, const Eigen::MatrixXd& changes,
+                           double least_left) {
+    const Eigen::MatrixXd whitened = residuals.whiten(changes);
+    ColumnScores scores{.directions = residuals.project(whitened)};
+    scores.lengths = scores.directions.colwise().norm();
+    scores.imitated = Eigen::VectorXd::Ones(changes.cols());
+    for (Eigen::Index k = 0; k < changes.cols(); ++k) {
+        const double whole = whitened.col(k).norm(), left = scores.lengths(k);
+        if (left > least_left * whole) {
+            scores.directions.col(k) /= left;
+            scores.imitated(k) = 1 - left * left / (whole * whole);
+        } else {
+            scores.directions.col(k).setZero();
+            scores.lengths(k) = 0;
+        }
+    }
+    scores.along = scores.directions.transpose() * residuals.residuals();
+    return scores;
+}
+
+ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signature,
+                     bool is_switch) {
+    ScoreTest test;
+    test.one_sided = signature.one_sided;
+    if (signature.change.cols() == 1) {
+        const ColumnScores column = score_columns(residuals, signature.change, rounding);
+        test.share_imitated = column.imitated(0);
+        if (column.lengths(0) > 0) test_amplitude(test, residuals, signature, column, is_switch);
+        return test;
+    }
+    const Eigen::MatrixXd whitened = residuals.whiten(signature.change);
+    const Eigen::MatrixXd projected = residuals.project(whitened);
+    const double whole = whitened.norm();
+    test.share_imitated = 1;
+    if (!(projected.norm() > rounding * whole)) return test;
+    test.share_imitated = 1 - projected.squaredNorm() / (whole * whole);
+    test_amplitudes(test, residuals, projected);
     return test;
 }
 

@@ -54,6 +54,22 @@ struct ScoreTest {
     double detectable(double wanted, double limit) const;
 };
 
+/// Score statistics of single columns, each the change of the readings by one possible cause.
+struct ColumnScores {
+    Eigen::MatrixXd directions;  ///< P g/|P g| of each column g; zero if the parameters imitate g
+    Eigen::VectorXd lengths;     ///< |P g| [1/unit of the amplitude]; 0 if the parameters imitate g
+    Eigen::VectorXd along;       ///< component of the residuals along each direction [1]
+    Eigen::VectorXd imitated;    ///< 1 - |P g|^2/|g|^2, by the parameters [1]
+
+    /// Returns the reduction of chi2 [1] by a refit with the column of index `k`.
+    double reduction(Eigen::Index k) const { return along(k) * along(k); }
+};
+/// Returns the score statistics of each column of `changes` alone [units of the readings].
+/// @param least_left smallest share |P g|/|g| [1] that must remain after the calibrated parameters
+///        imitate a column; a smaller remainder counts as rounding error
+ColumnScores score_columns(const WeightedResiduals& residuals, const Eigen::MatrixXd& changes,
+                           double least_left);
+
 /// Tests whether residuals contain the change of the readings by an effect or by an error of one
 /// suspect measurement.
 /// @param signature change per unit of amplitude, with its errors

@@ -115,29 +115,23 @@ void ScoredShapes::project_from(std::size_t first) {
         }
         columns.col(k).tail(residuals_.size() - 2 * at.size()).setZero();  // direct measurements
     }
-    columns = residuals_.whiten(columns);
-    const Eigen::VectorXd full = columns.colwise().norm().transpose();
-    columns = residuals_.project(columns);
-    directions_.conservativeResize(residuals_.size(), begin + more);
-    lengths_.conservativeResize(begin + more);
-    for (Eigen::Index k = 0; k < more; ++k) {
-        const double left = columns.col(k).norm();
-        const bool imitated = left <= least_left * full(k);
-        lengths_(begin + k) = imitated ? 0 : left;
-        directions_.col(begin + k) =
-            imitated ? Eigen::VectorXd::Zero(residuals_.size()).eval() : columns.col(k) / left;
-    }
-    along_ = directions_.transpose() * residuals_.residuals();
+    const ColumnScores scores = score_columns(residuals_, columns, least_left);
+    scores_.directions.conservativeResize(residuals_.size(), begin + more);
+    scores_.directions.rightCols(more) = scores.directions;
+    scores_.lengths.conservativeResize(begin + more);
+    scores_.lengths.tail(more) = scores.lengths;
+    scores_.along = scores_.directions.transpose() * residuals_.residuals();
 }
 
 void ScoredShapes::draw(const NullDraws& draws, std::size_t threads) {
     const auto parts =
-        static_cast<std::size_t>((directions_.cols() + drawn_at_once - 1) / drawn_at_once);
+        static_cast<std::size_t>((scores_.directions.cols() + drawn_at_once - 1) / drawn_at_once);
     Eigen::MatrixXd largest(draws.count(), static_cast<Eigen::Index>(parts));
     side_by_side(parts, threads, {}, [&](std::size_t part) {
         const Eigen::Index from = static_cast<Eigen::Index>(part) * drawn_at_once,
-                           count = std::min(drawn_at_once, directions_.cols() - from);
-        const Eigen::MatrixXd along = draws.along(residuals_, directions_.middleCols(from, count));
+                           count = std::min(drawn_at_once, scores_.directions.cols() - from);
+        const Eigen::MatrixXd along =
+            draws.along(residuals_, scores_.directions.middleCols(from, count));
         largest.col(static_cast<Eigen::Index>(part)) =
             along.cwiseAbs2().colwise().maxCoeff().transpose();
     });
@@ -158,10 +152,11 @@ ScoredShapes::Score ScoredShapes::score_of(std::size_t index) const {
     const auto k = static_cast<Eigen::Index>(index);
     const ChangedQuantity& quantity = shapes_[index].quantity;
     Score score{.shapes = {index}, .penalty = shapes_[index].profile.penalty, .changes = {0}};
-    if (lengths_(k) == 0) return score;
-    const double change = std::clamp(along_(k) / lengths_(k), quantity.lower, quantity.upper);
-    const double component = change * lengths_(k);
-    score.reduction = component * (2 * along_(k) - component);
+    if (scores_.lengths(k) == 0) return score;
+    const double change =
+        std::clamp(scores_.along(k) / scores_.lengths(k), quantity.lower, quantity.upper);
+    const double component = change * scores_.lengths(k);
+    score.reduction = component * (2 * scores_.along(k) - component);
     score.changes = {change};
     return score;
 }
@@ -169,16 +164,16 @@ ScoredShapes::Score ScoredShapes::score_of(std::size_t index) const {
 std::optional<ScoredShapes::Score> ScoredShapes::score_of(std::size_t one,
                                                           std::size_t other) const {
     const auto i = static_cast<Eigen::Index>(one), j = static_cast<Eigen::Index>(other);
-    if (lengths_(i) == 0 || lengths_(j) == 0) return {};
-    const double cosine = directions_.col(i).dot(directions_.col(j));
+    if (scores_.lengths(i) == 0 || scores_.lengths(j) == 0) return {};
+    const double cosine = scores_.directions.col(i).dot(scores_.directions.col(j));
     if (std::abs(cosine) > nearly_parallel) return {};
     const double share = 1 - cosine * cosine;
-    const double a = (along_(i) - cosine * along_(j)) / share,
-                 b = (along_(j) - cosine * along_(i)) / share;
+    const double a = (scores_.along(i) - cosine * scores_.along(j)) / share,
+                 b = (scores_.along(j) - cosine * scores_.along(i)) / share;
     Score score{.shapes = {one, other},
-                .reduction = a * along_(i) + b * along_(j),
+                .reduction = a * scores_.along(i) + b * scores_.along(j),
                 .penalty = shapes_[one].profile.penalty + shapes_[other].profile.penalty + 2,
-                .changes = {a / lengths_(i), b / lengths_(j)}};
+                .changes = {a / scores_.lengths(i), b / scores_.lengths(j)}};
     for (std::size_t k = 0; k < 2; ++k) {
         const ChangedQuantity& quantity = shapes_[score.shapes[k]].quantity;
         if (score.changes[k] < quantity.lower || score.changes[k] > quantity.upper) return {};
@@ -213,7 +208,7 @@ Eigen::VectorXd ScoredShapes::change_by(const Score& score) const {
     Eigen::VectorXd change = Eigen::VectorXd::Zero(residuals_.size());
     for (std::size_t k = 0; k < score.shapes.size(); ++k) {
         const auto shape = static_cast<Eigen::Index>(score.shapes[k]);
-        change += score.changes[k] * lengths_(shape) * directions_.col(shape);
+        change += score.changes[k] * scores_.lengths(shape) * scores_.directions.col(shape);
     }
     return change.normalized();
 }
@@ -253,7 +248,7 @@ std::vector<ScoredShapes::Score> ScoredShapes::unlike(const std::vector<Score>& 
 }
 
 std::pair<double, double> ScoredShapes::estimate(std::size_t index) const {
-    return {score_of(index).changes.front(), 1 / lengths_(static_cast<Eigen::Index>(index))};
+    return {score_of(index).changes.front(), 1 / scores_.lengths(static_cast<Eigen::Index>(index))};
 }
 
 }  // namespace pendular

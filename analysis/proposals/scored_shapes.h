@@ -62,7 +62,7 @@ class ScoredShapes {
     void add_profiles(std::size_t changeable);
     /// Adds oscillations with slightly different periods and phases to the best ones.
     void refine();
-    /// Computes `directions_`, `lengths_` and `along_` of the shapes from index `first` on.
+    /// Computes `scores_` of the shapes from index `first` on.
     void project_from(std::size_t first);
     void draw(const NullDraws& draws, std::size_t threads);
     Score score_of(std::size_t index) const;
@@ -79,12 +79,8 @@ class ScoredShapes {
     std::vector<Changeable> changeables_;
     std::vector<ShapeOfChange> shapes_;
     std::vector<std::size_t> changed_by_;  ///< index into `changeables_` for each shape
-    /// Unit vector P g/|P g| of each shape in a column; zero if the calibrated parameters imitate
-    /// g.
-    Eigen::MatrixXd directions_;
-    Eigen::VectorXd lengths_;  ///< |P g| [1/unit of the shape's change]
-    Eigen::VectorXd along_;    ///< component of the residuals along each direction [1]
-    Eigen::VectorXd drawn_;    ///< largest reduction of chi2 by any shape in each draw [1]
+    ColumnScores scores_;                  ///< of each shape, without `imitated`
+    Eigen::VectorXd drawn_;  ///< largest reduction of chi2 by any shape in each draw [1]
 };
 
 }  // namespace pendular

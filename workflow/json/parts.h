@@ -5,9 +5,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
+#include "analysis/diagnosis/recording_evidence.h"
 #include "analysis/misfit/believable.h"
 #include "analysis/misfit/compare.h"
-#include "analysis/misfit/recording_evidence.h"
 #include "calib/fit/cohesion_lines.h"
 #include "sim/catalogue/direct_measurement.h"
 #include "sim/catalogue/effect.h"

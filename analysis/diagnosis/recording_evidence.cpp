@@ -1,7 +1,9 @@
-#include "analysis/misfit/recording_evidence.h"
+#include "analysis/diagnosis/recording_evidence.h"
 
 #include <algorithm>
 #include <functional>
+
+#include "analysis/diagnosis/score_statistic.h"
 
 namespace pendular {
 namespace {
@@ -24,10 +26,7 @@ double reduction_by(const Remark& finding, const std::vector<Reading>& readings,
         const Eigen::Index entry = 2 * static_cast<Eigen::Index>(k) + observable;
         if (concerns(finding, readings[k])) change(entry) = residuals.measured()(entry);
     }
-    const Eigen::VectorXd whitened = residuals.project(residuals.whiten(change));
-    const double length = whitened.squaredNorm();
-    const double product = whitened.dot(residuals.residuals());
-    return length > 0 ? product * product / length : 0;
+    return score_columns(residuals, change, 0).reduction(0);
 }
 
 }  // namespace
