@@ -63,7 +63,7 @@ void add_step(Ladder& ladder, LadderStep before, LadderStep after) {
 }
 
 Reduction reduction_of(const LadderStep& from, const LadderStep& to) {
-    constexpr double confidence = 0.95;
+    constexpr double confidence = 1 - significant_p;
     // A switch changes chi2 without a further fitted parameter: it counts as one parameter.
     const int added = std::max(1, from.dof - to.dof);
     const double reduction = from.chi2 - to.chi2;

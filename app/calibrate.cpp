@@ -75,10 +75,9 @@ int calibrate(const std::vector<std::string>& arguments) {
     const Belief& belief = result.belief;
     console.print(calibration_output(result, measurements, common->study_word(), console.all()));
     console.json(to_json(c, comparison, belief));
-    constexpr double significant = 0.05;  // as in the diagnosis (`DiagnosisOptions`)
     if (replicate_groups(c.readings).size() < 2) {
         // Nothing tests the model, and the notes say so.
-    } else if (!belief.believable() || comparison.total.p() < significant) {
+    } else if (!belief.believable() || comparison.total.p() < significant_p) {
         console.next(fmt::format("pendular diagnose {}", common->study_word()));
     } else {
         console.next(fmt::format("pendular compare {}", common->study_word()));

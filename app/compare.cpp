@@ -64,8 +64,7 @@ int compare(const std::vector<std::string>& arguments) {
         if (!belief.believable()) figure.title += " (the fit is not to be used: see compare.json)";
     }
     console.figures(out / "figures", draw_all(figures, out / "figures"));
-    constexpr double significant = 0.05;  // as in the diagnosis (`DiagnosisOptions`)
-    const bool fits = belief.believable() && comparison.total.p() >= significant;
+    const bool fits = belief.believable() && comparison.total.p() >= significant_p;
     if (replicate_groups(c.readings).size() > 1) {
         console.next(fmt::format("pendular {} {}",
                                  fits && !c.model.effects.empty() ? "next" : "diagnose",

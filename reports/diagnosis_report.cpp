@@ -368,7 +368,7 @@ std::string discrepancy_line(double size) {
 std::string suspects_line(const Diagnosis& d, const Evidence& evidence) {
     std::vector<std::pair<std::string, double>> measurements;
     for (std::size_t k = 0; k < d.suspect_p.size(); ++k) {
-        if (d.suspect_p[k] < 0.05) {
+        if (d.suspect_p[k] < significant_p) {
             measurements.emplace_back(evidence.suspects[k].name, d.suspect_p[k]);
         }
     }

@@ -26,8 +26,7 @@ const FittedModel* refit_with(const Diagnosis& d, std::size_t candidate) {
 }  // namespace
 
 std::string power_text(const Finding& finding) {
-    constexpr double significant = 0.05;
-    return finding.p < significant ? "-" : fmt::format("{:.2f}", finding.power);
+    return finding.p < significant_p ? "-" : fmt::format("{:.2f}", finding.power);
 }
 
 std::string estimate_of(const Diagnosis& d, const Finding& finding, const ModelSpace& space) {

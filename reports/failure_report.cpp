@@ -6,15 +6,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "analysis/misfit/compare.h"
 #include "data/remarks/wording.h"
 #include "reports/words.h"
 
 namespace pendular {
 namespace {
-
-/// Level [1] at which where_it_fails.cpp names conditions and files, and verdicts are given
-/// (`DiagnosisOptions::significance`).
-constexpr double significant = 0.05;
 
 std::string sentence(const Check& check) {
     const std::string p = fmt::format("p {}", p_text(check.p));
@@ -48,7 +45,7 @@ std::string p_text(double p, const char* equals) {
 std::vector<const Check*> significant_checks(const Checks& checks) {
     std::vector<const Check*> result;
     for (const Check& check : checks.all) {
-        if (check.p < significant) result.push_back(&check);
+        if (check.p < significant_p) result.push_back(&check);
     }
     std::ranges::stable_sort(result, {}, &Check::p);
     return result;
@@ -68,12 +65,12 @@ std::vector<std::string> checks_table(const Checks& checks) {
         lines.empty() ? fmt::format("None of the {} checks of the residuals is significant "
                                     "(together: p {}).",
                                     checks.all.size(), p_text(checks.p))
-        : checks.p < significant
+        : checks.p < significant_p
             ? fmt::format("How the model fails ({} checks of the residuals, combined p {}):",
                           checks.all.size(), p_text(checks.p))
             : fmt::format("Taken together, the {} checks of the residuals show no significant "
                           "misfit (p {}); taken singly, the following checks have p < {}:",
-                          checks.all.size(), p_text(checks.p), significant));
+                          checks.all.size(), p_text(checks.p), significant_p));
     return lines;
 }
 

@@ -74,9 +74,6 @@ std::string source_of_wet(const Calibration& c) {
                : "by the formula of the base model and the simulated dry law";
 }
 
-/// p value of chi2 [1] below which a misfit is pointed out although the fit can be used.
-constexpr double noticed_p = 0.05;
-
 /// Text of a fitted parameter after its name: "0.1204 +- 0.0019 (0.0017 from the readings, 0.00084
 /// from the simulations)".
 std::string estimate_text(const Calibration& c, std::size_t k) {
@@ -135,7 +132,7 @@ Output calibration_output(const FittedStudy& result, const Measurements& measure
     const double p = comparison.fitted.p();
     if (belief.misfit_reason != 0) {  // else the answer states it
         output.line(fmt::format("The fit has {}{}.", misfit_text(comparison.fitted),
-                                p < noticed_p && p >= incredible_p
+                                p < significant_p && p >= incredible_p
                                     ? ": more than the errors explain; 'pendular diagnose' tests "
                                       "what is missing"
                                     : ""));

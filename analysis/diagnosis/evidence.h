@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/diagnosis/score_statistic.h"
+#include "analysis/misfit/compare.h"
 #include "analysis/misfit/null_draws.h"
 #include "calib/fit/fitted_model.h"
 
@@ -61,7 +62,7 @@ struct Finding {
 /// Limits and accuracy of a diagnosis.
 struct DiagnosisOptions {
     /// Significance level [1]: probability that a complete model is called incomplete.
-    double significance = 0.05;
+    double significance = significant_p;
     /// Smallest p value [1] at which a model with one further effect may be accepted if all such
     /// models have p values below `significance`. A test at the 5 % level rejects one true model in
     /// twenty; without `least_p`, the diagnosis would then name an effect that is not needed.

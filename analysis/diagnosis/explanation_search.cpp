@@ -13,9 +13,6 @@
 namespace pendular {
 namespace {
 
-/// Smallest p value of a candidate's or suspect's own test at which the model is not refitted with
-/// it.
-constexpr double worth_refitting = 0.05;
 /// Smallest reduction of chi2, in the linear estimate, that the second candidate of a pair must add
 /// for a refit: the mean reduction by a parameter that explains nothing.
 constexpr double worth_a_pair = 1;
@@ -229,8 +226,7 @@ void Search::search_suspects() {
     std::vector<std::size_t> worth;
     for (std::size_t k = 0; k < scanned_.suspect_tests.size(); ++k) {
         const ScoreTest& test = scanned_.suspect_tests[k];
-        if (test.p() < worth_refitting && may_do_better(test.predicted_reduction))
-            worth.push_back(k);
+        if (test.p() < significant_p && may_do_better(test.predicted_reduction)) worth.push_back(k);
     }
     std::ranges::sort(worth, {}, [&](std::size_t k) { return scanned_.suspect_tests[k].p(); });
     worth.resize(std::min(worth.size(), options_.most_suspects));
@@ -346,7 +342,7 @@ void Search::search_pairs() {
 }  // namespace
 
 bool looks_missing(const Finding& finding) {
-    return finding.test.seen() && finding.test.p() < worth_refitting;
+    return finding.test.seen() && finding.test.p() < significant_p;
 }
 
 Found search_explanations(const ModelSpace& space, const Evidence& evidence,

@@ -8,8 +8,6 @@
 namespace pendular {
 namespace {
 
-constexpr double significant_p = 0.05;  // that of DiagnosisOptions::significance
-
 std::vector<DeviatingGroup> offending_of(const Evidence& evidence,
                                          const WeightedResiduals& residuals,
                                          const NullDraws& draws) {

@@ -61,6 +61,9 @@ struct DirectMisfit {
 /// Source: Satterthwaite, Biometrics Bull. 2 (1946) 110, for equal variances.
 double freedom_behind(std::span<const Reading> readings);
 
+/// p value [1] below which a misfit, an effect or a trend counts as significant: the usual 5 %.
+inline constexpr double significant_p = 0.05;
+
 /// chi2 of a set of readings with its degrees of freedom.
 struct Misfit {
     /// chi2 [1], with errors that were estimated from replicates treated as exactly known.
