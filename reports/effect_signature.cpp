@@ -8,7 +8,7 @@
 #include <cmath>
 #include <memory>
 
-#include "calib/model/assemble_model.h"
+#include "calib/model/study_model_space.h"
 #include "calib/model/study_state.h"
 #include "data/printed_unit.h"
 #include "reports/figure_style.h"

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-#include "calib/fit/wet_groups.h"
+#include "calib/fit/reading_order.h"
 #include "data/quantities/number.h"
 #include "reports/figure_text.h"
 

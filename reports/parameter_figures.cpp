@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "calib/fit/fit.h"
+#include "calib/fit/profile.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
 

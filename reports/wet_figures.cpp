@@ -6,8 +6,8 @@
 
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/common_inertial_number.h"
+#include "calib/fit/reading_order.h"
 #include "calib/fit/structural_cohesion.h"
-#include "calib/fit/wet_groups.h"
 #include "reports/figure_style.h"
 #include "reports/model_curve.h"
 #include "reports/symbol.h"

@@ -238,6 +238,17 @@ std::vector<Plan> separating_plans(const std::vector<FittedModel>& rivals,
     return plans;
 }
 
+Series next_series(const std::vector<Plan>& plans, const std::vector<FittedModel>& rivals,
+                   const std::vector<Point>& points, const Eigen::Vector2d& relative_noise,
+                   const Rig& rig) {
+    const Plan& best = plans.front();
+    Series alone;
+    if (best.repeats > 0) alone = {{{best.point, best.repeats}}, best.separated, best.cost};
+    if (best.separated.size() == rivals.size() * (rivals.size() - 1) / 2) return alone;
+    Series series = separating_series(rivals, points, relative_noise, rig.repeats, rig.readings);
+    return series.separated.size() > alone.separated.size() ? series : alone;
+}
+
 std::vector<Sharpening> sharpening_plans(const FittedModel& model, const std::vector<Point>& points,
                                          const Eigen::Vector2d& relative_noise, int repeats) {
     const Forecasts forecasts = forecasts_of(model, points);

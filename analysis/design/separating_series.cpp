@@ -1,10 +1,10 @@
+#include "analysis/design/separating_series.h"
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
-
-#include "analysis/design/point.h"
 
 namespace pendular {
 namespace {
@@ -201,17 +201,6 @@ Series separating_series(const std::vector<FittedModel>& rivals, const std::vect
                          const Eigen::Vector2d& relative_noise, int most_repeats,
                          int most_readings) {
     return SeriesSearch(rivals, points, relative_noise, most_repeats, most_readings).run();
-}
-
-Series next_series(const std::vector<Plan>& plans, const std::vector<FittedModel>& rivals,
-                   const std::vector<Point>& points, const Eigen::Vector2d& relative_noise,
-                   const Rig& rig) {
-    const Plan& best = plans.front();
-    Series alone;
-    if (best.repeats > 0) alone = {{{best.point, best.repeats}}, best.separated, best.cost};
-    if (best.separated.size() == rivals.size() * (rivals.size() - 1) / 2) return alone;
-    Series series = separating_series(rivals, points, relative_noise, rig.repeats, rig.readings);
-    return series.separated.size() > alone.separated.size() ? series : alone;
 }
 
 }  // namespace pendular

@@ -57,7 +57,7 @@ bool Addition::mirrored(const Eigen::VectorXd& change) const {
 Signature Addition::signature(bool with_errors) const {
     const Candidate& c = candidate();
     Signature result;
-    double seen_at = 1;
+    Eigen::VectorXd seen_at;
     if (c.is_switch()) {
         result.change = change_at(Eigen::VectorXd());
         result.one_sided = true;
@@ -67,13 +67,13 @@ Signature Addition::signature(bool with_errors) const {
         Eigen::Index column = 0;
         for (const EffectParameter& p : c.parameters) {
             if (p.is_switch()) continue;
-            Eigen::VectorXd moved = at;
-            moved(column) = seen_at = p.neutral + direction(p) * p.smallest_of_interest;
-            result.change.col(column++) = change_at(moved);
+            seen_at = at;
+            seen_at(column) = p.neutral + direction(p) * p.smallest_of_interest;
+            result.change.col(column++) = change_at(seen_at);
         }
         if (at.size() == 1) {
             result.one_sided = !mirrored(result.change);
-            result.taken_at = amplitude_at(seen_at, result.one_sided);
+            result.taken_at = amplitude_at(seen_at(0), result.one_sided);
             result.change /= result.taken_at;
         }
     }

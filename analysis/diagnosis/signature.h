@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "analysis/misfit/weighted_residuals.h"
-#include "calib/model/model_space.h"
+#include "calib/model/model.h"
 
 namespace pendular {
 

@@ -6,8 +6,9 @@ namespace pendular {
 namespace {
 
 // The stress ratio is nearly linear in the logarithm with this offset: between frictions of 0 and
-// 0.4, slopes vary by a factor of 2 there, and by a factor of 9 in the friction itself.
-constexpr double friction_scale = 0.05;
+// 0.4, slopes vary by a factor of 2 there, and by a factor of 9 in the friction itself. The offset
+// of `emulated::place_of`, `emulated::friction_scale`, is another.
+constexpr double friction_offset = 0.05;
 constexpr double volume_scale = 2e-3;  // V0/a^3 in the middle of the pendular range
 
 double power(double base, int n) {
@@ -26,15 +27,11 @@ double derivative(double base, int n) {
 }  // namespace
 
 double friction_coordinate(double friction, double centre) {
-    return std::log((friction + friction_scale) / (centre + friction_scale));
+    return std::log((friction + friction_offset) / (centre + friction_offset));
 }
 
 double friction_at(double coordinate, double centre) {
-    return (centre + friction_scale) * std::exp(coordinate) - friction_scale;
-}
-
-double friction_slope(double friction) {
-    return 1 / (friction + friction_scale);
+    return (centre + friction_offset) * std::exp(coordinate) - friction_offset;
 }
 
 Coordinates coordinates(const FlowState& state, double centre, double exponent) {

@@ -44,8 +44,6 @@ Coordinates coordinates(const FlowState& state, double centre, double exponent);
 double friction_coordinate(double friction, double centre);
 /// Returns the friction coefficient [1] at the coordinate x: the inverse of `friction_coordinate`.
 double friction_at(double coordinate, double centre);
-/// Returns the derivative of `friction_coordinate` [1], 1/(friction + 0.05).
-double friction_slope(double friction);
 
 /// Terms of a polynomial in the coordinates x, q, u and v, each a product of their powers.
 class Basis {
@@ -61,8 +59,6 @@ class Basis {
     /// Returns the derivative of each term with respect to one coordinate.
     /// @param coordinate 0 for x, 1 for q, 2 for u, 3 for v; -1 for the values of the terms
     Eigen::RowVectorXd slopes(const Coordinates& at, int coordinate) const;
-    Eigen::RowVectorXd slopes_in_x(const Coordinates& at) const { return slopes(at, 0); }
-    Eigen::RowVectorXd slopes_in_v(const Coordinates& at) const { return slopes(at, 3); }
 
   private:
     std::vector<Powers> terms_;

@@ -3,9 +3,16 @@
 #include <vector>
 
 #include "calib/emulator/emulator.h"
-#include "calib/emulator/structure_response.h"
 
 namespace pendular {
+
+/// Quantity of the network of contacts and bridges, such as the coordination number, with
+/// derivatives, all in the unit of the quantity.
+struct StructureResponse {
+    double value = 0;
+    double by_friction = 0;
+    double by_log_volume = 0;  ///< with respect to ln(V0/a^3)
+};
 
 /// Returns the sum of the emulated observables `sum` at a wet state, with its derivatives.
 StructureResponse respond(const Emulator& emulator, const std::vector<dem::Observable>& sum,

@@ -11,8 +11,9 @@
 
 #include "calib/fit/calibration_notes.h"
 #include "calib/fit/common_inertial_number.h"
+#include "calib/fit/profile.h"
+#include "calib/fit/reading_order.h"
 #include "calib/fit/study_model.h"
-#include "calib/fit/wet_groups.h"
 #include "calib/model/run_planner.h"
 #include "data/input_error.h"
 #include "data/remarks/wording.h"
@@ -117,7 +118,7 @@ class PlannedModel : public LearningModel {
         return fit(whole_.at(readings), stack(readings, whole_.direct()), start);
     }
     void improve_wet(const Eigen::VectorXd& parameters, const std::vector<Reading>& readings) {
-        planner_.improve_wet(parameters(0), truly_imposed(parameters, readings), 1);
+        planner_.improve_wet(parameters(0), truly_imposed(parameters, readings));
         renew();
     }
 

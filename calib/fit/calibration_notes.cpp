@@ -15,7 +15,6 @@
 #include "calib/fit/range_text.h"
 #include "calib/fit/reading_order.h"
 #include "calib/fit/stopping_rule.h"
-#include "calib/fit/undetermined.h"
 #include "data/input_error.h"
 
 namespace pendular {
@@ -159,6 +158,55 @@ std::vector<std::string> warnings(const Calibration& c, const ResolvedStudy& stu
 }
 
 }  // namespace
+
+std::vector<std::string> undetermined(const Fit& fit, const std::vector<Parameter>& parameters) {
+    /// Smallest component of a parameter, relative to the largest, that counts as part of a
+    /// combination [1].
+    constexpr double smallest_of_interest = 0.01;
+    const auto n = static_cast<Eigen::Index>(parameters.size());
+    Eigen::VectorXd ranges(n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const Parameter& p = parameters[static_cast<std::size_t>(k)];
+        const double width = fit.width(k);  // unknown in a fit that an earlier version wrote
+        ranges(k) = std::isfinite(width) ? width : p.upper - p.lower;
+    }
+    std::vector<std::string> sentences;
+    if (n == 0 || !fit.covariance.allFinite() || !(ranges.minCoeff() > 0)) {
+        return sentences;
+    }
+    Eigen::MatrixXd covariance = fit.covariance;
+    if (fit.widening.size() > 0) covariance += fit.widening;
+    const Eigen::MatrixXd scaled =
+        ranges.cwiseInverse().asDiagonal() * covariance * ranges.cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(scaled);
+    for (Eigen::Index axis = n - 1; axis >= 0 && axes.eigenvalues()(axis) > 1; --axis) {
+        const Eigen::VectorXd direction = axes.eigenvectors().col(axis);
+        const double largest = direction.cwiseAbs().maxCoeff();
+        std::vector<std::string> names, steps;
+        double first = 0;
+        for (Eigen::Index k = 0; k < n; ++k) {
+            if (std::abs(direction(k)) < smallest_of_interest * largest) {
+                continue;
+            }
+            const Parameter& p = parameters[static_cast<std::size_t>(k)];
+            const double step = direction(k) * ranges(k);
+            first = first == 0 ? step : first;
+            names.push_back(p.name);
+            steps.push_back(
+                fmt::format("{:.3g}{}", step / first, p.unit == "1" ? "" : " " + p.unit));
+        }
+        sentences.push_back(
+            names.size() == 1
+                ? fmt::format("The readings do not determine {}: drop it, or measure where it "
+                              "changes the readings.",
+                              names.front())
+                : fmt::format(
+                      "The readings do not tell {} apart: changed together in the proportion {} "
+                      "they fit equally well. Drop one, or measure where they differ.",
+                      fmt::join(names, " and "), fmt::join(steps, " : ")));
+    }
+    return sentences;
+}
 
 std::vector<std::string> notes_on(const Calibration& c, const ResolvedStudy& study,
                                   const RunPlanner& planner, bool wet_known) {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "calib/fit/fit.h"
-#include "calib/fit/wet_groups.h"
+#include "calib/fit/reading_order.h"
 #include "data/input_error.h"
 #include "sim/dem/run_parameters.h"
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "calib/fit/predicted_readings.h"
-#include "calib/fit/wet_groups.h"
+#include "calib/fit/reading_order.h"
 #include "data/input_error.h"
 
 namespace pendular {

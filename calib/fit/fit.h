@@ -2,27 +2,12 @@
 
 #include <Eigen/Core>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "calib/fit/measured.h"
 #include "calib/model/model.h"
-#include "data/reading.h"
 
 namespace pendular {
-
-/// Measured values with the covariance of their errors: shear stress [Pa] and solid fraction [1] of
-/// each reading in turn, then direct measurements, each in the unit of its parameter.
-struct Measured {
-    Eigen::VectorXd value;
-    /// Covariance of the errors, with the estimated scatter of replicates as if it were exact.
-    Eigen::MatrixXd covariance;
-    /// Addition to `covariance` if few replicates determine the scatter; may be empty.
-    Eigen::MatrixXd widening = {};
-};
-/// Returns the values of readings, followed by direct measurements, with the covariance of all
-/// errors, including those that several readings share, such as the error of a filling.
-Measured stack(const std::vector<Reading>& readings,
-               const std::vector<DirectMeasurement>& direct = {});
 
 /// Result of one weighted least-squares fit of a model's parameters to measured values.
 struct Fit {
@@ -109,19 +94,6 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
 Eigen::VectorXd best_parameters(const Model& model, const Measured& measured,
                                 const Eigen::MatrixXd& covariance, const Eigen::VectorXd& start,
                                 const FitEffort& effort);
-
-/// Returns both ends of the profile-likelihood interval of one parameter, in its unit. In the
-/// interval, chi2 minimised over all other parameters exceeds the minimum of chi2 by at most `rise`
-/// [1]. A rise of 1 gives the 68 % interval. It ends at the latest at the ends of `Fit::range`.
-/// @param best fit of the model, with the covariance of the predictions
-/// @param which index of the parameter
-std::pair<double, double> profile_interval(const Model& model, const Measured& measured,
-                                           const Fit& best, Eigen::Index which, double rise = 1);
-/// Returns the profile likelihood of one parameter: for each of `values` [unit of the parameter],
-/// the rise of chi2 above its minimum [1] when all other parameters minimise chi2 within their
-/// ranges. Infinite if no true state of the cell gives the conditions shown.
-Eigen::VectorXd profile_rise(const Model& model, const Measured& measured, const Fit& best,
-                             Eigen::Index which, const Eigen::VectorXd& values);
 
 /// Returns Parameter::start of all parameters of the model.
 Eigen::VectorXd start_of(const Model& model);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "calib/fit/fit.h"
-#include "calib/model/model_space.h"
+#include "calib/model/model.h"
 #include "calib/model/predictor.h"
 
 namespace pendular {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "calib/fit/wet_groups.h"
+#include "calib/fit/reading_order.h"
 #include "calib/model/closure_model.h"
 #include "sim/closures/strength.h"
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "calib/model/assemble_model.h"
 #include "calib/model/predictor.h"
+#include "calib/model/study_model_space.h"
 #include "sim/catalogue/resolved_study.h"
 
 namespace pendular {

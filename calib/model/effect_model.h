@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "calib/model/model_space.h"
+#include "calib/model/model.h"
 #include "calib/model/predictor.h"
 #include "data/study/study.h"
 #include "sim/catalogue/effect.h"

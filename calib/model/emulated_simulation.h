@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "calib/emulator/emulated_structure.h"
 #include "calib/emulator/emulator.h"
-#include "calib/emulator/structure_response.h"
 #include "calib/model/predictor.h"
 #include "data/study/study.h"
 #include "sim/runs/fidelity.h"

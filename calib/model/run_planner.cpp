@@ -200,13 +200,12 @@ void RunPlanner::improve(double friction, const std::vector<EffectiveCondition>&
     ++rounds_;
 }
 
-void RunPlanner::improve_wet(double friction, const std::vector<EffectiveCondition>& conditions,
-                             int turns) {
+void RunPlanner::improve_wet(double friction, const std::vector<EffectiveCondition>& conditions) {
     begin_wet(friction);
     // States outside the known range come first, regardless of the rounds for the dry readings.
     order_beyond(friction, conditions, true);
     // The first runs only confirm; more are requested where predictions stay too uncertain.
-    confirm(friction, conditions, true, began_wet_ ? 1 + turns : 1);
+    confirm(friction, conditions, true, began_wet_ ? 2 : 1);
     began_wet_ = true;
 }
 

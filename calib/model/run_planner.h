@@ -55,11 +55,11 @@ class RunPlanner {
     void improve(double friction, const std::vector<EffectiveCondition>& conditions, double excess);
     /// Improves the predictions of wet readings at a friction coefficient [1] by new runs, if
     /// allowed. Each call first requests runs at states outside the range of the earlier runs. Then
-    /// the first call checks the emulator with few runs. Later calls request as many runs as reduce
-    /// the variances of the predictions by a factor of 1 + `turns`, but at most 16.
+    /// the first call checks the emulator with few runs. Each later call requests as many runs as
+    /// halve the variances of the predictions, but at most 16.
     /// @param conditions wet conditions truly imposed on the grains
     /// @throws dem::SimulationError if no training run is wet and all of the first wet runs fail
-    void improve_wet(double friction, const std::vector<EffectiveCondition>& conditions, int turns);
+    void improve_wet(double friction, const std::vector<EffectiveCondition>& conditions);
 
     /// Whether new runs confirm the emulator: those of the last call of `improve`, and of all later
     /// calls of `improve_wet`, agree at 1 % significance with the predictions before the training

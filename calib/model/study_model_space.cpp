@@ -7,11 +7,27 @@
 #include <stdexcept>
 #include <utility>
 
+#include "calib/model/closure_model.h"
 #include "calib/model/mohr_coulomb.h"
 #include "data/input_error.h"
 
 namespace pendular {
 namespace {
+
+using closures::Level;
+
+/// Model of the flow on a level of the ladder of closures.
+std::shared_ptr<const FlowPredictor> flow_on(Level level, const Study& study,
+                                             std::shared_ptr<const EmulatedSimulation> simulation) {
+    switch (level) {
+        case Level::mohr_coulomb:
+            return std::make_shared<MohrCoulombModel>(std::move(simulation), study);
+        case Level::simulation:
+            return simulation;
+        default:
+            return std::make_shared<ClosureModel>(std::move(simulation), study, level);
+    }
+}
 
 /// Group of an effect in tables of candidates: where it acts.
 std::string group_of(const Effect& effect) {
@@ -22,6 +38,21 @@ std::string group_of(const Effect& effect) {
 }
 
 }  // namespace
+
+std::shared_ptr<const EffectModel> assemble_model(
+    const Study& study, std::shared_ptr<const EmulatedSimulation> simulation,
+    const std::vector<const Effect*>& effects) {
+    return std::make_shared<EffectModel>(
+        flow_on(level_with(study, effects), study, std::move(simulation)), study, effects);
+}
+
+Level level_with(const Study& study, const std::vector<const Effect*>& effects) {
+    Level level = closures::level_of_base(study.model.base);
+    for (const Effect* effect : effects) {
+        level = std::max(level, effect->level().value_or(level));
+    }
+    return level;
+}
 
 Study StudyModelSpace::with_all_effects(const ResolvedStudy& study) {
     Study all = study;
@@ -154,17 +185,15 @@ int StudyModelSpace::internally_fitted_values() const {
 
 ModelSpace::ChangeErrors StudyModelSpace::change_errors(const EffectSet& chosen,
                                                         const Eigen::VectorXd& parameters,
-                                                        std::size_t added, double value) const {
+                                                        std::size_t added,
+                                                        const Eigen::VectorXd& values) const {
     if (offered_[added]->of_closure()) {
         return {};  // a closure has no known error
     }
     EffectSet more = chosen;
     more.push_back(added);
-    Eigen::VectorXd with_it = parameters;
-    if (!candidates_[added].is_switch()) {
-        with_it.conservativeResize(parameters.size() + 1);
-        with_it(parameters.size()) = value;
-    }
+    Eigen::VectorXd with_it(parameters.size() + values.size());
+    with_it << parameters, values;
     ChangeErrors errors =
         predictor(more)->change_errors(with_it, *predictor(chosen), parameters, conditions_);
     // A direct measurement has no simulation error.

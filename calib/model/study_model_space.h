@@ -6,11 +6,26 @@
 
 #include "calib/emulator/known_range.h"
 #include "calib/emulator/known_runs.h"
-#include "calib/model/assemble_model.h"
-#include "calib/model/model_space.h"
+#include "calib/model/effect_model.h"
+#include "calib/model/emulated_simulation.h"
+#include "calib/model/model.h"
 #include "sim/catalogue/resolved_study.h"
+#include "sim/closures/level.h"
 
 namespace pendular {
+
+/// Returns the model of a study's readings: `simulation`, with the formula of `level_with` for the
+/// stress ratio of wet grains, and with `effects`.
+/// @param effects in the order of their parameters; must outlive the model
+/// @throws InputError if the level is `closures::Level::mohr_coulomb` but the study has no wet
+///         reading of steady shear at a reduced pressure of at least 2.3
+std::shared_ptr<const EffectModel> assemble_model(
+    const Study& study, std::shared_ptr<const EmulatedSimulation> simulation,
+    const std::vector<const Effect*>& effects);
+
+/// Returns the formula (or the simulation) for the stress ratio of wet grains: the highest level of
+/// the study's base model and of the effects that replace approximations.
+closures::Level level_with(const Study& study, const std::vector<const Effect*>& effects);
 
 /// Effect that is neither in the study's model nor a candidate for addition to it.
 struct UntestableEffect {
@@ -51,7 +66,7 @@ class StudyModelSpace : public ModelSpace {
     StudyModelSpace offering(const std::vector<Effect>& more) const;
     int internally_fitted_values() const override;
     ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
-                               std::size_t added, double value) const override;
+                               std::size_t added, const Eigen::VectorXd& values) const override;
 
     /// Returns the predictor of dry and wet grains on which all models are based.
     const EmulatedSimulation& simulation() const { return *simulation_; }

@@ -127,7 +127,7 @@ TEST(RunPlanner, OrdersNothingWhereItMayNot) {
     const std::size_t before = planner.simulation()->emulator().runs().size();
     planner.improve(0.2, without_effects(conditions), 5),
         planner.improve(0.2, without_effects(conditions), 5);
-    planner.improve_wet(0.2, without_effects(conditions), 2);
+    planner.improve_wet(0.2, without_effects(conditions));
     EXPECT_EQ(planner.simulation()->emulator().runs().size(), before);
     EXPECT_TRUE(planner.simulated().empty());
 }

@@ -6,7 +6,8 @@
 #include <random>
 
 #include "calib/fit/calibrate.h"
-#include "calib/fit/undetermined.h"
+#include "calib/fit/calibration_notes.h"
+#include "calib/fit/profile.h"
 #include "tests/support/golden.h"
 
 namespace calib_fit_test {
@@ -62,6 +63,19 @@ TEST(Fit, NamesWhatTheReadingsDoNotTellApart) {
                                  Eigen::VectorXd::Constant(3, 0.1)),
                              determined.names)
                     .empty());
+}
+
+TEST(Fit, DeterminesWhatNoSentenceNames) {
+    // The range is that of the simulations, and few replicates enlarge the error.
+    const std::vector<Parameter> friction = {{.name = "friction", .upper = 1}};
+    Fit fit{.parameters = Eigen::VectorXd::Constant(1, 0.1),
+            .covariance = Eigen::MatrixXd::Constant(1, 1, 0.04),
+            .range = {Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, 0.3)}};
+    EXPECT_TRUE(fit.determines(0));
+    EXPECT_TRUE(undetermined(fit, friction).empty());
+    fit.widening = Eigen::MatrixXd::Constant(1, 1, 0.06);
+    EXPECT_FALSE(fit.determines(0));
+    EXPECT_EQ(undetermined(fit, friction).size(), 1u);
 }
 
 TEST(Fit, IsGeneralisedLeastSquares) {

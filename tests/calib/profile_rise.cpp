@@ -1,5 +1,5 @@
 // Profile likelihood of a model that is linear in its parameters: a parabola.
-#include "calib/fit/fit.h"
+#include "calib/fit/profile.h"
 
 #include <gtest/gtest.h>
 

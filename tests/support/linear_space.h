@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "calib/model/model_space.h"
+#include "calib/model/model.h"
 
 namespace pendular {
 
