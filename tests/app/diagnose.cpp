@@ -109,7 +109,7 @@ TEST_F(DiagnoseCommand, SaysWhatCannotBeDiagnosed) {
     const std::string path = study(
         "300,79,0.8,0.5995,0.0012,0.003\n"
         "300,78,0.8,0.5995,0.0012,0.003\n");
-    const Outcome run = run_pendular("diagnose " + path);
+    const Outcome run = run_pendular("diagnose --quiet " + path);
     EXPECT_EQ(run.code, 2);
     expect_told({run.errors});
 }
@@ -141,7 +141,7 @@ TEST_F(DiagnoseCommand, ListsTheStepsWhereNoReadingCanBePlanned) {
     // No simulation has such an inertial number.
     std::ofstream(folder_.path() / "study.toml", std::ios::app)
         << "[rig]\nnormal_stress = \"1 kPa\"\ninertial_number = 3\n";
-    const Outcome run = run_pendular("next " + path);
+    const Outcome run = run_pendular("next --quiet " + path);
     EXPECT_EQ(run.code, 0) << run.errors;
     expect_told({run.output + run.errors});
     std::ifstream written(folder_.path() / "out" / "next.json");
@@ -154,7 +154,7 @@ TEST_F(DiagnoseCommand, RefusesARigThatCannotBe) {
     const std::string path = study("300,79.1,0.8,0.6189,0.0012,0.003\n");
     std::ofstream(folder_.path() / "study.toml", std::ios::app)
         << "[rig]\nnormal_stress = \"2 kg\"\ninertial_number = 0.01\n";
-    const Outcome run = run_pendular("next " + path);
+    const Outcome run = run_pendular("next --quiet " + path);
     EXPECT_EQ(run.code, 2);
     expect_told({run.errors});
 }
