@@ -18,6 +18,7 @@
 // Boost.Program_options is included in options.cpp alone: it takes seconds to compile.
 namespace boost::program_options {
 class options_description;
+class positional_options_description;
 class variables_map;
 }  // namespace boost::program_options
 
