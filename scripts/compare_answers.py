@@ -12,7 +12,10 @@ from pathlib import Path
 
 TOLERANCE = 1e-9
 # What differs between two runs of the same program: the time they took and where they ran.
-PASSING = {"seconds", "wall_seconds", "grain_steps_per_second", "particle_steps_per_second", "version", "created", "host"}
+PASSING = {
+    "seconds", "wall_seconds", "grain_steps_per_second", "particle_steps_per_second", "version",
+    "created", "host",
+}  # fmt: skip
 PASSING_TEXT = re.compile(r"\bin \d+(\.\d+)? (s|min)\b|bead-steps/s")
 RUN_NAME = re.compile(r"[0-9a-f]{16}")  # a hash of the run and the time it took
 

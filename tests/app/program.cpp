@@ -47,8 +47,9 @@ TEST(Simulate, PrintsJsonAloneOnStandardOutput) {
           "second_normal_stress_difference"}) {
         EXPECT_TRUE(json.at(key).contains("value") && json.at(key).contains("stderr")) << key;
     }
-    for (const std::string key : {"grain_steps_per_second", "particle_steps_per_second", "wall_seconds", "steps", "time_step",
-                                  "strain_averaged", "crystallised", "steady", "seed"}) {
+    for (const std::string key :
+         {"grain_steps_per_second", "particle_steps_per_second", "wall_seconds", "steps",
+          "time_step", "strain_averaged", "crystallised", "steady", "seed"}) {
         EXPECT_TRUE(json.contains(key)) << key;
     }
     EXPECT_EQ(json["seed"], 7);
