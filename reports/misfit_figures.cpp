@@ -74,7 +74,7 @@ Figure quantile_figure(const Comparison& comparison) {
                      .symbol = observable == 0 ? Symbol{} : Symbol{Shape::square, Filling::hollow}};
         points.y = residuals_of(comparison, observable);
         for (std::size_t k = 0; k < n; ++k) {
-            points.x.push_back(normal_quantile(k, n));
+            points.x.push_back(expected_quantile(k, n));
         }
         panel.curves.push_back(points);
     }

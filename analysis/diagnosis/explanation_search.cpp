@@ -26,10 +26,11 @@ constexpr double foretelling_error = 0.2;
 /// Number of candidates that are refitted at a time.
 constexpr std::size_t best_singles = 6;
 
-class Search {
+class ExplanationSearch {
   public:
-    Search(const ModelSpace& space, const Evidence& evidence, const DiagnosisOptions& options,
-           const Explanations& explanations, const Scanned& scanned)
+    ExplanationSearch(const ModelSpace& space, const Evidence& evidence,
+                      const DiagnosisOptions& options, const Explanations& explanations,
+                      const Scanned& scanned)
         : space_(space),
           evidence_(evidence),
           options_(options),
@@ -93,7 +94,8 @@ class Search {
     Found found_;
 };
 
-Eigen::VectorXd Search::start_with(const EffectSet& chosen, const Eigen::MatrixXd& columns) const {
+Eigen::VectorXd ExplanationSearch::start_with(const EffectSet& chosen,
+                                              const Eigen::MatrixXd& columns) const {
     // Solution of the linear problem: all amplitudes together, and the change of the parameters.
     const Eigen::MatrixXd whitened = scanned_.residuals.whiten(columns);
     const Eigen::VectorXd amplitudes =
@@ -137,7 +139,7 @@ std::optional<FittedModel> explained(const Explanations& explanations, const Eff
     }
 }
 
-void Search::try_all(std::string_view what, const std::vector<Trial>& trials) {
+void ExplanationSearch::try_all(std::string_view what, const std::vector<Trial>& trials) {
     std::vector<std::optional<FittedModel>> found(trials.size());
     side_by_side(
         trials.size(), options_.threads, [&](std::size_t k) { say(what, k, trials.size()); },
@@ -151,14 +153,14 @@ void Search::try_all(std::string_view what, const std::vector<Trial>& trials) {
     }
 }
 
-void Search::take(FittedModel explanation) {
+void ExplanationSearch::take(FittedModel explanation) {
     if (explanation.accepted) {
         (explanation.suspect ? found_.fitting_suspects : found_.fitting).push_back(explanation);
     }
     found_.tried.push_back(std::move(explanation));
 }
 
-double Search::best_of(const std::vector<FittedModel>& models) const {
+double ExplanationSearch::best_of(const std::vector<FittedModel>& models) const {
     double best = INFINITY;
     for (const FittedModel& each : models) {
         best = std::min(best, criterion(each));
@@ -166,7 +168,7 @@ double Search::best_of(const std::vector<FittedModel>& models) const {
     return best;
 }
 
-double Search::chi2_to_beat() const {
+double ExplanationSearch::chi2_to_beat() const {
     double best = INFINITY;
     for (const auto* models : {&found_.fitting, &found_.fitting_suspects}) {
         for (const FittedModel& each : *models)
@@ -175,7 +177,7 @@ double Search::chi2_to_beat() const {
     return best - clearly_better * factor_on_variance(found_.tried);
 }
 
-void Search::prefer_one_effect() {
+void ExplanationSearch::prefer_one_effect() {
     std::vector<FittedModel> singles, pairs;
     for (FittedModel& each : found_.fitting) {
         (each.chosen.size() == 1 ? singles : pairs).push_back(std::move(each));
@@ -199,7 +201,7 @@ void Search::prefer_one_effect() {
     found_.fitting.insert(found_.fitting.end(), pairs.begin(), pairs.end());
 }
 
-void Search::search_singles() {
+void ExplanationSearch::search_singles() {
     std::vector<const Finding*> worth;
     for (const Finding& finding : scanned_.findings) {
         if (looks_missing(finding)) worth.push_back(&finding);
@@ -222,7 +224,7 @@ void Search::search_singles() {
     }
 }
 
-void Search::search_suspects() {
+void ExplanationSearch::search_suspects() {
     std::vector<std::size_t> worth;
     for (std::size_t k = 0; k < scanned_.suspect_tests.size(); ++k) {
         const ScoreTest& test = scanned_.suspect_tests[k];
@@ -237,7 +239,7 @@ void Search::search_suspects() {
     try_all("suspects", trials);
 }
 
-bool Search::may_do_better(double drop) const {
+bool ExplanationSearch::may_do_better(double drop) const {
     double best = 0;
     for (const FittedModel& each : found_.tried) {
         if (!each.accepted && each.fit.converged)
@@ -246,7 +248,7 @@ bool Search::may_do_better(double drop) const {
     return drop * (1 + foretelling_error) + all_the_same > best;
 }
 
-double Search::left_by(const EffectSet& chosen) const {
+double ExplanationSearch::left_by(const EffectSet& chosen) const {
     Eigen::VectorXd left = scanned_.residuals.project(scanned_.residuals.residuals());
     struct Column {
         Eigen::VectorXd change;
@@ -287,7 +289,7 @@ double Search::left_by(const EffectSet& chosen) const {
     return left.squaredNorm();
 }
 
-double Search::within_bounds(std::size_t candidate, double amplitude) const {
+double ExplanationSearch::within_bounds(std::size_t candidate, double amplitude) const {
     const bool one_sided = scanned_.signatures[candidate].one_sided;
     if (one_sided && amplitude < 0) return 0;
     const double there = addition(candidate).amplitude_at(
@@ -296,7 +298,7 @@ double Search::within_bounds(std::size_t candidate, double amplitude) const {
     return std::abs(there - amplitude) < rounding * (1 + std::abs(amplitude)) ? amplitude : there;
 }
 
-void Search::search_pairs() {
+void ExplanationSearch::search_pairs() {
     struct EffectPair {
         EffectSet chosen;
         double left;
@@ -348,7 +350,7 @@ bool looks_missing(const Finding& finding) {
 Found search_explanations(const ModelSpace& space, const Evidence& evidence,
                           const DiagnosisOptions& options, const Explanations& explanations,
                           const Scanned& scanned) {
-    return Search(space, evidence, options, explanations, scanned).run();
+    return ExplanationSearch(space, evidence, options, explanations, scanned).run();
 }
 
 }  // namespace pendular
