@@ -10,7 +10,7 @@
 #include "app/options.h"
 #include "app/study_page.h"
 #include "data/files/write_tables.h"
-#include "data/remarks/wording.h"
+#include "data/remarks/lost_readings.h"
 #include "reports/draw_figure.h"
 #include "reports/file_report.h"
 #include "reports/recording_figures.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "calib/fit/range_text.h"
+#include "data/remarks/lost_readings.h"
 #include "data/remarks/wording.h"
 
 namespace pendular {

@@ -70,17 +70,22 @@ std::string FileLock::holder() const {
     if (stat(file_.c_str(), &status) != 0) return "another process";
     // A line of /proc/locks: "1: FLOCK  ADVISORY  WRITE 4711 fe:01:1234 0 EOF".
     std::ifstream locks("/proc/locks");
-    const std::string file_id =
-        fmt::format("{:02x}:{:02x}:{}", major(status.st_dev), minor(status.st_dev), status.st_ino);
+    const std::string inode = fmt::format(":{}", status.st_ino),
+                      device =
+                          fmt::format("{:02x}:{:02x}", major(status.st_dev), minor(status.st_dev));
+    std::string likely;  // on some file systems, the kernel names another device than stat
     for (std::string line; std::getline(locks, line);) {
         std::istringstream words(line);
         std::string number, kind, advisory, access, process, file;
         words >> number >> kind >> advisory >> access >> process >> file;
-        if (kind != "FLOCK" || file != file_id) continue;
-        const std::string command = command_of(process);
-        return fmt::format("process {}{}", process, command.empty() ? "" : " (" + command + ")");
+        if (kind != "FLOCK" || !file.ends_with(inode)) continue;
+        const bool certain = file == device + inode;
+        if (certain || likely.empty()) likely = process;
+        if (certain) break;
     }
-    return "another process";
+    if (likely.empty()) return "another process";
+    const std::string command = command_of(likely);
+    return fmt::format("process {}{}", likely, command.empty() ? "" : " (" + command + ")");
 }
 
 }  // namespace pendular

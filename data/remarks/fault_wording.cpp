@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <stdexcept>
 
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
@@ -243,8 +244,11 @@ std::string file_text(const Remark& fault) {
             return tests_text(fault);
         case Kind::missed_set_point:
             return set_point_text(fault);
-        default:
+        case Kind::header_constant:
+        case Kind::header_cell:
             return header_text(fault);
+        default:
+            throw std::logic_error("a fault of a file has no words");
     }
 }
 

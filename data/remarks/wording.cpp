@@ -3,237 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <cctype>
-#include <cmath>
-#include <filesystem>
-#include <map>
-#include <numbers>
-#include <set>
-#include <utility>
+#include <stdexcept>
+#include <vector>
 
-#include "data/quantities/number.h"
-#include "data/quantities/quantity.h"
-#include "data/recordings/plausibility.h"
-#include "data/recordings/recording.h"
-#include "data/recordings/robust.h"
 #include "data/recordings/step_series.h"
 
 namespace pendular {
 namespace {
 
 using Kind = Remark::Kind;
-
-/// Words for the column that was measured, where the instrument computed another from it.
-const char* measured_for(const std::string& computed) {
-    return computed == "shear_stress"    ? "torque"
-           : computed == "normal_stress" ? "normal force"
-                                         : "angular velocity";
-}
-
-// Values that are probably wrong.
-
-/// Words for a quantity of a reading that has a range of possible values; `numerator` and
-/// `denominator` are the measured quantities with which it increases and decreases.
-struct ValueWords {
-    const char *quantity, *why_not_less, *why_not_more, *check, *numerator, *denominator;
-};
-
-constexpr std::array value_words = {
-    ValueWords{"solid_fraction", "too low for grains in contact in steady shear",
-               "the densest packing of equal spheres",
-               "the zero and the unit of the gap height, the total bead mass and the density",
-               "total bead mass", "gap"},
-    ValueWords{"stress_ratio", "half of the stress ratio of frictionless grains",
-               "more than dry grains of any shape have",
-               "the torque, the normal force, their units and the radii of the cell", "torque",
-               "normal force"},
-    ValueWords{"inertial_number", "", "above which grains collide rather than touch: no dense flow",
-               "the angular velocity or shear rate (turns or radians, per second or minute), the "
-               "bead diameter and the normal force",
-               "speed", ""},
-    ValueWords{"reduced_pressure", "below which grains form lumps and no state was simulated", "",
-               "the normal force, the bead diameter and the surface tension", "normal force",
-               "surface tension"}};
-
-/// Text with the power of ten that leads to a usual value: " (a bead mass 10 times smaller or a gap
-/// 10 times larger would give 0.6)"; empty if no power of ten does.
-std::string power_of_ten(const Remark& doubt, const ValueWords& words) {
-    const int power = power_to_usual(doubt.quantity, doubt.size);
-    if (power == 0) return "";
-    const auto change = [&](const char* what, bool larger) {
-        return fmt::format("a {} {:.0f} times {}", what, std::pow(10, std::abs(power)),
-                           larger ? "larger" : "smaller");
-    };
-    const std::string_view denominator = words.denominator;
-    return fmt::format(" ({}{} would give {:.2g})", change(words.numerator, power > 0),
-                       denominator.empty() ? "" : " or " + change(words.denominator, power < 0),
-                       doubt.size * std::pow(10, power));
-}
-
-/// Words for an impossible value after the value itself: "above 0.74, the densest packing of equal
-/// spheres; check the gap".
-std::string limit_and_check(const Remark& doubt) {
-    if (doubt.quantity == "liquid_content") {
-        const std::string warning = pendular_range_warning(doubt.size).value_or("");
-        const bool percent = doubt.size >= 0.1 && beyond_pendular_range(doubt.size / 100) == 0;
-        return fmt::format("{}; check liquid_content, the volume of liquid over that of beads{}",
-                           warning.substr(warning.find(" is ") + 4),
-                           percent ? fmt::format(": {:g} would be right in percent, so write {:g} "
-                                                 "or \"{:g} %\"",
-                                                 doubt.size, doubt.size / 100, doubt.size)
-                                   : "");
-    }
-    const ValueWords& words =
-        *std::ranges::find(value_words, std::string_view(doubt.quantity), &ValueWords::quantity);
-    const bool below = doubt.size < doubt.limit;
-    const bool wet =
-        doubt.quantity == "stress_ratio" && doubt.limit > greatest_stress_ratio(INFINITY);
-    return fmt::format("{} {:.3g}, {}; check {}{}", below ? "below" : "above", doubt.limit,
-                       below ? words.why_not_less
-                       : wet ? "1.5 (1 + 1/P*), more than wet grains can have at this P*"
-                             : words.why_not_more,
-                       words.check, power_of_ten(doubt, words));
-}
-
-std::string impossible_text(const Remark& doubt) {
-    return fmt::format("the {} {:.3g} is {}", words_for_quantity(doubt.quantity), doubt.size,
-                       limit_and_check(doubt));
-}
-
-/// Sentence on the readings with impossible values of one quantity.
-std::string impossible_sentence(const Remark& doubt) {
-    std::string where = to_string(Position{doubt.file(), doubt.first_line(), 0});
-    if (doubt.lines.size() > 1)
-        where += fmt::format(" ({} readings in {} file{})", doubt.lines.size(), doubt.files.size(),
-                             doubt.files.size() > 1 ? "s" : "");
-    const std::string least = fmt::format("{:.3g}", doubt.size),
-                      greatest = fmt::format("{:.3g}", doubt.size_to);
-    return fmt::format("{}: the {} {} is {}.", where, words_for_quantity(doubt.quantity),
-                       least == greatest ? least : least + " to " + greatest,
-                       limit_and_check(doubt.because.front()));
-}
-
-/// Likely cause of a constant factor between a stated and a computed column.
-std::string cause_of(const Remark& doubt) {
-    constexpr double factor_tolerance = 0.02;
-    const auto is = [&](double other) {
-        return std::abs(doubt.size / other - 1) < factor_tolerance;
-    };
-    if (doubt.quantity == "shear_stress" && (is(2) || is(0.5)))
-        return "the printed torque formula gives twice the derived one: see torque_formula in "
-               "[cell]";
-    const double power = std::round(std::log10(doubt.size));
-    if (power != 0 && is(std::pow(10, power)))
-        return fmt::format(
-            "a factor of 10^{:.0f}: check the units of both columns{}", power,
-            doubt.quantity == "shear_stress"
-                ? "; if only some torques lost a mark, repair = true in [[recording]] takes them "
-                  "from the shear stress"
-                : "");
-    if (doubt.quantity == "shear_rate" && (is(2 * M_PI) || is(0.5 / M_PI)))
-        return "a factor of 2 pi: turns per second read as radians per second or the reverse";
-    return "check inner_radius and outer_radius in [cell]: the instrument used others, or another "
-           "formula";
-}
-
-std::string factor_text(const Remark& doubt) {
-    return fmt::format(
-        "the column of the {} is {:.4g} times what the {} gives with the study's cell (median of "
-        "{} rows, {:.0f} % of them agree); {}",
-        words_for_quantity(doubt.quantity), doubt.size, measured_for(doubt.quantity), doubt.of,
-        100 - 100.0 * static_cast<double>(doubt.count) / static_cast<double>(doubt.of),
-        cause_of(doubt));
-}
-
-std::string contradicting_rows_text(const Remark& doubt) {
-    const std::string stated = words_for_quantity(doubt.quantity),
-                      measured = measured_for(doubt.quantity);
-    return fmt::format(
-        "{}: {} and {} contradict each other in {} of {} rows, first in line {}, where the {} is "
-        "{:.3g} times what the {} gives; elsewhere they agree (median ratio {:.4g}). Check whether "
-        "cells of one of the columns are corrupt.",
-        doubt.file(), stated, measured, doubt.count, doubt.of, doubt.first_line(), stated,
-        doubt.size, measured, doubt.limit);
-}
-
-std::string constant_text(const Remark& doubt) {
-    const bool torque = doubt.kind == Kind::constant_torque;
-    return fmt::format(
-        "the {} in every row, as no measurement would be; check {}",
-        torque ? fmt::format("torque is {:.4g} N m", doubt.size)
-               : fmt::format("gap is {:.4g} mm", 1e3 * doubt.size),
-        torque ? "whether the torque was recorded, or a set point or an empty channel instead"
-               : "whether the gap was measured or is a set point, whose error is unknown");
-}
-
-/// Names of files: "a.csv", "a.csv and b.csv", "a.csv, b.csv and 5 more".
-std::string names_of(const std::vector<std::string>& files) {
-    const std::string first = file_name_of(files.front());
-    if (files.size() == 1) return first;
-    const std::string second = file_name_of(files[1]);
-    return files.size() == 2 ? first + " and " + second
-                             : fmt::format("{}, {} and {} more", first, second, files.size() - 2);
-}
-
-std::string speed_unit_text(const Remark& doubt) {
-    return fmt::format(
-        "The angular velocities of {} differ by a factor of {:.3g}, the factor between {}, from "
-        "those of {} at the same steps; check the unit in the headers.",
-        names_of(doubt.files), doubt.size,
-        doubt.size > 2 * std::numbers::pi + 1 ? "1/min (rpm) and rad/s" : "turn/s and rad/s",
-        names_of(doubt.names));
-}
-
-std::string far_files_text(const Remark& doubt) {
-    const bool one = doubt.names.size() == 1;
-    return fmt::format(
-        "In {}, {} {} at all conditions, by {:.3g} %, while steps within a file agree; check the "
-        "units, the zeros and calibrations of the sensors, the total bead mass and the filling. "
-        "Until then, the fit takes larger errors for {}.",
-        words_for_quantity(doubt.quantity), fmt::join(doubt.names, ", "),
-        one ? "differs from its replicates" : "differ from one another", 100 * doubt.relative,
-        one ? "this file" : "these files");
-}
-
-std::string doubt_text(const Remark& doubt) {
-    switch (doubt.kind) {
-        case Kind::repaired_torques:
-            return fmt::format(
-                "{}: in {} of {} rows the torque differs from the shear stress by a power of ten; "
-                "repaired from the shear stress, as repair = true asks for: lines {}.",
-                doubt.file(), doubt.count, doubt.of,
-                text_of_lines(doubt.because.front().lines, 20));
-        case Kind::restated_copy:
-            return fmt::format(
-                "{}: these are the measurements of {}, but the study states another "
-                "liquid_content or bead mass for them; remove the wrong one.",
-                doubt.file(), doubt.names[0]);
-        case Kind::wrong_factor:
-            return fmt::format("{}: {}.", doubt.file(), factor_text(doubt));
-        case Kind::contradicting_rows:
-            return contradicting_rows_text(doubt);
-        case Kind::constant_torque:
-        case Kind::constant_gap:
-            return fmt::format("{}: {}.", doubt.file(), constant_text(doubt));
-        case Kind::impossible_filling:
-            return fmt::format("{}: {}.", doubt.file(), impossible_text(doubt));
-        case Kind::impossible_value:
-            return impossible_sentence(doubt);
-        case Kind::saturated_column:
-            return sentences(doubt.because).front();
-        case Kind::other_speed_unit:
-            return speed_unit_text(doubt);
-        case Kind::far_files:
-            return far_files_text(doubt);
-        default:
-            return fmt::format(
-                "The replicates {} differ in {} far beyond the scatter of the others; look for a "
-                "disturbance in these steps. The fit takes larger errors for these readings.",
-                fmt::join(doubt.names, " and "), words_for_quantity(doubt.quantity));
-    }
-}
 
 // Rows, steps and readings that are left out.
 
@@ -301,8 +79,10 @@ std::string step_text(const Remark& step) {
             return "the mean torque is zero within twice its standard error";
         case Kind::transient:
             return fmt::format("transient of {:.3g} s, until torque and gap are steady", step.size);
-        default:
+        case Kind::part_of_turn:
             return "part of a turn of the lid, whose wobble would bias the mean";
+        default:
+            throw std::logic_error("a part of a step has no words");
     }
 }
 
@@ -473,12 +253,14 @@ std::string note_on_file(const Remark& note) {
                 "{} ends after step {}, {} goes on to step {} from the same beginning. If the "
                 "measurement was not stopped there, the file was cut off: export it again.",
                 file_name_of(note.files[0]), note.step, file_name_of(note.files[1]), note.count);
-        default:
+        case Kind::lacks_step:
             return fmt::format(
                 "{} gives no reading at step {} ({}), but {} does. If the recording ends too "
                 "early, the file was cut off: export it again.",
                 file_name_of(note.files[0]), note.step, reason_of(note.because.front()),
                 file_name_of(note.files[1]));
+        default:
+            throw std::logic_error("a note on a file has no words");
     }
 }
 
@@ -525,59 +307,11 @@ std::string note_on_readings(const Remark& note) {
                 "{} of the files that were read are outside of the study's folder, "
                 "as its 'allow_outside' permits",
                 note.count);
-        default:
+        case Kind::grain_weight:
             return weight_text(note);
-    }
-}
-
-/// Why a step gave no reading, without what is particular to one step, and advice.
-struct Cause {
-    std::string what, advice;
-};
-
-/// Cause for messages on many steps: `what` is a clause such as "the normal force is negative", to
-/// be followed by "in all 30 steps"; empty for a remark that is not on a whole step.
-Cause cause_without_reading(const Remark& step) {
-    switch (step.kind) {
-        case Kind::few_rows:
-            return {fmt::format("less than {} rows were recorded", shortest_step), ""};
-        case Kind::speed_ramp:
-            return {"the speed of the lid changes",
-                    "no steady shear: export steps of constant speed"};
-        case Kind::back_and_forth:
-            return {"the lid turns back and forth", "export steps of constant speed"};
-        case Kind::at_rest:
-            return {"the lid does not turn",
-                    "check the column of the angular velocity, and its unit"};
-        case Kind::short_strain:
-        case Kind::short_steady_strain:
-            return {"the strain is too small for steady shear",
-                    fmt::format("steady shear takes a strain of {:g} (least_strain in [import]): "
-                                "check the unit of the angular velocity, or record longer",
-                                step.limit)};
-        case Kind::never_steady:
-            return {"torque or gap still change at the end", "record longer"};
-        case Kind::few_steady_rows:
-            return {fmt::format("less than {} rows are steady", shortest_step), "record longer"};
-        case Kind::tension:
-            return {"the normal force is negative",
-                    "compression must be positive: reverse the sign of the column of the normal "
-                    "force in the recordings"};
-        case Kind::no_torque:
-            return {"the torque is zero within its error",
-                    "check that the torque was recorded, and its unit"};
         default:
-            return {};
+            throw std::logic_error("a note on readings has no words");
     }
-}
-
-/// Number of rows of recordings that a doubt set aside, whether or not they made readings.
-std::size_t doubted(const Measurements& measurements) {
-    std::set<std::pair<std::string, int>> rows;
-    for (const Remark& doubt : measurements.with(Remark::Outcome::set_aside))
-        for (const Lines& lines : doubt.lines)
-            rows.emplace(doubt.files[lines.file], lines.first);
-    return rows.size();
 }
 
 }  // namespace
@@ -591,75 +325,6 @@ std::string text_of(const Remark& remark) {
     if (remark.kind < Kind::after_interval) return doubt_text(remark);
     if (remark.kind < Kind::averaged_rows) return rows_text_with_step(remark);
     return remark.kind < Kind::unlike_files ? note_on_file(remark) : note_on_readings(remark);
-}
-
-std::optional<std::string> pendular_range_warning(double content) {
-    const int beyond = beyond_pendular_range(content);
-    if (beyond == 0) return std::nullopt;
-    return beyond > 0
-               ? fmt::format(
-                     "liquid content {:g} is above the pendular range, which ends at about {:g}: "
-                     "bridges of touching beads merge there, and the model of separate bridges "
-                     "no longer holds",
-                     content, wettest_pendular)
-               : fmt::format(
-                     "liquid content {:g} is below the pendular range, which begins at about {:g}: "
-                     "the liquid may stay between the asperities of the bead surfaces instead of "
-                     "forming bridges",
-                     content, driest_pendular);
-}
-
-std::size_t readings_set_aside(const Measurements& measurements) {
-    const auto excluded = std::ranges::count_if(
-        measurements.remarks, [](const Remark& remark) { return on_reading(remark.kind); });
-    return std::max(static_cast<std::size_t>(excluded), doubted(measurements));
-}
-
-bool mostly_set_aside(const Measurements& measurements) {
-    return readings_set_aside(measurements) > measurements.readings.size() ||
-           (measurements.readings.empty() && !measurements.with(Remark::Outcome::left_out).empty());
-}
-
-std::optional<std::string> common_reason(const Measurements& measurements) {
-    if (!mostly_set_aside(measurements)) return std::nullopt;
-    struct Steps {
-        std::size_t count = 0;
-        const Remark* first = nullptr;
-    };
-    std::map<std::string, Steps> causes;
-    std::size_t steps = 0;
-    for (const Remark& each : measurements.remarks) {
-        const Cause cause = cause_without_reading(each);
-        if (cause.what.empty()) continue;
-        ++steps;
-        Steps& alike = causes[cause.what];
-        if (alike.count++ == 0) alike.first = &each;
-    }
-    if (steps == 0) return std::nullopt;
-    const Steps& most = std::ranges::max_element(causes, {}, [](const auto& cause) {
-                            return cause.second.count;
-                        })->second;
-    if (doubted(measurements) >= most.count) return std::nullopt;  // the doubts say why
-    if (steps == 1) return with_capital(text_of(*most.first)) + ".";
-    const char* const which =
-        measurements.readings.empty() ? "steps" : "steps that gave no reading";
-    const std::string where = most.count == steps
-                                  ? fmt::format("all {} {}", steps, which)
-                                  : fmt::format("{} of {} {}", most.count, steps, which);
-    const auto [what, advice] = cause_without_reading(*most.first);
-    return fmt::format("{} in {}{}{}.", with_capital(what), where, advice.empty() ? "" : "; ",
-                       advice);
-}
-
-std::string why_no_reading(const Measurements& measurements) {
-    if (const auto doubts = measurements.with(Remark::Outcome::set_aside); !doubts.empty())
-        return "Readings were set aside; the reason for the first: " + text_of(doubts.front());
-    if (const auto reason = common_reason(measurements)) return *reason;
-    const auto left_out = measurements.with(Remark::Outcome::left_out);
-    return left_out.empty()
-               ? "Give recordings or readings."
-               : "All rows were left out; the reason for the first: " + text_of(left_out.front()) +
-                     ".";
 }
 
 }  // namespace pendular
