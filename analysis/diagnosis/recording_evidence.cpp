@@ -26,7 +26,7 @@ double reduction_by(const Remark& finding, const std::vector<Reading>& readings,
         const Eigen::Index entry = 2 * static_cast<Eigen::Index>(k) + observable;
         if (concerns(finding, readings[k])) change(entry) = residuals.measured()(entry);
     }
-    return score_columns(residuals, change, 0).reduction(0);
+    return score_columns(residuals, change).reduction(0);
 }
 
 }  // namespace

@@ -9,10 +9,6 @@
 namespace pendular {
 namespace {
 
-/// Ratio of lengths, projected change to change, below which the projected change is rounding error
-/// [1].
-constexpr double rounding = 1e-6;
-
 /// Sets estimate, errors and statistic of a test of a change with one column, with the errors of
 /// the change included.
 void test_amplitude(ScoreTest& test, const WeightedResiduals& residuals, const Signature& signature,
@@ -79,7 +75,7 @@ ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signat
     ScoreTest test;
     test.one_sided = signature.one_sided;
     if (signature.change.cols() == 1) {
-        const ColumnScores column = score_columns(residuals, signature.change, rounding);
+        const ColumnScores column = score_columns(residuals, signature.change);
         test.share_imitated = column.imitated(0);
         if (column.lengths(0) > 0) test_amplitude(test, residuals, signature, column, is_switch);
         return test;
@@ -88,7 +84,7 @@ ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signat
     const Eigen::MatrixXd projected = residuals.project(whitened);
     const double whole = whitened.norm();
     test.share_imitated = 1;
-    if (!(projected.norm() > rounding * whole)) return test;
+    if (!(projected.norm() > rounding_share * whole)) return test;
     test.share_imitated = 1 - projected.squaredNorm() / (whole * whole);
     test_amplitudes(test, residuals, projected);
     return test;

@@ -64,11 +64,14 @@ struct ColumnScores {
     /// Returns the reduction of chi2 [1] by a refit with the column of index `k`.
     double reduction(Eigen::Index k) const { return along(k) * along(k); }
 };
+/// Share |P g|/|g| [1] of a column g below which what the parameters leave is rounding error.
+constexpr double rounding_share = 1e-6;
+
 /// Returns the score statistics of each column of `changes` alone [units of the readings].
 /// @param least_left smallest share |P g|/|g| [1] that must remain after the calibrated parameters
 ///        imitate a column; a smaller remainder counts as rounding error
 ColumnScores score_columns(const WeightedResiduals& residuals, const Eigen::MatrixXd& changes,
-                           double least_left);
+                           double least_left = rounding_share);
 
 /// Tests whether residuals contain the change of the readings by an effect or by an error of one
 /// suspect measurement.

@@ -120,7 +120,8 @@ void ScoredShapes::project_from(std::size_t first) {
     scores_.directions.rightCols(more) = scores.directions;
     scores_.lengths.conservativeResize(begin + more);
     scores_.lengths.tail(more) = scores.lengths;
-    scores_.along = scores_.directions.transpose() * residuals_.residuals();
+    scores_.along.conservativeResize(begin + more);
+    scores_.along.tail(more) = scores.along;
 }
 
 void ScoredShapes::draw(const NullDraws& draws, std::size_t threads) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "calib/fit/least_squares.h"
+#include "calib/fit/fit_effort.h"
 #include "calib/fit/measured.h"
 #include "calib/model/model.h"
 
