@@ -16,13 +16,39 @@ PASSING = {
     "seconds", "wall_seconds", "grain_steps_per_second", "particle_steps_per_second", "version",
     "created", "host",
 }  # fmt: skip
+# Names of format 1 with those of format 2. Former names that format 2 still writes are left out.
+RENAMED = {
+    "noncentrality_that_matters": "noncentrality_of_interest", "line": "sentence",
+    "suspects": "suspect_measurements", "suspect_tests": "suspect_measurement_tests",
+    "suspect": "suspect_measurement", "offending": "deviating_groups", "normalised": "misfit",
+    "rungs": "ladder_steps", "matters": "smallest_of_interest", "changes": "acts_on",
+    "touches": "readings", "scales": "hyperparameters", "by": "derivatives",
+    "predicted_drop": "predicted_reduction", "refit_drop": "refitted_reduction",
+    "absorbed": "share_imitated",
+}  # fmt: skip
 PASSING_TEXT = re.compile(r"\bin \d+(\.\d+)? (s|min)\b|bead-steps/s")
 RUN_NAME = re.compile(r"[0-9a-f]{16}")  # a hash of the run and the time it took
+
+
+def in_format_2(value):
+    """Returns a document of format 1 with the keys of format 2, and former names beside them."""
+    if isinstance(value, list):
+        return [in_format_2(each) for each in value]
+    if not isinstance(value, dict):
+        return value
+    kept = ("predicted_drop", "refit_drop", "absorbed")
+    return {
+        name: in_format_2(each)
+        for key, each in value.items()
+        for name in ([key] if key in kept else []) + [RENAMED.get(key, key)]
+    }
 
 
 def differences(before, after, exact, fresh, path=""):
     """Yields a line for each place at which two JSON values differ."""
     if isinstance(before, dict) and isinstance(after, dict):
+        if before.get("format") == 1 and after.get("format") == 2:
+            before = {**in_format_2(before), "format": 2}
         for key in sorted(before.keys() | after.keys()):
             if key in PASSING:
                 continue

@@ -51,9 +51,15 @@ TEST_F(DiagnoseCommand, NamesAnEffectThatTheStudyWrites) {
     for (const char* key : {"verdict", "confidence_set", "lack_of_fit_p", "chi2", "dof"})
         EXPECT_TRUE(json.contains(key)) << key;
     for (const auto& row : json.at("scan"))
-        for (const char* key : {"effect", "predicted_reduction", "predicted_drop", "estimate", "share_imitated", "absorbed", "power", "p",
-                                "decision", "refitted_reduction", "refit_drop"})
+        for (const char* key :
+             {"effect", "predicted_reduction", "predicted_drop", "estimate", "share_imitated",
+              "absorbed", "power", "p", "decision", "refitted_reduction", "refit_drop"})
             EXPECT_TRUE(row.contains(key)) << key;
+    for (const auto& row : json.at("scan")) {  // former names, until format 3
+        EXPECT_EQ(row.at("predicted_drop"), row.at("predicted_reduction"));
+        EXPECT_EQ(row.at("refit_drop"), row.at("refitted_reduction"));
+        EXPECT_EQ(row.at("absorbed"), row.at("share_imitated"));
+    }
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "diagnosis.json"));
 }
 

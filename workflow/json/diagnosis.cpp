@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/diagnosis/study_evidence.h"
+#include "data/files/json_text.h"
 #include "data/files/text_file.h"
 #include "data/study/study.h"
 #include "workflow/json/comparison.h"
@@ -373,6 +374,7 @@ EffectNames rivals_in(const std::filesystem::path& file, const Study& study,
     if (!std::filesystem::exists(file, error)) return {};
     try {
         const auto json = Json::parse(read_text(file));
+        check_json_format(json, file, "diagnose again");
         const EffectNames sets = json.at("confidence_set");
         const bool same = json.at("model_effects") == Json(names_of(study.model.effects));
         return same ? rivals_among(sets, effect) : EffectNames{};

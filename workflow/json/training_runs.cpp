@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "data/files/file_bytes.h"
+#include "data/files/json_text.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_table.h"
 #include "workflow/json/run.h"
@@ -77,6 +78,18 @@ std::vector<std::string> names_in(const nlohmann::ordered_json& json) {
     return {std::istream_iterator<std::string>(text), {}};
 }
 
+/// Whether an early version wrote the runs themselves in place of their names.
+bool holds_whole_runs(const nlohmann::ordered_json& json) {
+    return json.is_array() && !json.empty() && json.front().is_object();
+}
+
+TrainingRuns whole_runs(const nlohmann::ordered_json& json) {
+    TrainingRuns whole;
+    std::ranges::transform(json, std::back_inserter(whole.runs), run_from_json);
+    whole.began_with = whole.runs.size();
+    return whole;
+}
+
 /// Runs of these names, as far as they are known, with the number of those that are not.
 std::pair<std::vector<dem::RunResult>, std::size_t> found_runs(
     const RunsByName& known, const std::vector<std::string>& names) {
@@ -96,12 +109,7 @@ std::size_t began_with(const nlohmann::ordered_json& json, std::size_t all) {
 }  // namespace
 
 TrainingRuns named_runs(const nlohmann::ordered_json& json, const std::filesystem::path& fit_file) {
-    if (json.is_array() && !json.empty() && json.front().is_object()) {
-        TrainingRuns whole;
-        std::ranges::transform(json, std::back_inserter(whole.runs), run_from_json);
-        whole.began_with = whole.runs.size();
-        return whole;
-    }
+    if (holds_whole_runs(json)) return whole_runs(json);
     const auto own = fit_file.parent_path() / own_runs_name, atlas = atlas_file();
     RunsByName known;
     add_runs(known, atlas);
@@ -132,6 +140,8 @@ std::shared_ptr<const TrainingRuns> runs_of_result(const std::filesystem::path& 
                          "that 'pendular calibrate', 'compare', 'diagnose', 'next', 'predict' or "
                          "'report' wrote");
     }
+    check_json_format(json, result, "repeat the result with this version");
+    if (holds_whole_runs(*entry)) return std::make_shared<const TrainingRuns>(whole_runs(*entry));
     RunsByName known;
     add_runs(known, atlas_file());
     add_runs(known, result.parent_path() / own_runs_name);
