@@ -97,17 +97,19 @@ Recording recording_of_table(const Table& table) {
     Recording recording;
     recording.file = table.file;
     std::vector<std::string_view> names;
-    for (const auto& [name, values] : series_columns())
-        names.push_back(name);
+    std::vector<SeriesColumn> present;
+    for (const SeriesColumn& column : series_columns()) {
+        names.push_back(column.name);
+        if (!repeats_others(column.name) && columns.has(column.name)) present.push_back(column);
+    }
     recording.unused_columns = columns.others(names);
     for (const Row& row : table.rows) {
         check_row(row, columns);
         for (const std::string_view name : filled)
             columns.value(row, name);  // refuses a cell without a number
         recording.line.push_back(row.line);
-        for (const auto& [name, values] : series_columns())
-            if (!repeats_others(name) && columns.has(name))
-                (recording.*values).push_back(columns.value(row, name));
+        for (const auto& [name, values] : present)
+            (recording.*values).push_back(columns.value(row, name));
     }
     for (const auto& [name, values] : series_columns())
         if (repeats_others(name)) recording.*values = repeated_column(table, columns, name);

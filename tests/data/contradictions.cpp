@@ -170,8 +170,10 @@ TEST(PublishedRecordings, AreNotBelievedWhereTheFillingCannotBe) {
     if (!file) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
     const Measurements all = of_published(*file, "420 um");
     EXPECT_THAT(all.readings, IsEmpty());
-    EXPECT_THAT(all.doubts(),
-                testing::Contains(testing::Field(&Remark::quantity, "solid_fraction")));
+    const auto doubts = all.doubts();
+    const auto filling = std::ranges::find(doubts, "solid_fraction", &Remark::quantity);
+    ASSERT_NE(filling, doubts.end());
+    EXPECT_GT(filling->size, filling->limit);  // denser than spheres can be packed
 }
 
 TEST(PublishedRecordings, AreNotBelievedWhereTorquesAreCorrupt) {

@@ -18,6 +18,7 @@
 #include "sim/runs/ensemble.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_columns.h"
+#include "sim/runs/store/blob.h"
 #include "sim/runs/store/run_store.h"
 #include "sim/runs/store/run_table.h"
 #include "tests/support/golden.h"
@@ -439,6 +440,19 @@ TEST(RunTable, PointsToWhatIsWrong) {
     };
     expect_told(
         {refusal(",friction,", ",frction,"), refusal(",64,", ",many,"), refusal(",64,", ",12,")});
+}
+
+TEST(Blob, IsRefusedWhereItIsCutSpoiledOrExpandsTooFar) {
+    const std::string bytes = "positions and velocities of grains, 0.25 0.5 0.75";
+    const std::string packed = compressed(bytes);
+    EXPECT_EQ(expanded(packed), bytes);
+    EXPECT_EQ(expanded(compressed("")), "");
+    for (std::size_t length = 0; length < packed.size(); ++length)
+        EXPECT_THROW(expanded(packed.substr(0, length)), std::runtime_error) << length;
+    std::string spoiled = packed;
+    spoiled.back() ^= 1;  // of the checksum
+    EXPECT_THROW(expanded(spoiled), std::runtime_error);
+    EXPECT_THROW(expanded(compressed(std::string(10'000'000, 'x'))), std::runtime_error);
 }
 
 }  // namespace pendular::sim_store_test

@@ -171,12 +171,13 @@ std::vector<Remark> saturated_steps(const std::vector<Remark>& saturations,
     std::vector<Remark> found;
     for (const Remark& each : saturations) {
         const std::set<int> lines = all_lines(each.lines);
+        Remark in_step = each;
+        in_step.lines.clear();
         for (const RecordedStep& step : steps) {
             const std::size_t rows = lines_within(lines, recording.line[step.rows.begin],
                                                   recording.line[step.rows.end - 1]);
             if (rows < least_rows) continue;
-            Remark& one = found.emplace_back(each);
-            one.lines.clear();
+            Remark& one = found.emplace_back(in_step);
             one.step = step.number;
             one.relative =
                 static_cast<double>(rows) / static_cast<double>(step.rows.end - step.rows.begin);
