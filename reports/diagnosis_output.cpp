@@ -154,9 +154,10 @@ std::string why_open(const Confirmation& confirmed) {
         case Confirmation::Open::noise:
             return fmt::format("the noise of the simulations enlarges {}",
                                text_of(confirmed.enlargement));
-        default:
-            return "";
+        case Confirmation::Open::nothing:
+            break;
     }
+    return "";
 }
 
 Output diagnosis_output(const DiagnosisParts& parts) {
@@ -171,7 +172,9 @@ Output diagnosis_output(const DiagnosisParts& parts) {
     if (!diagnosis.recordings_first) output.line(shown);
     if (d.confirmed) output.line(confirmation_line(*d.confirmed));
     for (std::size_t k = 0; k < belief.reasons.size(); ++k) {
-        if (k != belief.misfit_reason) output.line("Warning: " + belief.reasons[k]);
+        // The line on the recordings may give the same reason.
+        if (k != belief.misfit_reason && shown.find(belief.reasons[k]) == std::string::npos)
+            output.line("Warning: " + belief.reasons[k]);
     }
     output.lines(suspect_lines(d));
     output.line(friction_line(d));

@@ -328,10 +328,11 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
                 "Suspect measurement: an error in {} explains the residuals, and none of the known "
                 "effects does.",
                 joined(d.suspects, "or"));
-        default:
-            return fmt::format("Unknown: something is missing that no known effect explains{}",
-                               strongest_trend(checks));
+        case Verdict::unknown:
+            break;
     }
+    return fmt::format("Unknown: something is missing that no known effect explains{}",
+                       strongest_trend(checks));
 }
 
 std::vector<std::string> incomplete_lines(const Diagnosis& d, const std::array<double, 2>& before,

@@ -50,8 +50,9 @@ class Steps {
             case Verdict::suspect_measurement:
                 suspect();
                 break;
-            default:
+            case Verdict::unknown:
                 unknown();
+                break;
         }
         return std::move(steps_);
     }
@@ -456,9 +457,11 @@ std::string next_command(const Diagnosis& diagnosis, const std::vector<NextStep>
             return fmt::format("pendular diagnose {}   # after these steps", study);
         case Verdict::indistinguishable:
             return fmt::format("pendular next {}", study);
-        default:
-            return fmt::format("pendular compare {}", study);
+        case Verdict::nothing_missing:
+        case Verdict::inconclusive:
+            break;
     }
+    return fmt::format("pendular compare {}", study);
 }
 
 }  // namespace pendular

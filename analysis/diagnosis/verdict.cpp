@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "analysis/diagnosis/explanation_search.h"
@@ -242,9 +243,10 @@ std::string_view to_string(Verdict verdict) {
             return "indistinguishable";
         case Verdict::unknown:
             return "unknown";
-        default:
+        case Verdict::suspect_measurement:
             return "suspect-measurement";
     }
+    throw std::logic_error("a verdict has no name");
 }
 
 std::string_view to_string(Decision decision) {
@@ -271,9 +273,10 @@ std::string_view to_string(Decision decision) {
             return "no sign of it";
         case Decision::explains_most_not_all:
             return "explains most, not all";
-        default:
+        case Decision::does_not_explain:
             return "does not explain it";
     }
+    throw std::logic_error("a decision has no words");
 }
 
 bool same_answer(const Conclusion& one, const Conclusion& other) {

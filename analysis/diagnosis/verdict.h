@@ -9,8 +9,10 @@
 #include "analysis/diagnosis/leaders.h"
 
 // How a diagnosis decides. Tests, refits, proposals and doubts about the measurement come in; the
-// verdict, a decision on each effect, and what is said first go out. `conclude` is a pure function:
-// whoever asks why a verdict was given finds every reason in verdict.cpp.
+// verdict, a decision on each effect, and what is said first go out. Which models fit is found in
+// explanations.cpp (the tests of one model) and explanation_search.cpp (which models are tried, and
+// when one effect is preferred to a pair); what follows from that is decided here: `conclude` is a
+// pure function.
 //
 // In order of precedence:
 //   1. A measurement that is doubtful in itself (a wrong unit) overrules all tests.

@@ -24,6 +24,7 @@ constexpr Rule found(Kind kind, const char* name) {
     return {kind, Outcome::found, Outcome::found, name};
 }
 
+// Of a reading with many saturated rows, `set_spoilt_aside` (recordings/mark.h) says more.
 constexpr std::array rules = {found(Kind::saturation, "saturation"),
                               found(Kind::level_change, "level-change"),
                               found(Kind::wobble, "wobble"),
@@ -53,6 +54,15 @@ constexpr std::array rules = {found(Kind::saturation, "saturation"),
                               Rule{Kind::far_condition, Outcome::kept, Outcome::kept},
                               Rule{Kind::contradicting_row, Outcome::left_out, std::nullopt},
                               Rule{Kind::impossible_reading, Outcome::left_out, std::nullopt}};
+
+/// Whether each kind of doubt has a rule: without one, its readings would be left out silently.
+constexpr bool all_doubts_have_rules() {
+    for (Kind kind = Kind::repaired_torques; kind <= Kind::far_condition;
+         kind = static_cast<Kind>(static_cast<int>(kind) + 1))
+        if (std::ranges::find(rules, kind, &Rule::kind) == rules.end()) return false;
+    return true;
+}
+static_assert(all_doubts_have_rules());
 
 Rule rule_of(Kind kind) {
     const auto rule = std::ranges::find(rules, kind, &Rule::kind);
