@@ -68,7 +68,9 @@ bool named_wet(const std::string& texts) {
            texts.find("water") != std::string::npos;
 }
 
-constexpr double glass_density = 2500, water_density = 1000;  ///< [kg/m^3]
+/// Densities [kg/m^3] with which a mass of liquid over that of grains becomes a liquid content; the
+/// study marks the result as a guess.
+constexpr double glass_density = 2500, water_density = 1000;
 
 /// Mass of liquid over mass of grains [1] that the names of file and test suggest; 0 for dry
 /// grains.

@@ -25,10 +25,11 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Largest number of models for which runs are made at a time, besides a simpler one.
+/// Largest number of models for which runs are made at a time, besides a simpler one. Chosen: the
+/// time is limited, and runs for many models sharpen none.
 constexpr std::size_t most_models = 3;
 /// Smallest share of the excess chi2 of the study's model that a simpler model than the best one
-/// must explain to stay in the running, however much worse it fits [1].
+/// must explain to stay in the running, however much worse it fits [1], as `most_of_misfit`.
 constexpr double nearly_all = 0.9;
 
 /// Models in the running, the best first: refitted models, or the study's model, whose criterion

@@ -25,6 +25,8 @@ EmulatorHyperparameters atlas_hyperparameters() {
 
 std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,
                                     const RunStore* store, const Listener& listener) {
+    // Chosen: twice the number of hyperparameters of a process. With fewer runs, the fit makes its
+    // own, at the conditions of the readings.
     constexpr std::size_t fewest = 20;
     const std::filesystem::path atlas = atlas_file();
     std::vector<StoredRun> stored;

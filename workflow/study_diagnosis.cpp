@@ -161,14 +161,14 @@ std::optional<Checks> remaining_checks(const StudyDiagnosis& d, std::uint64_t se
 }
 
 std::optional<ImpactTable> impacts_of(const StudyDiagnosis& d, std::size_t threads) {
-    constexpr std::size_t refitted = 3;
+    constexpr std::size_t refitted = 3;  // chosen: each takes two refits; the covariance serves all
     if (d.mistake) return {};
     return impacts(*d.models, d.evidence, d.diagnosis, refitted, threads);
 }
 
 /// Smallest ratio of a likely discrepancy to the RMS misfit at which the misfit varies more quickly
 /// with the conditions than a discrepancy does [1]: only an excessive discrepancy could then
-/// describe the misfit.
+/// describe the misfit. Chosen: a discrepancy that describes a misfit is about as large as it.
 constexpr double rougher = 3;
 
 double remaining_discrepancy(const StudyDiagnosis& d, double stated) {

@@ -21,6 +21,7 @@ namespace {
 using Effects = std::vector<std::string>;
 
 /// Part of the standard error of a reading by which the expanded predictions may be off [1].
+/// Chosen: a difference that no figure shows and that no reading could reveal.
 constexpr double trusted_part = 0.1;
 
 void add_once(Effects& names, const std::string& name) {

@@ -132,8 +132,11 @@ std::vector<StatedDirect> written_direct(const Study& study, const Rig& rig) {
 
 std::vector<Point> points_of(const Rig& rig, const ResolvedStudy& resolved, double time) {
     const Study& study = resolved;
+    // Chosen: neighbouring points of the grid predict nearly the same, and the time to compare all
+    // points grows with their number.
     constexpr int stresses = 7, rates = 4;
-    // Gives planned readings a height, which is known only once they are made.
+    // Gives planned readings a height, which is known only once they are made. Only effects
+    // depend on it.
     constexpr double typical_solid_fraction = 0.6;
     std::vector<std::optional<double>> fillings(rig.bead_volumes.begin(), rig.bead_volumes.end());
     if (fillings.empty()) {
@@ -204,7 +207,8 @@ Rig rig_of(const std::vector<Reading>& readings) {
         }
     }
     if (rig.inertial_number->least <= 0) {
-        // A logarithmic scale cannot start from zero.
+        // A logarithmic scale cannot start from zero. From this number, the stress ratio of
+        // dry grains is within 1 % of the quasi-static limit.
         constexpr double slow = 1e-3;
         rig.inertial_number = Span{slow, std::max(slow, rig.inertial_number->greatest)};
     }

@@ -15,10 +15,13 @@ namespace pendular {
 namespace {
 
 /// Smallest predicted reduction of chi2 for which a candidate's signature is computed again, at the
-/// estimated amplitude.
+/// estimated amplitude: that of an amplitude of two standard errors. Less may be chance.
 constexpr double worth_sharpening = 4;
+/// Largest number of these computations for one candidate. Chosen: amplitudes that have not settled
+/// after them are left to the refit.
 constexpr int most_sharpenings = 3;
-/// Smallest power at which a switch counts as identifiable [1].
+/// Smallest power at which a switch counts as identifiable [1]. Chosen: below it, nine of
+/// ten such measurements would not show the switch.
 constexpr double hardly_seen = 0.1;
 
 /// Candidate effect with the score test (test without a refit) of the model with it alone added.

@@ -23,7 +23,8 @@ constexpr double all_the_same = 10;
 /// Largest relative excess of a refit's reduction of chi2 over the linear estimate [1]. In 344 of
 /// 346 refits, both differed by at most a fifth or 4 (docs/validation.md, Diagnosis).
 constexpr double foretelling_error = 0.2;
-/// Number of candidates that are refitted at a time.
+/// Number of candidates that are refitted at a time. Chosen: each batch may rule out what the next
+/// one would refit (`may_do_better`).
 constexpr std::size_t best_singles = 6;
 
 class ExplanationSearch {
@@ -294,7 +295,7 @@ double ExplanationSearch::within_bounds(std::size_t candidate, double amplitude)
     if (one_sided && amplitude < 0) return 0;
     const double there = addition(candidate).amplitude_at(
         addition(candidate).value_at(amplitude, one_sided), one_sided);
-    constexpr double rounding = 1e-6;
+    constexpr double rounding = 1e-6;  // of the way from amplitude to value and back
     return std::abs(there - amplitude) < rounding * (1 + std::abs(amplitude)) ? amplitude : there;
 }
 

@@ -55,7 +55,8 @@ class WithSuspect : public Model {
     std::vector<Parameter> parameters_;
 };
 
-/// Number of draws that decide where a statistic is far above all of them.
+/// Number of draws that decide where a statistic is far above all of them: a tenth of
+/// `DiagnosisOptions::draws`.
 constexpr Eigen::Index first_draws = 600;
 
 /// Whether a statistic is so far above all drawn values that further draws would not reach it: by

@@ -9,7 +9,8 @@
 namespace pendular {
 namespace {
 
-/// Share of repetitions in which an effect must be part of the leading model [1].
+/// Share of repetitions in which an effect must be part of the leading model [1]: as sure as a test
+/// with `significant_p`.
 constexpr double sure = 0.95;
 
 /// Criterion of each model in each repetition: draws x models.

@@ -8,7 +8,8 @@
 namespace pendular {
 
 /// Smallest share [1] of the excess chi2 - dof of a study's model that further effects must remove
-/// to count as explaining most of the misfit.
+/// to count as explaining most of the misfit. Chosen: what remains is then a small part, whatever
+/// its cause.
 inline constexpr double most_of_misfit = 0.9;
 
 /// Effects that explain most of a misfit that no refitted model explains within the errors.

@@ -10,7 +10,7 @@ namespace {
 
 /// Sizes that are compared: from 0.05 % to 17 %, each a quarter larger than the one before.
 constexpr double least = 0.0005, step = 1.25;
-constexpr int sizes = 27;
+constexpr int sizes = 27;  // up to 0.0005 x 1.25^26 = 0.17
 
 /// Smallest difference of the log likelihood at which an exact model is rejected, p = 0.05 with the
 /// size at the bound of its range (half of chi2 with one degree of freedom beyond 2.71).

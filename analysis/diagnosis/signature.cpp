@@ -49,7 +49,8 @@ bool Addition::mirrored(const Eigen::VectorXd& change) const {
     }
     const Eigen::VectorXd there = change_at(Eigen::VectorXd::Constant(1, other));
     // Change in the other direction, projected on this change: -1 if the change is linear, 1 if it
-    // is even, 0 if the other direction changes nothing.
+    // is even, 0 if the other direction changes nothing. Chosen: a response that is a third as
+    // strong in the other direction still counts as linear.
     constexpr double linear = -0.3;
     return there.dot(change) < linear * change.squaredNorm();
 }

@@ -12,7 +12,8 @@
 namespace pendular {
 namespace {
 
-/// Largest number of doubts that become reasons of their own; further doubts are only counted.
+/// Largest number of doubts that become reasons of their own; further doubts are only counted, and
+/// `pendular import` lists all.
 constexpr std::size_t most_doubts = 5;
 
 /// Whether parameter k ended at a bound of its range. A lower bound of zero does not count, except

@@ -124,6 +124,7 @@ bool possible(const Reading& reading, const Study& study) {
 }
 
 /// Assumed relative errors of the model far from its runs, for (shear stress, solid fraction) [1].
+/// Chosen: so that very precise readings at a true unit do not look as bad as at a wrong one.
 const Eigen::Array2d model_floor(0.005, 0.001);
 
 /// Computes chi2 of readings against a model's predictions, which are interpolated in friction.
@@ -150,6 +151,7 @@ class Misfits {
     }
     /// Smallest chi2 that any friction, common to all readings, gives.
     static double least(const std::vector<Reading>& readings, const Eigen::MatrixXd& predictions) {
+        // Chosen: between the frictions of the grid, interpolation costs no prediction.
         constexpr int parts = 12;
         double best = INFINITY;
         for (Eigen::Index k = 0; k + 1 < predictions.cols(); ++k) {
@@ -180,6 +182,8 @@ class Misfits {
     std::vector<double> frictions_;
 };
 
+// Chosen: a wrong unit leaves far larger misfits than what other faults cause, and such faults may
+// remain when the unit is right.
 constexpr double mended = 0.3;       ///< largest ratio of chi2 with the factor to chi2 without it
 constexpr double bad_enough = 2;     ///< smallest chi2 per degree of freedom that needs a search
 constexpr double good_enough = 3.5;  ///< largest chi2 per degree of freedom with the factor

@@ -14,12 +14,16 @@ namespace pendular {
 namespace {
 
 /// Smallest ratio of the largest to the smallest value of a quantity that counts as varied [1].
+/// Chosen: set points that are meant to be equal differ by less.
 constexpr double varied = 1.1;
 /// Largest number of places between values of a coordinate at which a step or kink is tried.
+/// Chosen: neighbouring places of a long series give nearly the same change.
 constexpr std::size_t most_places = 40;
-/// Number of periods, and of phases for each period, with which oscillations are tried.
+/// Number of periods, and of phases for each period, with which oscillations are tried. Phases
+/// beyond half a turn are the same with the other sign; the best ones are refined.
 constexpr int most_periods = 60, phases = 4;
-constexpr int decay_times = 12;
+constexpr int decay_times = 12;  ///< see `add_decays`
+/// Exponents of simple laws, from inverse to square.
 constexpr std::array powers = {-1.0, -0.5, 0.5, 1.0, 2.0};
 
 double penalty_of(double choices) {
@@ -94,7 +98,7 @@ Profile sized(Profile profile, const ReadingCoordinate& coordinate) {
 
 /// Whether an oscillation changes any reading; readings at equal phases may all lie at its zeros.
 bool is_visible(const Profile& oscillation) {
-    constexpr double least = 0.3;
+    constexpr double least = 0.3;  // |sin| within a twentieth of a period of a zero: chosen
     return oscillation.at.cwiseAbs().maxCoeff() > least;
 }
 
@@ -251,7 +255,7 @@ std::vector<Profile> finer_profiles(const Profile& profile, const ReadingCoordin
     if (profile.dependence != Dependence::oscillation) return finer;
     const double span = coordinate.at.maxCoeff() - coordinate.at.minCoeff();
     const double frequency = 1 / profile.constant;
-    constexpr int steps = 8;
+    constexpr int steps = 8;  // chosen: 1/16 of a turn more over all readings with each
     for (int f = -steps; f <= steps; ++f) {
         // Up to the neighbouring frequencies of add_oscillations.
         const double near = frequency + 0.5 / span * f / steps;

@@ -17,11 +17,12 @@
 namespace pendular {
 namespace {
 
-/// Number of single shapes, and of pairs, that are refitted.
+/// Number of single shapes, and of pairs, that are refitted. Chosen: they are ranked by scores,
+/// and a refit takes far longer than a score.
 constexpr std::size_t most_singles = 8, most_pairs = 6;
 /// Number of shapes with each of which all others are tried as a pair.
 constexpr std::size_t most_firsts = 40;
-constexpr std::size_t most_proposals = 3;
+constexpr std::size_t most_proposals = 3;  // chosen: the user has to check each by a measurement
 /// Smallest share of the excess chi2 that a shape must remove to be proposed although a misfit
 /// remains [1].
 constexpr double most_of_it = 0.5;

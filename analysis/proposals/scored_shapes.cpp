@@ -22,7 +22,8 @@ constexpr double nearly_parallel = 0.98;
 constexpr double least_left = 1e-3;
 /// Largest amount by which the penalised chi2 with a shape that counts as alike may be higher [1].
 constexpr double largest_difference_alike = 4;
-/// Number of oscillations, the best of all, whose period and phase are refined.
+/// Number of oscillations, the best of all, whose period and phase are refined. Chosen: each takes
+/// 17 x 16 further shapes.
 constexpr std::size_t most_refined = 3;
 /// Number of shapes whose random draws are computed at once.
 constexpr Eigen::Index drawn_at_once = 256;

@@ -17,7 +17,8 @@ namespace {
 
 using dem::Observable;
 
-/// Largest inertial number of a state that counts as slow [1], above `grid_inertial_number`.
+/// Largest inertial number of a state that counts as slow [1]: `grid_inertial_number` with a margin
+/// for rounding.
 constexpr double slow = 0.0035;
 
 bool is_of_study(const dem::RunResult& run) {

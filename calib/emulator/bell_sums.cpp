@@ -8,6 +8,7 @@
 namespace pendular {
 namespace {
 
+/// Bells at a time: the doubles of the widest vector registers, of 512 bits.
 constexpr std::size_t lane_count = 8;
 using Lanes = double __attribute__((vector_size(sizeof(double) * lane_count)));
 using LaneBits = std::int64_t __attribute__((vector_size(sizeof(double) * lane_count)));

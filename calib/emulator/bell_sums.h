@@ -14,7 +14,7 @@ namespace pendular {
 /// The sums are identical to the last bit on all processors.
 class BellSums {
   public:
-    static constexpr std::size_t most_coordinates = 5;
+    static constexpr std::size_t most_coordinates = 5;  ///< those of `ResponsePlace`, the most
     using Place = std::array<double, most_coordinates>;
 
     /// @param coordinates number of coordinates of a point: 2, 4 or 5; further entries of a `Place`

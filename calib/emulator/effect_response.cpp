@@ -7,10 +7,12 @@
 namespace pendular {
 namespace {
 
-/// Correlation length of the response in the scaled coordinates of `ResponsePlace` [1].
+/// Correlation length of the response in the scaled coordinates of `ResponsePlace` [1]. Chosen: the
+/// coordinates are of the order of 1, so that the process bends about once within the runs, and the
+/// plane carries what bends less. Few runs have an effect, too few to fit a length for each.
 constexpr double length = 1.5;
 /// Variances of plane and process that are tried, relative to the mean square of the observed
-/// response [1].
+/// response [1]: from a part that is negligible to one ten times as large as what was observed.
 constexpr double sizes[] = {1e-4, 1e-3, 1e-2, 0.03, 0.1, 0.3, 1, 3, 10};
 
 BellSums::Place inverse_square_lengths() {

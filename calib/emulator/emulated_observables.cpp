@@ -13,7 +13,8 @@ using dem::Observable;
 /// Lowest stiffness number [1] for which the correction to rigid grains was measured.
 constexpr double softest = 300;
 
-/// Largest ratio between the stiffness numbers of runs that train a process together [1].
+/// Largest ratio between the stiffness numbers of runs that train a process together [1]. Chosen:
+/// runs of other stiffness numbers train the response to stiffness instead (`Emulator`).
 constexpr double stiffness_factor = 2;
 
 }  // namespace

@@ -7,8 +7,9 @@
 
 namespace pendular::emulated {
 
-/// Reference stiffness number [1]. By default, the emulator is trained on runs whose stiffness
-/// number is within a factor of 2 of it. The mean overlap of contacts is emulated for it.
+/// Reference stiffness number [1], that of most runs of the atlas: softer grains allow longer time
+/// steps. By default, the emulator is trained on runs whose stiffness number is within a factor of
+/// 2 of it. The mean overlap of contacts is emulated for it.
 constexpr double reference_stiffness = 1000;
 
 /// Localization D of the shear [1] above which a run counts as sheared in a band and trains no
@@ -42,7 +43,9 @@ const std::vector<dem::Observable>& observables();
 /// Constants of the emulator's coordinate x (`place_of`), nearly linear in the friction coefficient
 /// below 0.02, where the flow changes fastest with it.
 inline constexpr double friction_scale = 0.02, friction_centre = 0.1;
-/// Exponent of the emulator's coordinate q.
+/// Exponent of the emulator's coordinate q. Fitted exponents of I grow from 0.39 without friction,
+/// where the flow changes fastest as I falls, to about 1 from a friction of 0.09 on
+/// (docs/validation.md, Dependence on the inertial number); the process in q adapts.
 inline constexpr double exponent = 0.5;
 
 /// Observables that share one Gaussian process, as their noise is correlated within a run.

@@ -96,7 +96,7 @@ ResponsePlace response_place(const FlowState& state, double degree) {
 /// Step of a variable for central differences of responses, which are smooth over the scale of
 /// each coordinate.
 double step_of(const FlowState& state, Input variable) {
-    constexpr double relative = 1e-3;
+    constexpr double relative = 1e-3;  // the error of the quotient goes as its square
     switch (variable) {
         case Input::friction:
             return relative * (state.friction + friction_scale);
@@ -395,7 +395,7 @@ std::string Emulator::beyond(const FlowState& state) const {
             }
         }
     }
-    constexpr double rounding = 1e-6;
+    constexpr double rounding = 1e-6;  // of the conversion from stresses and contents
     std::string text;
     for (const Known& input : inputs) {
         const bool above = input.value > input.greatest * (1 + rounding);

@@ -7,7 +7,7 @@ namespace pendular {
 namespace {
 
 /// Prior standard deviation of the polynomial's coefficients, in units of the quantity's typical
-/// size [1].
+/// size [1]. Chosen wide, so that the runs determine the coefficients and not the prior.
 constexpr double coefficient_scale = 5;
 
 /// Scale of 1/P* [1]: below it the response to capillarity is linear in 1/P*, above it in ln(1/P*),

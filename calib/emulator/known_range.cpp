@@ -19,7 +19,7 @@ using RunPoints = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 /// Scale of 1/P* [1]: below it the response is linear in 1/P*, above it in ln(1/P*), as in
 /// `Kernel`.
 constexpr double pressure_scale = 0.1;
-/// Bridge volume V0/a^3 at which the coordinate v is 0 [1].
+/// Bridge volume V0/a^3 at which the coordinate v is 0 [1], as `volume_scale` in basis.cpp.
 constexpr double typical_volume = 2e-3;
 
 /// Coordinates of a state before they are scaled by the range of the runs.
@@ -32,7 +32,7 @@ RunPoint run_coordinates(const FlowState& state) {
 /// method of Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23.
 Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& columns,
                                           const Eigen::VectorXd& target) {
-    constexpr double tolerance = 1e-11;
+    constexpr double tolerance = 1e-11;  // of rounding, at scaled coordinates of order 1
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(columns.cols());
     std::vector<Eigen::Index> active;
     for (int turn = 0; turn < 200; ++turn) {

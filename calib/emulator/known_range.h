@@ -21,9 +21,11 @@ namespace pendular {
 /// every bridge volume. Runs with effects on grains do not enter the hull.
 class KnownRange {
   public:
-    /// Largest distance of a supported state from the convex hull [1], in scaled coordinates.
+    /// Largest distance of a supported state from the convex hull [1], in scaled coordinates: a
+    /// hundredth of the range of the runs, far above the errors with which the hull is searched.
     static constexpr double margin = 0.01;
-    /// Largest relative standard errors of the predictions at a supported state [1].
+    /// Largest relative standard errors of the predictions at a supported state [1]. Chosen: a
+    /// coarse guard, since the standard error of each prediction enters the fit anyway.
     static constexpr double largest_ratio_error = 0.15;
     static constexpr double largest_fraction_error = 0.02;
     /// Range of physical solid fractions [1] in dense flow: from far below loose packing to

@@ -37,7 +37,8 @@ constexpr double softest_corrected = 300;
 /// variance of the wet readings, at which no more wet runs are requested [1]. It enlarges an error
 /// by sqrt(1.4) - 1 = 18 %, less than `largest_enlargement`.
 constexpr double wet_noise_ratio = 0.4;
-/// Largest number of rounds of wet runs.
+/// Largest number of rounds of wet runs: the first checks the emulator, each of the others halves
+/// the variances of the predictions (`RunPlanner::improve_wet`).
 constexpr int most_wet_turns = 4;
 
 /// Checks that the bridges of a wet reading can be simulated.

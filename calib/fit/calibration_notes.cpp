@@ -32,7 +32,7 @@ std::string remedy(const Calibration& c) {
 /// Note that names the readings whose predictions the earlier runs do not support; empty if there
 /// are none.
 std::optional<std::string> unsupported_note(const Calibration& c, const RunPlanner& planner) {
-    constexpr std::size_t most_named = 5;
+    constexpr std::size_t most_named = 5;  // chosen: enough to see what the readings share
     const KnownRange known(planner.simulation()->emulator());
     std::vector<std::string> readings;
     for (const Reading& reading : c.readings) {
@@ -161,7 +161,8 @@ std::vector<std::string> warnings(const Calibration& c, const ResolvedStudy& stu
 
 std::vector<std::string> undetermined(const Fit& fit, const std::vector<Parameter>& parameters) {
     /// Smallest component of a parameter, relative to the largest, that counts as part of a
-    /// combination [1].
+    /// combination [1]. Chosen: where one parameter crosses its range, another one that moves by a
+    /// hundredth of its own stays.
     constexpr double smallest_of_interest = 0.01;
     const auto n = static_cast<Eigen::Index>(parameters.size());
     Eigen::VectorXd ranges(n);

@@ -9,11 +9,12 @@
 namespace pendular {
 namespace {
 
-/// Largest number of steps with one covariance.
+/// Largest number of steps with one covariance. Chosen: from a nearby start, Newton's method
+/// takes a few.
 constexpr int most_steps = 12;
-/// Length of a step, in standard errors, that ends a search [1].
+/// Length of a step, in standard errors, that ends a search [1], as `same_optimum` in fit.cpp.
 constexpr double short_step = 1e-3;
-/// Largest number of times that a step is halved.
+/// Largest number of times that a step is halved. Chosen: 1/32 of the step is left then.
 constexpr int most_halvings = 5;
 
 /// Model that keeps the last prediction of each kind, since a fit asks for some of them again.

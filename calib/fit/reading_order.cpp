@@ -41,7 +41,7 @@ std::optional<std::string> note_on_means(std::size_t used, std::size_t measured)
 
 namespace {
 
-/// Relative tolerance of the liquid contents of one group [1].
+/// Relative tolerance of the liquid contents of one group [1]: that of replicates' normal stresses.
 constexpr double liquid_content_tolerance = 0.02;
 
 bool alike(const Condition& a, const Condition& b) {

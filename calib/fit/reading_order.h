@@ -52,6 +52,7 @@ std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings);
 bool agree(double a, double b, double tolerance);
 
 /// Largest relative difference of inertial numbers between first and other members of a `WetGroup`.
+/// Chosen: wider than that of replicates, since the measured height and stress enter the number.
 constexpr double inertial_number_tolerance = 0.2;
 
 }  // namespace pendular

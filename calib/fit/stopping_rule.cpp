@@ -20,7 +20,7 @@ std::string text_of(const Enlargement& enlargement) {
 }
 
 double enlargement(double noise, double rest) {
-    constexpr double most = 100;
+    constexpr double most = 100;  // in place of infinity, where the runs cause the whole error
     if (!(noise > 0)) {
         return 0;
     }

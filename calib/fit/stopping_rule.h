@@ -7,7 +7,8 @@
 
 namespace pendular {
 
-/// Largest `Enlargement` [1] that is accepted without more runs.
+/// Largest `Enlargement` [1] that is accepted without more runs. Chosen: a standard error that is
+/// estimated with twelve degrees of freedom is no better known (1/sqrt(24)).
 constexpr double largest_enlargement = 0.2;
 
 /// Largest relative increase (enlargement) of a standard error by the noise of the simulation runs,

@@ -6,6 +6,9 @@
 namespace pendular {
 namespace {
 
+/// Correlation lengths along ln(normal stress), sqrt(inertial number) and sqrt(liquid content) [1].
+/// Chosen: a decade of stress, and from 0 to 0.01 for the other two, since a wrong law errs alike
+/// at neighbouring conditions.
 constexpr double stress_length = std::numbers::ln10;
 constexpr double rate_length = 0.1;
 constexpr double liquid_length = 0.1;

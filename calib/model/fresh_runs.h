@@ -36,7 +36,8 @@ std::vector<dem::RunResult> usable_of(const std::vector<dem::RunResult>& runs,
 /// fractions of runs on which it was not trained; 1 if there are no runs.
 double agreement(const Emulator& emulator, const std::vector<dem::RunResult>& fresh);
 
-/// Significance level [1] of `agreement`, below which new runs disagree with the emulator.
+/// Significance level [1] of `agreement`, below which new runs disagree with the emulator. Chosen:
+/// below 5 %, since each round of runs is tested and a false alarm costs a further round.
 constexpr double disagreement = 0.01;
 
 }  // namespace pendular

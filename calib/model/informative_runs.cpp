@@ -23,7 +23,7 @@ Eigen::Matrix2d expected_noise(const Emulator& emulator, const Fidelity& fidelit
 }
 
 bool similar(double x, double y) {
-    constexpr double same = 0.05;
+    constexpr double same = 0.05;  // chosen: above the 2 % by which set points of replicates differ
     return std::abs(x - y) <= same * std::max(std::abs(x), std::abs(y));
 }
 

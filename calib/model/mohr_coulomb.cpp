@@ -13,7 +13,7 @@
 namespace pendular {
 namespace {
 
-/// Relative tolerance of the liquid contents that share a cohesion [1].
+/// Relative tolerance of the liquid contents that share a cohesion [1], as in `wet_groups`.
 constexpr double content_tolerance = 0.02;
 
 /// Whether P* is one to which a line is fitted, up to rounding by the conversion from stresses.

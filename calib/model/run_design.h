@@ -34,7 +34,8 @@ struct WetSetting {
 /// @throws std::invalid_argument if a condition is wet but the study has no liquid
 std::vector<WetSetting> wet_settings_for(const std::vector<Condition>& conditions,
                                          const Study& study, double lowest);
-/// Largest number of pairs of reduced pressure and liquid content of `wet_settings_for`.
+/// Largest number of pairs of reduced pressure and liquid content of `wet_settings_for`. Chosen:
+/// with two inertial numbers each, the first wet design has at most 24 runs.
 constexpr std::size_t most_wet_pairs = 12;
 
 /// Returns a point of a Latin hypercube design in the square [-1, 1]^2 for each of `settings`.

@@ -16,7 +16,7 @@ namespace pendular {
 namespace {
 
 /// Distance in ln(friction + 0.05) between a friction and the frictions of requested runs on either
-/// side of it [1].
+/// side of it [1]. Chosen: 0.073 and 0.133 about a friction of 0.1.
 constexpr double spread = 0.2;
 /// Factor by which runs are to reduce the variance at states without any run so far; so large that
 /// the maximum number of runs is requested.
@@ -33,7 +33,8 @@ constexpr double extrapolation_factor = 10, fastest_extrapolated = 0.3;
 /// the friction of a fit (`fitted_width`) or, before any fit, over the whole range (`whole_width`:
 /// 0 to 0.76 about the start of fits, 0.15); and in ln V0 (`volume_width`).
 constexpr double fitted_width = 0.4, whole_width = 1.4, volume_width = 0.4;
-/// Smallest number of runs of the first wet design.
+/// Smallest number of runs of the first wet design. Chosen: two for each of the four coordinates of
+/// wet flow.
 constexpr std::size_t fewest_wet = 8;
 
 /// Errors of stress ratio and solid fraction that count as equally serious [1].

@@ -331,7 +331,7 @@ Json to_json(const NextMeasurement& next) {
         json["rivals"].push_back(rival.name);
     }
     if (!next.plans.empty()) {
-        constexpr std::size_t others = 4;
+        constexpr std::size_t others = 4;  // chosen: in case the best point cannot be measured
         json["separable"] = !next.series.steps.empty();
         json["series"] = series_json(next);
         const Plan& shown = shown_plan(next);
