@@ -94,7 +94,8 @@ bool read_in_parts(const fs::path& path, std::uintmax_t largest,
     const OpenFile file(path);
     const std::uintmax_t size = file.size();
     if (size > largest) return false;
-    // Small recordings get a buffer of their size instead.
+    // Chosen: so large that calls of the system cost nothing beside the parsing. Small recordings
+    // get a buffer of their size instead.
     constexpr std::uintmax_t largest_part = 4 << 20;
     std::string part(static_cast<std::size_t>(std::min(size + 1, largest_part)), '\0');
     while (const std::size_t got = file.read_into(part.data(), part.size()))

@@ -8,10 +8,11 @@
 
 namespace pendular {
 
-/// Largest file with a table that is read as a whole [bytes]. Simple recordings, which
-/// `quick_recording` reads in parts, may be larger.
+/// Largest file with a table that is read as a whole [bytes]. Chosen: cells take many times their
+/// text in memory. Simple recordings, which `quick_recording` reads in parts, may be larger.
 constexpr std::uintmax_t largest_table = 256u << 20;
-/// Largest file written by hand, such as study.toml or a campaign [bytes].
+/// Largest file written by hand, such as study.toml or a campaign [bytes]. Chosen: nobody writes
+/// as much.
 constexpr std::uintmax_t largest_settings = 1u << 20;
 
 /// Returns the content of a regular file. Pipes, devices, folders and files of the kernel are

@@ -255,7 +255,7 @@ class SheetWriter {
     }
 
   private:
-    static constexpr std::size_t most_rows = 1'048'576;
+    static constexpr std::size_t most_rows = 1'048'576;  // 2^20, the limit of the format
 
     [[noreturn]] void refuse_rows(std::size_t number) const {
         throw InputError({file_},

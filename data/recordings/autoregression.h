@@ -18,6 +18,7 @@ class LaggedCovariances {
     LaggedCovariances(std::span<const double> first, std::span<const double> second);
 
     /// Lag, in values, from which on all covariances are computed together by Fourier transforms.
+    /// Chosen: most series need fewer lags, each of which alone is quickly computed.
     static constexpr std::size_t first_lag_by_fourier_transform = 512;
 
     /// Returns C(lag), for a lag below the length of the series.

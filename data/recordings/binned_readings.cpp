@@ -18,7 +18,8 @@ namespace {
 using Place = std::array<double, 4>;
 
 /// Differences of conditions that count as equally large: a decade of the normal stress, 0.1 of
-/// sqrt(I), half of the height, twice the duration of the study.
+/// sqrt(I), half of the height, twice the duration of the study. Chosen: the first two are the
+/// lengths over which a stated discrepancy of the model is correlated.
 Place place_of(const Condition& condition, double duration) {
     constexpr double stress = std::numbers::ln10, rate = 0.1, height = 0.5, time = 2;
     return {std::log(condition.normal_stress) / stress, std::sqrt(condition.inertial_number) / rate,

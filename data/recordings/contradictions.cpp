@@ -12,6 +12,9 @@ namespace {
 
 using Kind = Remark::Kind;
 
+/// Largest relative differences [1] of a row, beside what the resolution allows, and of a common
+/// factor of all rows. The former is that of `check_ratio`; the latter is what radii of a cell of
+/// 21 and 45 mm change if they are rounded to half a millimetre.
 constexpr double row_tolerance = 0.05, factor_tolerance = 0.02;
 
 /// Two columns of one recording that hold the same quantity, in SI units.

@@ -15,11 +15,14 @@ namespace {
 /// fraction) [1]. Larger differences come from a wrong column, unit or mass.
 const Eigen::Vector2d largest_filling_difference(0.05, 0.03);
 /// Smallest differences between files that make a note: as a share of `largest_filling_difference`,
-/// and over the scatter of steps within the files [1].
+/// and over the scatter of steps within the files [1]. Chosen: smaller ones are the usual error of
+/// a filling, which the covariance contains.
 constexpr double noted_share = 0.5, noted_ratio = 3;
 /// Probability, for all conditions of a cluster together, of a false report that the replicates of
 /// a condition scatter too much.
 constexpr double far_by_chance = 1e-3;
+/// Degrees of freedom of all other conditions with which the usual scatter is known well enough to
+/// call that of one condition unusual. Chosen.
 constexpr double fewest_to_judge_conditions = 4;
 
 using Values = std::vector<ReplicatedValue>;

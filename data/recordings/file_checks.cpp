@@ -245,7 +245,7 @@ std::vector<std::string> tests_of(const BlockFile& file) {
 }
 
 std::vector<Remark> check_tests(std::vector<std::string> tests) {
-    constexpr std::size_t told = 3;
+    constexpr std::size_t told = 3;  // names in the message, beside their number
     const std::size_t count = tests.size();
     tests.resize(std::min(count, told));
     return only_if(count > 1, {.kind = Kind::several_tests, .count = count, .names = tests});

@@ -86,7 +86,7 @@ bool is_told(Kind kind) {
 /// if each gave one.
 std::optional<Remark> recordings_without_reading(const std::map<std::string, FileContent>& files) {
     Remark found{.kind = Kind::recordings_without_reading, .count = 0};
-    constexpr std::size_t most = 3;
+    constexpr std::size_t most = 3;  // reasons in the message, beside the number of recordings
     for (const auto& [name, content] : files) {
         const bool told = std::ranges::any_of(
             content.left_out, [](const Remark* rows) { return is_told(rows->kind); });

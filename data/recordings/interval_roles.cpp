@@ -85,7 +85,7 @@ bool speeds_tell(const std::vector<IntervalSeries>& series) {
 }
 
 std::vector<Loading> loadings(const std::vector<IntervalSeries>& series) {
-    constexpr double most_ratio = 3;
+    constexpr double most_ratio = 3;  // `greatest_stress_ratio` at P* = 1
     const bool by_speed = speeds_tell(series);
     std::vector<Loading> result;
     for (const IntervalSeries& each : series) {
@@ -134,6 +134,8 @@ std::optional<std::size_t> next_level(const BlockFile& file, const std::vector<L
 
 IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& loading,
                              std::size_t i) {
+    // Stresses of two steps differ by 5 % (steps.cpp). Turns [rad] are chosen: 1 is a strain of 1
+    // at a height equal to the mean radius, as `ImportSettings::least_strain` asks by default.
     constexpr double higher = 1.05, long_turn = 1, short_turn = 0.3;
     const Loading& own = loading[i];
     if (own.ramp)

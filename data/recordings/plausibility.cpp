@@ -21,7 +21,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// (2018).
 constexpr double least_reduced_pressure = 0.1, greatest_inertial_number = 1;
 
-/// Range of a quantity in most flows.
+/// Range of a quantity in most flows: chosen, to find the power of ten that a wrong prefix costs.
 struct UsualRange {
     std::string_view quantity;
     double least, greatest;

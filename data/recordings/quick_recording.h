@@ -9,7 +9,8 @@
 
 namespace pendular {
 
-/// Largest size of a file that `quick_recording` reads [bytes].
+/// Largest size of a file that `quick_recording` reads [bytes]. Chosen: the memory is bounded by
+/// `most_kept_rows`, the time by this.
 constexpr std::uintmax_t largest_quick_recording = std::uintmax_t(1) << 34;
 /// Number of rows from which on `quick_recording` averages rows, so that the memory is bounded.
 constexpr std::size_t most_kept_rows = 1 << 20;

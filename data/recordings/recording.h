@@ -53,7 +53,8 @@ void fill_from_stresses(Recording& recording, const AnnularCell& cell);
 /// more than 5 % and by more than the noise.
 std::vector<Step> split_steps(const Recording& recording);
 
-/// Smallest number of rows that a step must have to be averaged.
+/// Smallest number of rows that a step must have to be averaged. Chosen: fewer tell neither the end
+/// of a transient nor the autocorrelation.
 constexpr std::size_t shortest_step = 20;
 
 }  // namespace pendular

@@ -6,6 +6,8 @@
 namespace pendular {
 namespace {
 
+/// Largest relative difference of the set points of replicates [1]. Controllers hold a set point to
+/// 1 or 2 %.
 constexpr double set_point_tolerance = 0.02;
 
 bool close(double a, double b) {

@@ -12,17 +12,21 @@
 namespace pendular {
 namespace {
 
+/// Relative standard error [1] of readings for which neither replicates nor the user tell one.
+/// Chosen: answers say that it is assumed, and the diagnosis then never says that nothing is
+/// missing.
 constexpr double assumed_error = 0.02;
 /// Relative variances [1] below this are rounding errors of the arithmetic; the error is unknown.
 constexpr double no_error = 1e-12;
-/// Smallest widening of standard errors [1] for which a note recommends more replicates.
+/// Smallest widening of standard errors [1] for which a note recommends more replicates: exceeded
+/// with two degrees of freedom (2.3), not with three (1.7).
 constexpr double worth_a_note = 2;
 
 /// Prior of the error of a filling: half the scatter of a step [1], with the weight of one measured
 /// difference between fillings (degrees of freedom).
 constexpr double usual_filling = 0.5, usual_freedom = 1;
 /// Filling errors count as significant if files differ so much by chance with a probability below
-/// this.
+/// this: about 5 % for both observables together.
 constexpr double hint_of_fillings = 0.03;
 
 /// Errors that the user states count as too small if replicates scatter so much more by chance with

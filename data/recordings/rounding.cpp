@@ -63,7 +63,7 @@ void weigh_rounding(ReplicateTable& table, const std::vector<Reading>& readings)
         if (!is_rounded(table, o, readings)) continue;
         // Bisection over relative standard deviations from 1e-5 to 1.
         double small = std::log(1e-10), large = std::log(1.0);
-        constexpr double fine = 1e-3;
+        constexpr double fine = 1e-3;  // of ln(variance): 0.05 % of a standard deviation
         while (large - small > fine) {
             const double middle = (small + large) / 2;
             set_rounding(table, o, std::exp(middle), readings);

@@ -13,6 +13,7 @@ namespace {
 /// Prior of the load exponent, and its largest value, that of an error that is constant in Pa: its
 /// share of the stress is as 1/load [1].
 constexpr double exponent_prior = 0.5, largest_exponent = 1;
+/// Degrees of freedom below which no exponent is sought. Chosen: chance would decide it.
 constexpr double fewest_for_exponent = 10;
 
 /// Sets count as scattering differently if the probability of such a difference by chance is below
@@ -195,13 +196,13 @@ LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets
         }
         return sum;
     };
-    constexpr int steps = 40;
+    constexpr int steps = 40;  // of 0.025, far below the error of an exponent
     double best = 0, least = INFINITY;
     for (int k = 0; k <= steps; ++k) {
         const double exponent = largest_exponent * k / steps, here = badness(exponent);
         if (here < least) least = here, best = exponent;
     }
-    constexpr double step = 0.1;
+    constexpr double step = 0.1;  // over the steps of the grid, below the width of the prior
     const double curvature =
         (badness(best + step) + badness(best - step) - 2 * least) / (step * step);
     return {.value = best,

@@ -14,7 +14,8 @@
 namespace pendular {
 namespace {
 
-constexpr std::size_t shortest_stretch = 20;
+constexpr std::size_t shortest_stretch = 20;  ///< rows, as `shortest_step`
+/// Largest relative difference of a measured median from its set point [1], as between replicates.
 constexpr double follow_tolerance = 0.02;
 
 /// Numbers of a column as the file writes them; NaN where a cell is no number.

@@ -191,6 +191,8 @@ std::optional<SpeedRamp> speed_ramp(std::span<const double> speeds) {
 
 namespace {
 
+// Chosen: only errors of reading are taken out, far beyond the noise and what stick-slip does. A
+// series with many of them is rough, not spiky.
 constexpr std::ptrdiff_t reach = 5;  // samples on each side of the median
 constexpr double noises = 20, least_share = 0.05, most_samples = 0.05;
 constexpr std::size_t longest = 3;  // samples; too few of 11 to move their median far

@@ -8,7 +8,8 @@
 namespace pendular {
 namespace {
 
-/// Smallest relative change of a set point that begins a new step [1].
+/// Smallest relative change of a set point that begins a new step [1]. Chosen: above the 1 or 2 %
+/// to which controllers hold one.
 constexpr double tolerance = 0.05;
 
 using Series = std::span<const double>;

@@ -23,7 +23,7 @@ struct Correlation {
 /// Two corrections for the bias of the estimated mean follow, eqs. (32) and (49).
 /// Source: Wolff, Comput. Phys. Commun. 156 (2004) 143.
 Correlation windowed_correlation(LaggedCovariances& covariance, std::size_t n) {
-    constexpr double s = 1.5;
+    constexpr double s = 1.5;  // as Wolff proposes
     const double count = static_cast<double>(n);
     double tau_int = 0.5;
     std::size_t window = 0;

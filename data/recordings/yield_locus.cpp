@@ -146,7 +146,7 @@ PreshearPoint preshear_point(const IntervalSeries& series) {
     point.begin = begin;
     const double before =
         std::abs(mean_of(series.shear_stress, begin - std::min(rows, begin), begin));
-    constexpr double steady = 0.02;
+    constexpr double steady = 0.02;  // relative, as for `are_replicates`
     // A single row is a result, whose course is not known.
     point.plateau = series.size() == 1 || (begin > 0 && std::abs(before - point.shear_stress) <=
                                                             steady * point.shear_stress);

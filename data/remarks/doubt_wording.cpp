@@ -104,7 +104,7 @@ std::string impossible_sentence(const Remark& doubt) {
 
 /// Likely cause of a constant factor between a stated and a computed column.
 std::string cause_of(const Remark& doubt) {
-    constexpr double factor_tolerance = 0.02;
+    constexpr double factor_tolerance = 0.02;  // as in contradictions.cpp
     const auto is = [&](double other) {
         return std::abs(doubt.size / other - 1) < factor_tolerance;
     };

@@ -185,7 +185,7 @@ const char* stress_for(const std::string& measured) {
 }
 
 std::string ratio_text(const Remark& fault) {
-    constexpr double ratio_tolerance = 0.05;
+    constexpr double ratio_tolerance = 0.05;  // as in file_checks.cpp
     const double power = std::pow(10, std::round(std::log10(std::abs(fault.size))));
     const bool decimal = power != 1 && std::abs(fault.size / power - 1) < ratio_tolerance;
     const std::string force = words_for_quantity(fault.quantity),

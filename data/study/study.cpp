@@ -33,6 +33,8 @@ const Keys model_keys = {"base", "calibrate", "fit_to", "effects", "bridge_force
 
 const Keys scatter_keys = {"shear_stress", "solid_fraction", "shear_stress_of_filling",
                            "solid_fraction_of_filling"};
+/// Largest shares [1] that a study may state. Larger numbers are percentages, or a model that
+/// describes nothing.
 constexpr double largest_scatter = 0.5;
 constexpr double largest_discrepancy = 0.2;
 
@@ -397,7 +399,7 @@ std::optional<SetPoint> set_point_of(const Condition& condition, const Study& st
     if (!study.cell) return {};
     AnnularCell cell = *study.cell;
     cell.bead_volume = condition.bead_volume.value_or(cell.bead_volume);
-    constexpr double typical_solid_fraction = 0.6;
+    constexpr double typical_solid_fraction = 0.6;  // the height is known only after the filling
     const double rate =
         shear_rate_at(condition.inertial_number, condition.normal_stress, study.grains);
     return SetPoint{normal_force(condition.normal_stress, cell),

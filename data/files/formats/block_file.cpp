@@ -120,7 +120,7 @@ void count_interval(BlockFile& file, int line, std::size_t columns) {
 
 void set_columns(BlockFile& file, Block& block, Row header, const std::vector<std::string>& names,
                  const std::vector<std::string>& units, const std::vector<std::string>& details) {
-    constexpr std::size_t most_columns = 1000;
+    constexpr std::size_t most_columns = 1000;  // compared in pairs below, as in csv.cpp
     if (names.size() > most_columns)
         throw InputError(
             {block.table.file, header.line},

@@ -11,8 +11,11 @@
 namespace pendular {
 namespace {
 
+/// Smallest distance of the end of a step from its steady value, over this value; smallest bend
+/// over its error; smallest share of steps that change in the sense of the mean [1]. Chosen: a
+/// trend that does not clearly bend may go on, and is a drift, which steps share.
 constexpr double least_distance = 0.005, clear_bend = 2.5, same_sense = 0.75;
-constexpr std::size_t least_steps = 3;
+constexpr std::size_t least_steps = 3;  ///< two change in the same sense in half of all cases
 
 /// Second half of the samples of a step.
 std::span<const double> second_half(const std::vector<double>& values) {

@@ -15,15 +15,17 @@ namespace pendular {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
-/// Eight samples a turn are four for each period of the fastest harmonic.
+/// Below one and a half turns, a wobble of one period a turn is hardly told from a trend. Eight
+/// samples a turn are four for each period of the fastest harmonic.
 constexpr double least_turns = 1.5, least_samples_per_turn = 8;
-constexpr std::size_t least_samples = 40;
-constexpr int highest_per_turn = 2;
+constexpr std::size_t least_samples = 40;  ///< twice `shortest_step`: chosen
+constexpr int highest_per_turn = 2;        ///< a tilt or bend of the lid shows once or twice a turn
 /// Numbers of neighbouring frequencies that the noise is estimated from; the larger of the two
 /// p values counts. The narrow window follows spectra that bend within 12 frequencies, such as
 /// those of moving averages over a tenth of a step; the wide one has more degrees of freedom.
 constexpr int windows[] = {6, 12};
-/// Largest order of the autoregressive model by which the noise is whitened.
+/// Largest order of the autoregressive model by which the noise is whitened. Chosen: an
+/// information criterion takes fewer where they suffice.
 constexpr std::size_t highest_order = 20;
 /// Degrees of freedom of the noise for each period of the wobble, at most. Below the frequency of a
 /// wobble over few turns, there are few frequencies or none, and the trend and the wobble
@@ -31,7 +33,8 @@ constexpr std::size_t highest_order = 20;
 /// limit, 22 of 100 studies with noise behind a low-pass filter gave a wobble, all over fewer than
 /// 3 turns.
 constexpr double freedom_per_period = 0.7;
-/// p value of a periodic part below which means are taken over whole turns [1].
+/// p value of a periodic part below which means are taken over whole turns [1]. Chosen: means over
+/// whole turns cost up to a turn of rows, which is no loss only where the wobble is certain.
 constexpr double certain_wobble = 1e-3;
 
 double turns_covered(std::span<const double> angle) {

@@ -14,11 +14,13 @@
 namespace pendular {
 namespace {
 
+/// Smallest degrees of freedom of a comparison. With two, Student's t would have to exceed 14 at
+/// `finding_significance`, with three 7.5.
 constexpr double least_freedom = 3;
 /// Smallest number of recordings on each side of a step, since one odd recording is no step.
 constexpr Eigen::Index least_side = 2;
 /// Ratio of the squared deviations with an offset to those with a factor, below which a change is
-/// called an offset [1].
+/// called an offset [1]. Chosen: in doubt, a change is a factor.
 constexpr double clearly_better = 0.8;
 
 /// Paths of the files of readings, in the order of their first reading in time.
@@ -184,7 +186,7 @@ OriginLine origin_line(const Eigen::VectorXd& x, const Eigen::VectorXd& y, doubl
 
 /// Whether at least `least_side` files lie on each side of a step, in its reduced regressor.
 bool has_two_sides(const Eigen::VectorXd& x) {
-    constexpr double some = 0.01;
+    constexpr double some = 0.01;  // far above rounding
     return (x.array() > some).count() >= least_side && (x.array() < -some).count() >= least_side;
 }
 

@@ -13,6 +13,8 @@ namespace {
 /// Limits of a sudden change, in robust deviations of all increments and in steps of the
 /// resolution: values that flicker between three levels change by up to two steps.
 constexpr double sudden = 3, resolved = 2.5;
+/// Number of means that are compared, twice `shortest_step`, and largest number of samples in a
+/// mean: slips over more samples are not sudden. Chosen.
 constexpr std::size_t least_slip_samples = 40, longest_mean = 8;
 
 /// Means of successive groups of samples.
