@@ -44,7 +44,7 @@ bool is_legend(const std::string& row) {
 
 /// Progress bar "[#####.....]" for the share of the work that is done [1].
 std::string bar(double fraction) {
-    constexpr int width = 24;
+    constexpr int width = 24;  // leaves room for the text on a terminal of 80 columns
     const auto done = static_cast<int>(std::floor(std::clamp(fraction, 0.0, 1.0) * width));
     return "[" + std::string(static_cast<std::size_t>(done), '#') +
            std::string(static_cast<std::size_t>(width - done), '.') + "]";

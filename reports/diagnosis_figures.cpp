@@ -15,7 +15,7 @@
 namespace pendular {
 namespace {
 
-constexpr std::size_t most_shown = 9;
+constexpr std::size_t most_shown = 9;  ///< names along x must not touch
 
 /// Findings on effects that the readings could reveal, at most nine, the largest reduction of chi2
 /// first.
@@ -99,6 +99,7 @@ Figure diagnosis_figure(const Diagnosis& diagnosis, const ModelSpace& space) {
 
 namespace {
 
+/// Chosen: what one page shows legibly, as rows and as cells with a number in each.
 constexpr std::size_t most_effects = 20, most_cosines = 10;
 
 /// Findings on effects that the readings tell something about, at most `most`, the largest

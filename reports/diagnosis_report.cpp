@@ -17,7 +17,7 @@ namespace {
 
 /// Short list of names: "lid-slip, liquid-loss, torque-gain and 8 more".
 std::string some_of(std::vector<std::string> names) {
-    constexpr std::size_t most_named = 4;
+    constexpr std::size_t most_named = 4;  // in one sentence; the table has all
     if (names.size() > most_named) {
         const std::size_t others = names.size() - (most_named - 1);
         names.resize(most_named - 1);
@@ -125,7 +125,7 @@ std::vector<std::string> others_of(const Diagnosis& d, const ModelSpace& space) 
 
 /// Sentence on weak evidence that something is missing; empty where the evidence is strong.
 std::string weak_evidence(const Diagnosis& d) {
-    constexpr double strong = 0.01;
+    constexpr double strong = 0.01;  // chosen: one complete study in 25 has p of 1 to 5 %
     const double p = std::min(d.base.lack_of_fit_p, d.base.further_p);
     return p < strong
                ? ""
@@ -209,7 +209,7 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
 /// Sentence on how alike the effects of the verdict change the readings, beyond what the calibrated
 /// parameters imitate.
 std::string alike_line(const Diagnosis& d) {
-    constexpr double similar = 0.9;
+    constexpr double similar = 0.9;  // a fifth of the squared change (1 - 0.9^2) differs: chosen
     if (d.effects.size() == 2) {
         return fmt::format(
             "{} and {} change these readings in a {} way (cosine {:.3f}; 1: in the "
@@ -268,7 +268,7 @@ std::string friction_line(const StudyDiagnosis& study) {
     };
     std::vector<std::string> values;
     const auto add = [&](const FittedModel& each) {
-        constexpr std::size_t most = 3;
+        constexpr std::size_t most = 3;  // values in one sentence; the table has all
         if ((!each.chosen.empty() || each.suspect) && values.size() < most) {
             values.push_back(text(each.fit, with_effects(each, space)));
         }

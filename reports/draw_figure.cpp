@@ -106,7 +106,7 @@ constexpr double width_of_character = 0.09, between_numbers = 0.15;
 
 /// Distance of the tics of a linear axis of this width [in], so that their numbers do not touch.
 double step_of_tics(AxisRange range, double width) {
-    constexpr double most = 7;
+    constexpr double most = 7;  // numbers on an axis: more are not read
     const double span = range.second - range.first;
     double step = round_step(span / most);
     // Numbers have the most digits where they are no multiples of the next larger step.

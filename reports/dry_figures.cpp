@@ -17,7 +17,7 @@ namespace {
 
 const std::string friction_label = "intergranular friction μ";
 const std::string inertial_label = "inertial number I = γ̇ (m/aσ_{22})^{1/2}";
-constexpr Eigen::Index curve_steps = 60;
+constexpr Eigen::Index curve_steps = 60;  ///< straight pieces too short to be seen
 
 /// Inertial numbers that span those of the readings, none below the fidelity's lowest.
 std::vector<double> simulated_inertial_numbers(const Calibration& c) {

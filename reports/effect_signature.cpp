@@ -19,9 +19,10 @@
 namespace pendular {
 namespace {
 
+/// State about which effects are drawn [SI units]: chosen, within the ranges of `columns`.
 constexpr double friction = 0.1, usual_stress = 1000, usual_inertial_number = 3e-3,
                  usual_content = 0.03, time_of_readings = 600;
-constexpr int points = 41;
+constexpr int points = 41;  ///< of a curve: straight pieces too short to be seen
 
 Condition usual(bool dry, const Study& study) {
     return {.normal_stress = usual_stress,
@@ -169,7 +170,7 @@ std::vector<const Effect*> levels_below(const Effect& effect) {
 std::vector<MeasuredStrength> simulated_strengths(const EmulatedSimulation& simulation,
                                                   const Study& study) {
     std::vector<Condition> conditions;
-    constexpr int contents = 40;
+    constexpr int contents = 40;  // so dense that the curve over the content shows no corners
     for (int k = 0; k <= contents; ++k) {
         for (const double pressure : {2.3, 3.5, 5.0, 10.0}) {
             Condition condition = usual(false, study);

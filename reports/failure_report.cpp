@@ -79,7 +79,7 @@ std::string deviating_line(std::vector<std::pair<std::string, double>> measureme
     constexpr std::size_t most_deviating = 8;
     if (measurements.empty() || measurements.size() > most_deviating) return "";
     std::ranges::stable_sort(measurements, {}, &std::pair<std::string, double>::second);
-    constexpr std::size_t most_named = 3;
+    constexpr std::size_t most_named = 3;  // in one line
     std::vector<std::string> named;
     for (const auto& [name, p] : measurements) {
         if (named.size() < most_named) named.push_back(fmt::format("{} (p {})", name, p_text(p)));
@@ -102,7 +102,7 @@ std::vector<std::string> failure_table(const WhereItFails& where) {
 }
 
 std::string recordings_line(const std::vector<RecordingEvidence>& evidence) {
-    constexpr std::size_t most_sentences = 2;
+    constexpr std::size_t most_sentences = 2;  // before the verdict, which must stay in sight
     if (evidence.empty()) return "";
     std::vector<Remark> findings;
     for (const RecordingEvidence& each : evidence)

@@ -73,7 +73,7 @@ std::size_t shown_characters(const std::string& text) {
 }
 
 std::vector<std::string> broken_name(const std::string& name) {
-    constexpr std::size_t longest = 10;
+    constexpr std::size_t longest = 10;  // characters of a line, as wide as a bar with its gap
     std::vector<std::string> lines = {""};
     for (const std::string& piece : pieces_of(name)) {
         const std::string& last = lines.back();

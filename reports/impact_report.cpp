@@ -131,7 +131,7 @@ std::vector<std::string> impact_table(const ImpactTable& table) {
 
 namespace {
 
-constexpr std::size_t most_rows = 16;
+constexpr std::size_t most_rows = 16;  ///< of the figure, which has one page
 
 /// Impacts of the figure, the smallest first: rows count upwards.
 std::vector<const Impact*> rows_of(const ImpactTable& table) {

@@ -12,7 +12,7 @@
 namespace pendular {
 namespace {
 
-constexpr std::size_t most_ladder_steps = 10;
+constexpr std::size_t most_ladder_steps = 10;  ///< the last ones; names along x must not touch
 
 std::vector<std::string> name_of(const LadderStep& ladder_step) {
     if (ladder_step.change == "start") {

@@ -118,7 +118,7 @@ Figure profile_figure(const StudyModel& study_model, const Calibration& c) {
 /// Points of the ellipse at which chi2 of two parameters, as a parabola, rises by `rise` where all
 /// other parameters are refitted.
 Curve ellipse(const Calibration& c, Eigen::Index a, Eigen::Index b, double rise) {
-    constexpr int points = 73;
+    constexpr int points = 73;  // one every 5 degrees, and the first again
     Curve curve{.style = Curve::Style::line, .colour = model_colour};
     const double sa = std::sqrt(c.fit.covariance(a, a)), sb = std::sqrt(c.fit.covariance(b, b)),
                  correlation = std::clamp(c.fit.covariance(a, b) / (sa * sb), -1.0, 1.0);

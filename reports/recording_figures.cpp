@@ -37,7 +37,7 @@ void add(Curve& curve, std::size_t row, double value) {
 }
 
 Curve recorded_curve(const RecordingCourse& course) {
-    constexpr std::size_t most_points = 20'000;
+    constexpr std::size_t most_points = 20'000;  // several for each dot of the figure
     Curve curve{.label = "recorded", .style = Curve::Style::line, .colour = measured_colour};
     for (const auto& [row, value] : course.points(most_points))
         add(curve, row, value);
@@ -90,7 +90,7 @@ Panel course_panel(const FileView& view, const std::vector<AveragedWindow>& wind
 /// Upper half of a Mohr circle [Pa].
 Curve half_circle(const std::string& label, double centre, double radius) {
     Curve curve{.label = label, .style = Curve::Style::line, .colour = circle_colour};
-    constexpr int parts = 90;
+    constexpr int parts = 90;  // of 2 degrees
     for (int k = 0; k <= parts; ++k) {
         const double angle = std::numbers::pi * k / parts;
         curve.x.push_back(centre - radius * std::cos(angle));

@@ -24,7 +24,7 @@ struct Range {
     bool known() const { return least <= most; }
     /// Text of the range: ", between 2.1 mN m and 80 mN m", or " of about 12 mm".
     std::string after_noun(const std::string& unit) const {
-        constexpr double narrow = 1.1;
+        constexpr double narrow = 1.1;  // one check weight serves the whole range: chosen
         return most < narrow * least ? " of about " + with_unit(std::midpoint(least, most), unit)
                                      : ", " + text(unit);
     }

@@ -26,7 +26,7 @@ std::string place(const Reading& reading) {
                                           reading.condition.at_failure ? " (peak)" : "");
 }
 
-constexpr std::size_t place_width = 28;
+constexpr std::size_t place_width = 28;  ///< characters: fits most names with a step
 
 }  // namespace
 

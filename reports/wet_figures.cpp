@@ -145,7 +145,7 @@ std::string kind_of(const WetGroup& group) {
 
 /// Curve of the model for a group of readings, from nearly dry to the largest 1/P* of the group.
 ModelCurve model_of(const WetStudy& study, const CurveGroup& series) {
-    constexpr int steps = 60;
+    constexpr int steps = 60;  // straight pieces too short to be seen
     const double end = study.largest_inverse_pressure(series.members);
     const ConditionPath path = series.path(study.calibration.readings, along_inverse_normal_stress);
     std::vector<double> x;

@@ -67,7 +67,7 @@ std::string with_error(double value, double error, const std::string& unit) {
 
 std::string estimate_text(double value, double error, const std::string& unit, double width,
                           bool at_bound) {
-    constexpr int digits = 4;
+    constexpr int digits = 4;  // no error says how many are known
     const std::string plain = with_unit(value, unit, digits);
     if (error >= width || !std::isfinite(error)) return plain + ", not determined";
     if (!at_bound) return with_error(value, error, unit);

@@ -15,6 +15,7 @@ namespace {
 using ServerClock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
+/// Chosen: each client that sends slowly keeps one until its time is over.
 constexpr int server_threads = 64;
 /// Number of incomplete requests from which the server counts as crowded: a quarter of the threads
 /// remains for others.

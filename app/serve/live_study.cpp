@@ -17,8 +17,8 @@
 namespace pendular::app {
 namespace {
 
-constexpr std::size_t most_jobs = 4;     ///< largest number of requests that wait for work
-constexpr std::size_t most_events = 20;  ///< largest number of events that are kept
+constexpr std::size_t most_jobs = 4;     ///< requests that wait for work: each takes seconds
+constexpr std::size_t most_events = 20;  ///< that are kept: what the page lists
 
 std::string time_now() {
     return fmt::format("{:%H:%M:%S}", fmt::localtime(std::time(nullptr)));

@@ -14,7 +14,8 @@ struct Answer {
     bool ok() const { return status < 400; }
 };
 
-constexpr std::size_t largest_received = 64u << 20;  ///< [bytes]
+/// Largest file that a browser may send [bytes]. Chosen: the server keeps it in memory.
+constexpr std::size_t largest_received = 64u << 20;
 
 /// Returns the reason why a received file must not be stored under `name`; empty if it may. An
 /// allowed name is printable text in UTF-8 of at most 200 bytes, names no folder, and begins with

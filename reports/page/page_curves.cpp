@@ -18,10 +18,12 @@
 namespace pendular {
 namespace {
 
-/// Number of points of a curve, and largest number of series with curves in a panel.
+/// Number of points of a curve, and largest number of series with curves in a panel. Chosen: models
+/// are smooth along a panel, and more curves would cover each other.
 constexpr int points_of_curve = 9;
 constexpr std::size_t most_curves = 12;
-/// Largest ratio of two values of a quantity that count as one.
+/// Largest ratio of two values of a quantity that count as one. Chosen: above the 2 % of
+/// replicates, below the steps of a series.
 constexpr double alike_ratio = 1.08;
 
 using OfCondition = std::function<double(const Condition&)>;

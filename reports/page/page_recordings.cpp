@@ -45,7 +45,7 @@ RecordingJson course_json(const PageRecording::Course& course) {
     const double low = least->second, range = greatest->second - low;
     const auto steps = steps_of(course);
     const int width = width_of(steps);
-    constexpr double parts = 65'535;
+    constexpr double parts = 65'535;  // 2^16 - 1: two bytes a value
     Bytes bytes;
     for (std::size_t k = 0; k < steps.size(); ++k) {
         const double share = range > 0 ? (course.points[k].second - low) / range : 0;

@@ -43,6 +43,7 @@ bool may_have_units_in_it(const std::string& text) {
 /// variable is multiplied by scale^(its exponent).
 bool scales(const CompiledFormula& formula, const std::vector<double>& values,
             const std::vector<int>& exponents, int target) {
+    // Any scale but 1 tells exponents apart.
     constexpr double scale = 1.7, rounding = 1e-9;
     std::vector<double> scaled = values;
     for (std::size_t k = 0; k < scaled.size(); ++k) {

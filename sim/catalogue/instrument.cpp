@@ -92,6 +92,8 @@ double size_of(const Vector& residual) {
 /// Solves by Newton's method, shortening steps that increase the residual. Stops where rounding
 /// prevents further progress.
 Vector solve(const Equations& equations) {
+    // Chosen: Newton's method needs a few of both. The limits end the search for a state that the
+    // instrument cannot show.
     constexpr int most_steps = 50, most_halvings = 12;
     // Residuals of a few roundings: a further step finds nothing closer, or by luck only.
     constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
@@ -154,7 +156,7 @@ CellState InstrumentMap::truth(const CellState& shown) const {
     if (empty()) {
         return shown;
     }
-    constexpr double tolerance = 1e-11;
+    constexpr double tolerance = 1e-11;  // relative: above rounding, below all that matters
     const Equations equations(*this, shown);
     const Vector x = solve(equations);
     const CellState truth = equations.state(x);

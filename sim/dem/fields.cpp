@@ -10,6 +10,8 @@
 namespace pendular::dem {
 namespace {
 
+/// Chosen: bins of 5 degrees, and of a fifth of the mean force up to eight times the mean force. A
+/// run of the usual length fills them with many pairs each.
 constexpr std::size_t angle_bins = 36, force_bins = 40, gap_bins = 30;
 constexpr double largest_relative_force = 8;
 constexpr double degrees_per_radian = 180 / std::numbers::pi;

@@ -93,6 +93,8 @@ class PairList {
     /// Number of pairs for which the forces are computed at once. Placeholder pairs, whose grains
     /// never touch, fill the narrow and the distant list up to whole batches.
     static constexpr std::size_t batch = 64;
+    /// Skins [grain diameters]. Chosen between two costs: a list with a thin skin is renewed more
+    /// often, one with a thick skin has more pairs that do not interact. No result depends on them.
     static constexpr double shortest_wide_skin = 0.2;
     static constexpr double narrow_skin = 0.02;
 

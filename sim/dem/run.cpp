@@ -19,6 +19,8 @@ namespace {
 /// Strain before which no state counts as steady [1]; longer for wet grains, as bridges persist
 /// over a strain of order 1.
 constexpr double first_look_strain = 1.0, first_wet_look_strain = 2.0;
+/// Strain between two looks [1]: chosen, about that over which the solid fraction decorrelates (0.1
+/// to 0.2), as a look between would see the same state.
 constexpr double look_every_strain = 0.25;
 /// Number of successive checks at which the standard errors must be small enough to stop a run.
 /// Standard errors are estimates: stopping at the first small value would favour underestimates.

@@ -38,7 +38,7 @@ struct RunOptions {
     /// with other parameters cannot resume.
     std::string description = {};
 };
-constexpr int most_threads = 1024;
+constexpr int most_threads = 1024;  ///< more is a mistyped number
 
 /// Simulates a sample in steady shear and returns the averages of the observables over the shear
 /// strain `parameters.strain`, without the transient, whose end is found from the time series. The

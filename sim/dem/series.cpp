@@ -8,6 +8,8 @@
 namespace pendular::dem {
 namespace {
 
+/// Structures that are measured in a block. Chosen: those of neighbouring steps are nearly equal,
+/// so that more of them cost time and add little.
 constexpr int structures_per_block = 4;
 /// Steps between two samples of the grains' velocities, and between two samples of the dissipated
 /// energies, which are also sampled at the first step of a block. Energy accounting nearly doubles

@@ -21,8 +21,13 @@ namespace pendular::dem {
 namespace {
 
 constexpr double unit_volume = std::numbers::pi / 6;
+/// Chosen: so loose that grains placed at random soon find room.
 constexpr double initial_solid_fraction = 0.3;
+/// Rate at which the height shrinks until the grains first carry the stress [1]. Chosen: the servo
+/// takes over there, and no average includes the transient.
 constexpr double initial_closing_rate = 0.05;
+/// Solid fraction with which the edges of the cell are chosen: flows of frictions up to 0.4 have
+/// 0.59 to 0.64 (docs/validation.md, An independent code).
 constexpr double steady_solid_fraction = 0.62;
 /// Modulus B of the servo over the stiffness number. Eight times as much changes averages by 1.4
 /// standard errors or less (docs/validation.md, Numerical parameters).
@@ -36,6 +41,8 @@ constexpr double contact_viscosity = 0.6;
 /// damping coefficient: 0.2 (6 Phi/pi) (Z/2) with Z = 7 bridges per grain. A value above the true
 /// one makes the servo slower, never unstable.
 constexpr double effect_viscosity = 0.8;
+/// Chosen: the stiffest contact hardly changes within so few steps, and the time step is renewed at
+/// once where an overlap doubles.
 constexpr int steps_between_time_steps = 20;
 
 /// Largest product of time step and damping rate of an effect. A grain's relative velocity is
@@ -261,7 +268,7 @@ void ShearCell::measure(const PairSums& sums) {
 }
 
 void ShearCell::adjust_height_rate() {
-    // Stiffness number kappa.
+    // kappa = E^(2/3), since the imposed normal stress is 1.
     const double stiffness = std::cbrt(material_.modulus * material_.modulus);
     const double wanted = (stress_.s22 - 1) / (servo_modulus * stiffness);
     // The stress of viscous contacts follows the height rate within one step: d(s22)/d(rate) is

@@ -36,6 +36,7 @@ void demand_distinct(const std::vector<double>& values, const std::string& what)
 }
 
 void check_cell(const LabPlan& plan) {
+    // Shear bands are 5 to 10 diameters wide (`few_beads`): in fewer layers, all is wall.
     constexpr double fewest_layers = 5, loose = 0.6;
     const AnnularCell& cell = plan.cell;
     const double diameter = plan.grains.diameter;
@@ -72,6 +73,7 @@ void demand_between(const char* option, double value, double lower, double upper
 }
 
 void check_noise(const Instrument& instrument) {
+    // Chosen: beyond these, readings tell nothing, and the number is probably a percentage.
     constexpr double largest_noise = 10, largest_error = 0.5, longest_correlation = 10;
     demand_between("--noise", instrument.noise, 0, largest_noise);
     demand_between("--drift", instrument.drift, 0, largest_noise);

@@ -8,6 +8,8 @@
 namespace pendular {
 namespace {
 
+/// Relative error of a liquid content that needs no further simulation [1]. Chosen: the pilot runs
+/// are short and small, and their coordination numbers are noisy.
 constexpr double tolerance = 0.03;
 
 bool off(double found, double wanted) {

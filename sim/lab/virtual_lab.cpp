@@ -16,6 +16,8 @@
 namespace pendular {
 namespace {
 
+/// Attempts for one run, each with a seed of its own. Chosen: a state that crystallises or fails so
+/// often does so with most seeds.
 constexpr int most_attempts = 4;
 
 /// Carries out the runs of one laboratory, with consecutive seeds or, where laboratories share

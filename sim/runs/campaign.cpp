@@ -20,6 +20,7 @@
 namespace pendular {
 namespace {
 
+/// Chosen: years of computing; more is a mistake in the ranges of the campaign.
 constexpr std::size_t most_runs = 1'000'000;
 constexpr double most = 1e9;  ///< largest whole number in a campaign file
 

@@ -8,6 +8,8 @@
 
 namespace pendular {
 
+// The stiffness number 1000 is that of most runs of the atlas; 8400 and the inertial number 1e-3
+// are those of Badetti et al. (2018). The number of grains and the strain set the noise of a run.
 const std::vector<Fidelity>& fidelities() {
     static const std::vector<Fidelity> all = {{"quick", 1000, 1000, 3e-3, 5},
                                               {"standard", 2000, 1000, 2e-3, 10},
