@@ -60,7 +60,7 @@ bool determined(const Fit& fit, const Measured& measured) {
         slopes.col(k) /= std::max(slopes.col(k).norm(), 1e-300);
     }
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed(slopes);
-    decomposed.setThreshold(1e-7);
+    decomposed.setThreshold(1e-7);  // columns of length 1: less is rounding of the derivatives
     return fit.converged && decomposed.rank() == slopes.cols();
 }
 

@@ -101,6 +101,8 @@ void Diagnostician::fit_base() {
 
 void Diagnostician::sharpen(const Addition& addition, Signature& signature, ScoreTest& test) const {
     for (int turn = 0; turn < most_sharpenings && test.seen(); ++turn) {
+        // A change that was taken within a quarter of the estimate is near enough: chosen, since a
+        // refit follows for all effects that matter.
         const double ratio = test.estimate(0) / signature.taken_at;
         if (test.predicted_reduction < worth_sharpening || (ratio > 0.8 && ratio < 1.25)) {
             return;

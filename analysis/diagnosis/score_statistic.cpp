@@ -38,7 +38,7 @@ void test_amplitude(ScoreTest& test, const WeightedResiduals& residuals, const S
 void test_amplitudes(ScoreTest& test, const WeightedResiduals& residuals,
                      const Eigen::MatrixXd& projected) {
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed(projected);
-    decomposed.setThreshold(1e-9);
+    decomposed.setThreshold(1e-9);  // smaller directions are rounding of the projection
     test.basis =
         decomposed.householderQ() * Eigen::MatrixXd::Identity(projected.rows(), decomposed.rank());
     test.estimate = decomposed.solve(residuals.residuals());

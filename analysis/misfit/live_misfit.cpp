@@ -39,7 +39,7 @@ Eigen::MatrixXd without_each(const Measured& measured, const Prediction& predict
     const Eigen::VectorXd norms = slopes.colwise().norm();
     const Eigen::VectorXd unit = (norms.array() > 0).select(norms.cwiseInverse(), 1.0);
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(1e-8);
+    solver.setThreshold(1e-8);  // columns of length 1: less is rounding of the derivatives
     solver.compute(slopes * unit.asDiagonal());
     const Eigen::MatrixXd estimator = unit.asDiagonal() * (solver.pseudoInverse() * white);
     const Eigen::MatrixXd projected = white.transpose() * (white - slopes * estimator);

@@ -133,6 +133,7 @@ class Misfits {
     Misfits(const Predictor& model, const Eigen::VectorXd& parameters)
         : model_(model), parameters_(parameters) {
         const ParameterBounds range = model.bounds();
+        // Densest at small frictions, with which the flow changes fastest.
         for (const double share : {0.0, 0.08, 0.16, 0.25, 0.4, 0.6, 1.0})
             frictions_.push_back(std::lerp(range.lower(0), range.upper(0), share));
     }

@@ -105,6 +105,8 @@ WrittenEffect ShapeOfChange::written(const std::string& name) const {
 
 std::vector<ChangedQuantity> quantities_that_may_change(const ResolvedStudy& study,
                                                         const std::vector<Reading>& readings) {
+    // Smallest changes of interest are chosen: 1 % of stresses and forces, 0.2 % of the solid
+    // fraction and the height, which scatter as much less.
     constexpr double most = 3;  // a factor of 4 on what an instrument shows is a wrong unit
     std::vector<ChangedQuantity> all = {
         factor_on("stress_ratio", 0.01, most), factor_on("solid_fraction", 0.002, 0.2),

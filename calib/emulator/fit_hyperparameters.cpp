@@ -12,8 +12,9 @@ namespace {
 
 /// Log-normal prior of each hyperparameter: its median and the standard deviation of its logarithm.
 /// Median lengths are of the order of the range of the coordinates, median amplitudes a tenth of
-/// the quantity. The prior of the noise factor allows for standard errors that block averages
-/// estimate to some 20 %.
+/// the quantity. Deviations of 0.7 and 2 are factors of 2 and 7 either way, so that a few runs
+/// decide. The prior of the noise factor allows for standard errors that block averages estimate to
+/// some 20 %.
 struct Broad {
     Hyperparameters median;
     std::array<double, Hyperparameters::count> deviation;

@@ -220,7 +220,7 @@ FlowState KnownRange::nearest_supported(const FlowState& state) const {
     if (why_unsure(found(edge)).empty()) {
         return found(edge);
     }
-    while (sure - unsure > 0.01) {
+    while (sure - unsure > 0.01) {  // near enough for an advice
         const double middle = (sure + unsure) / 2;
         (why_unsure(found(edge + middle * (run - edge))).empty() ? sure : unsure) = middle;
     }

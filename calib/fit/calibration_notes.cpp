@@ -133,6 +133,7 @@ std::vector<std::string> warnings(const Calibration& c, const ResolvedStudy& stu
         notes.push_back(*note);
     }
     const Eigen::MatrixXd corrections = c.fit.covariance - c.fit.measurement_part - c.fit.run_part;
+    // Chosen: less shortens the standard error by a sixth at most if it vanishes.
     if (corrections(0, 0) > 0.3 * c.fit.covariance(0, 0)) {
         notes.push_back(fmt::format(
             "{:.0f} % of the variance comes from the corrections to the study's stiffness and to "

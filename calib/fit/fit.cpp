@@ -17,7 +17,7 @@ Eigen::MatrixXd parameter_covariance(const Eigen::MatrixXd& whitened_jacobian) {
     const Scaled scaled(whitened_jacobian);
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled.jacobian, Eigen::ComputeThinV);
     const Eigen::VectorXd& s = svd.singularValues();
-    const double least = s(0) > 0 ? 1e-10 * s(0) : 1e-10;
+    const double least = s(0) > 0 ? 1e-10 * s(0) : 1e-10;  // above rounding, beyond any range
     const Eigen::VectorXd inverse = s.cwiseMax(least).cwiseInverse();
     const Eigen::MatrixXd root =
         scaled.length.cwiseInverse().asDiagonal() * svd.matrixV() * inverse.asDiagonal();

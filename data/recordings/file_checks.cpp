@@ -126,6 +126,7 @@ std::vector<Remark> check_swapped(const std::vector<IntervalSeries>& series) {
         const double usual = most_frequent(rows);
         const auto agree = std::ranges::count_if(
             rows, [&](const RowOfFile& row) { return close(row.ratio, usual); });
+        // Chosen: so many rows do not agree by chance; a tenth may be noise at small values.
         return rows.size() >= 20 && agree > 0.9 * static_cast<double>(rows.size());
     };
     const std::array<std::array<const char*, 3>, 2> triples = {

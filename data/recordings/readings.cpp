@@ -105,6 +105,8 @@ void set_rate(const Points& points, const Row& row, Reading& reading) {
     const double from_rate =
         inertial_number(reading.shear_rate, reading.condition.normal_stress, points.study.grains);
     reading.condition.inertial_number = number.value_or(from_rate);
+    // Both are written with a few digits; the other common form of the number is
+    // sqrt(6/pi) times as large.
     if (rate && number && std::abs(*number - from_rate) > 0.01 * from_rate)
         throw InputError(points.columns.at(row, "inertial_number"),
                          fmt::format("{:.4g} does not go with the shear rate, which gives {:.4g}; "

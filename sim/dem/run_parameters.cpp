@@ -32,6 +32,8 @@ void check_wetting(const Wetting& w, double rupture_distance, double edge) {
 
 }  // namespace
 
+// The limits are chosen against mistyped numbers. They are wider than the range in which the solver
+// was compared with other codes (docs/validation.md).
 void check_run_parameters(const RunParameters& p, const GrainEffects& effects) {
     demand(p.friction >= 0 && p.friction <= 2,
            fmt::format("friction {} is not between 0 and 2", p.friction));

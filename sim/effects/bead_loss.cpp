@@ -13,6 +13,7 @@ Effect bead_loss() {
                             .lower = 0,
                             .upper = 0.2,
                             .neutral = 0,
+                            // Chosen: changes the shown solid fraction by 1 %.
                             .smallest_of_interest = 0.01,
                             .meaning = "share of the weighed beads that is no longer in the cell"}},
             .change = ChangeInstrument{.show =

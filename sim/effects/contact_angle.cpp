@@ -24,6 +24,7 @@ Effect contact_angle() {
                         .lower = -89 * degree,
                         .upper = 89 * degree,
                         .neutral = 0,
+                        // Chosen: reduces the attraction of a perfectly wetting liquid by 1.5 %.
                         .smallest_of_interest = 10 * degree,
                         .meaning = "deviation of the contact angle from that in study.toml "
                                    "(without a study: from 0)",

@@ -18,6 +18,7 @@ Effect cross_talk() {
                         .lower = -5e-3,
                         .upper = 5e-3,
                         .neutral = 0,
+                        // Chosen: adds 0.003 to the stress ratio in a cell of 21 and 45 mm.
                         .smallest_of_interest = 1e-4,
                         .meaning = "shown torque over normal force, without a true torque"}},
         .change = ChangeInstrument{.show =

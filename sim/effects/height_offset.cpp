@@ -14,6 +14,7 @@ Effect height_offset() {
                         .lower = -2e-3,
                         .upper = 2e-3,
                         .neutral = 0,
+                        // Chosen: 0.1 % of a height of 20 mm, and so of the solid fraction.
                         .smallest_of_interest = 20e-6,
                         .meaning = "shown height where the true height is 0"}},
         .change = ChangeInstrument{.show =

@@ -19,6 +19,7 @@ Effect lid_slip() {
                         .lower = 0,
                         .upper = 0.9,
                         .neutral = 0,
+                        // Chosen: 5 % of the shear rate, on which stresses depend weakly.
                         .smallest_of_interest = 0.05,
                         .meaning = "velocity of the slip, divided by the velocity of the lid"}},
         .change = ChangeInstrument{.show =

@@ -24,6 +24,7 @@ Effect liquid_loss() {
                         .lower = 0,
                         .upper = 1,
                         .neutral = 0,
+                        // Chosen: 4 % of the liquid in an hour.
                         .smallest_of_interest = 1e-5,
                         .meaning = "share of the liquid that is lost per time"}},
         .change = ChangeInstrument{.show =

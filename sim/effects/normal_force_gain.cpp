@@ -15,6 +15,7 @@ Effect normal_force_gain() {
                             .lower = 0.5,
                             .upper = 2,
                             .neutral = 1,
+                            // Chosen: 2 %, the error that readings without replicates are given.
                             .smallest_of_interest = 0.02,
                             .meaning = "shown normal force over true normal force"}},
             .change = ChangeInstrument{.show =

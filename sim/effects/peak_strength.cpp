@@ -19,6 +19,7 @@ Effect peak_strength() {
                             .lower = 1,
                             .upper = 3,
                             .neutral = 1,
+                            // Chosen: 2 %, the error that readings without replicates are given.
                             .smallest_of_interest = 0.02,
                             .meaning = "shear stress at failure over that of steady shear"}},
             .change = ChangeFlow{[](FlowPoint point, const Condition&, const Values& v) {

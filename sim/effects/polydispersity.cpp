@@ -32,6 +32,7 @@ Effect polydispersity() {
                             .lower = 0,
                             .upper = 0.3,
                             .neutral = 0,
+                            // Chosen: by the square, a ninth of the change at the bound.
                             .smallest_of_interest = 0.1,
                             .meaning =
                                 "standard deviation of the grain diameters, divided by their mean",

@@ -15,6 +15,7 @@ Effect rupture_distance() {
                             .lower = 0.2,
                             .upper = 2,
                             .neutral = 1,
+                            // Chosen: a contact angle of 0.4 rad changes it as much (1 + angle/2).
                             .smallest_of_interest = 0.2,
                             .meaning = "distance between two grains at which their bridge breaks, "
                                        "divided by V0^(1/3) (V0: volume of a bridge)"}},

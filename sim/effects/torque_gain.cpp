@@ -14,6 +14,7 @@ Effect torque_gain() {
                         .lower = 0.5,
                         .upper = 2,
                         .neutral = 1,
+                        // Chosen: 2 %, the error that readings without replicates are given.
                         .smallest_of_interest = 0.02,
                         .meaning = "shown torque over true torque"}},
         .change = ChangeInstrument{.show =

@@ -116,6 +116,7 @@ Effect unequal_bridges() {
               .lower = 0,
               .upper = 1,
               .neutral = 0,
+              // Chosen: by the square, a quarter of the change at the bound.
               .smallest_of_interest = 0.5,
               .meaning =
                   "standard deviation of the bridges' volumes as they form, divided by their mean",

@@ -53,6 +53,7 @@ Effect viscous_bridges() {
                         .lower = 0,
                         .upper = 0.5,
                         .neutral = 0,
+                        // Chosen: twenty times the viscosity of water.
                         .smallest_of_interest = 0.02,
                         .meaning = "viscosity of the liquid"}},
         .change = dem::ChangePairs{.add = lubrication,

@@ -13,6 +13,7 @@ Effect wet_friction() {
                         .lower = -0.5,
                         .upper = 0.5,
                         .neutral = 0,
+                        // Chosen: about the error of a fitted friction (docs/validation.md).
                         .smallest_of_interest = 0.01,
                         .meaning = "friction coefficient of wet grains minus that of dry grains"}},
         .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {

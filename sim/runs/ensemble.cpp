@@ -165,7 +165,7 @@ class Ensemble {
         progress.fraction = cost / total_;
         const double spent =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
-        if (progress.fraction > 0.01) {
+        if (progress.fraction > 0.01) {  // earlier, the time left would be a guess
             progress.seconds_left = spent * (1 / progress.fraction - 1);
         }
         workers_.report(progress);

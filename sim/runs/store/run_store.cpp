@@ -301,6 +301,7 @@ std::optional<StoredRun> RunStore::nearest(const dem::RunParameters& p) const {
     for (const StoredRun& stored : select(like)) {
         const auto& other = stored.run.parameters;
         const auto squared = [](double x) { return x * x; };
+        // A tenth in friction counts as much as a factor of e in the others: chosen.
         double distance = squared((p.friction - other.friction) / 0.1) +
                           squared(std::log(p.inertial_number / other.inertial_number)) +
                           squared(std::log(p.stiffness_number / other.stiffness_number));
