@@ -217,7 +217,7 @@ std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& r
         values = StatePredictor(common.fidelity, store, run.parameters.stiffness_number)
                      .closures_of(run);
     } catch (const InputError&) {
-        // Without earlier runs there is no stress ratio of dry grains either.
+        // No earlier runs predict the stress ratio of dry grains: the output says so.
     }
     console.print(closures_output(values, run[dem::Observable::stress_ratio].value));
     return values;

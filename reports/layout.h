@@ -30,7 +30,6 @@ struct Page {
     std::string title;             ///< with line ends where it would be wider than the page
     std::vector<PanelPlace> panels;
 };
-/// Returns the size of the page [inch], the title with line ends, and the place of each panel.
 Page page_of(const Figure& figure);
 
 }  // namespace pendular

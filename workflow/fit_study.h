@@ -31,7 +31,8 @@ struct FitOptions {
     /// trained on them too, and the fit repeated until emulator and simulation agree.
     bool confirm = false;
     std::optional<double> confirming_seconds = {};  ///< limit for these simulations [s]
-    /// Whether all training runs are simulated, and no run of atlas or store is used.
+    /// Whether all training runs are simulated, and no run of atlas or store is used; a fit that is
+    /// repeated (`SessionOptions::training`) takes its own runs from the store.
     bool cold = false;
     /// Whether to compute the 68 % interval of the friction coefficient by its profile likelihood.
     bool profile = false;

@@ -114,7 +114,7 @@ struct Conclusion {
 };
 
 /// Whether two diagnoses give the same answer: one verdict on the same effects or, if a measurement
-/// is suspect, on the same measurements, with or without a model that fits.
+/// is suspect, on the same measurements, and either both or neither with a model that fits.
 bool same_answer(const Conclusion& one, const Conclusion& other);
 
 /// Returns what follows from the tests of a study's model.

@@ -20,8 +20,7 @@ struct ReadingCoordinate {
 /// velocity, liquid content and time, if the largest value exceeds the smallest by more than a
 /// tenth.
 /// @param of_instrument whether the angular velocity replaces the inertial number, for a change
-/// that
-///        acts on the instrument
+///        that acts on the instrument
 /// @throws std::bad_optional_access if `of_instrument` is true and the study has no cell
 std::vector<ReadingCoordinate> coordinates_of(const std::vector<Reading>& readings,
                                               const Study& study, bool of_instrument);

@@ -6,7 +6,7 @@
 
 namespace pendular {
 
-/// Returns the arithmetic mean, in the unit of the values; NaN for an empty list.
+/// Returns the mean without weights, in the unit of the values; NaN for an empty list.
 double plain_mean(std::span<const double> samples);
 
 /// Lagged covariances C(t) of two series, in the product of their units: mean of the covariance

@@ -71,7 +71,8 @@ Recording recording_without_faulty_rows(const std::filesystem::path& file, const
     return recording;
 }
 
-/// Readings of one recording.
+/// Readings of one recording. The order is that of the stations of a fault (ARCHITECTURE.md): rows
+/// are left out before means are taken, and readings are marked by all that was found before.
 Measurements measure(const std::filesystem::path& file, const Source& source, const Study& study,
                      FilesBefore& before) {
     AnnularCell cell = *study.cell;

@@ -15,7 +15,6 @@ class Bytes {
     void add_unsigned(std::uint32_t value, int width) {
         append(&value, static_cast<std::size_t>(width));
     }
-    /// Adds the values as 32-bit floats.
     void add_floats(const Eigen::VectorXd& values);
     /// Adds the scale, the largest magnitude of the values, as a 32-bit float, then each value as
     /// the 16-bit integer 32767 value/scale, rounded.
