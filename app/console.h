@@ -27,13 +27,11 @@ class Console {
 
     /// Prints the command's main result, one or more sentences, in bold on a terminal.
     void answer(const std::string& text);
-    /// Prints one line of text.
     void line(const std::string& text);
     /// Prints a table: a heading, then at most `most_rows` rows, or all rows with --all, then the
     /// number of hidden rows. Rows that begin with "  (" explain the columns, and are always
     /// printed, below the table.
     void table(const std::vector<std::string>& heading_and_rows, std::size_t most_rows);
-    /// Prints all parts of an output.
     void print(const Output& output);
     /// Stores a remark, which is printed as "Note: ..." before the figures and the next command.
     /// Without --all, at most three notes are printed, then the number of hidden notes; notes that

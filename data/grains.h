@@ -7,7 +7,6 @@ namespace pendular {
 /// Standard acceleration of gravity [m/s^2].
 constexpr double gravity = 9.80665;
 
-/// Properties of the grains.
 struct GrainProperties {
     double diameter = 0;  ///< a, mean diameter [m]
     double density = 0;   ///< rho, density of the grain material [kg/m^3]

@@ -79,7 +79,6 @@ struct Reading {
     /// Returns the covariance matrix without the increase for few replicates, for statistical tests
     /// that themselves allow for the small number of replicates.
     Eigen::Matrix2d estimated_covariance() const { return covariance - widened_by; }
-    /// Returns the stress ratio [1].
     double stress_ratio() const { return value(0) / condition.normal_stress; }
     /// Returns a remark on the reading and its rows.
     Remark remark(Remark::Kind kind) const {

@@ -49,7 +49,6 @@ Output curve_output(const PredictionCurve& curve, int points, std::size_t runs,
 /// Returns a table of stored runs, one line each.
 Output runs_output(const std::vector<StoredRun>& runs);
 
-/// Returns all data of a stored run.
 Output run_output(const StoredRun& stored);
 
 /// Returns a table of two stored runs, side by side.

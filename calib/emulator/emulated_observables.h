@@ -51,7 +51,6 @@ inline constexpr double exponent = 0.5;
 /// Observables that share one Gaussian process, as their noise is correlated within a run.
 inline constexpr dem::Observable pair[] = {dem::Observable::stress_ratio,
                                            dem::Observable::solid_fraction};
-/// Whether an observable is in `pair`.
 bool in_pair(dem::Observable which);
 /// Returns, for each state in turn, queries for the stress ratio and the solid fraction.
 std::vector<Query> pairs_at(const std::vector<FlowState>& states);

@@ -129,7 +129,6 @@ class Kernel {
         std::array<double, coordinate_count> inverse_squares{};
         Amplitude amplitude = Amplitude::one;
     };
-    /// Returns b(u) of `part` at the place `at`.
     static double amplitude(const Part& part, const Prepared& at);
     /// Returns the prior covariance due to one process, including b(u).
     static double of_part(const Part& part, const Prepared& a, const Prepared& b);

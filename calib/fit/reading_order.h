@@ -27,7 +27,6 @@ std::vector<Reading> readings_to_fit(const Measurements& measurements);
 /// the readings themselves are used.
 std::optional<std::string> note_on_means(std::size_t used, std::size_t measured);
 
-/// Returns the number of dry readings.
 std::size_t dry_count(const std::vector<Reading>& readings);
 
 /// Returns the readings with indices `from` to `to` - 1.

@@ -195,14 +195,12 @@ constexpr bool beside_plateau(Remark::Kind kind) {
 /// a study that keeps implausible readings, remarks without consequence are removed.
 std::vector<Remark> decide(std::vector<Remark> remarks, bool keep_implausible);
 
-/// Appends remarks to others.
 void append(std::vector<Remark>& to, std::vector<Remark> more);
 
 /// Adds a line to the last range if it follows directly, and otherwise as a new one. Lines must be
 /// added in ascending order.
 void add_line(std::vector<Lines>& lines, int line);
 
-/// Returns all lines in ranges of lines.
 std::set<int> all_lines(const std::vector<Lines>& ranges);
 
 /// Returns the number of lines of a set from `first` to `last`.

@@ -33,7 +33,6 @@ const char* readings_changed(const Effect& effect);
 /// Returns name, equation, parameters and bounds as JSON, with `EffectStatus` if it is known.
 nlohmann::ordered_json to_json(const EffectEntry& entry);
 
-/// Returns the JSON of a list of effects.
 nlohmann::ordered_json to_json(const std::vector<EffectEntry>& entries);
 
 }  // namespace pendular

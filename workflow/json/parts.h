@@ -58,7 +58,6 @@ Json file_finding_json(const Remark& fault);
 /// Returns a JSON array of the faults found inside recordings, such as a wobble of the lid.
 Json findings_json(const std::vector<Remark>& findings);
 
-/// Returns a JSON array of cohesion lines.
 Json cohesion_lines_json(const std::vector<CohesionLine>& lines);
 
 /// Returns a JSON array of faults found inside recordings. `explains`: share of the misfit that the
