@@ -142,6 +142,7 @@ class Confirming {
         auto runs = seeds_.runs_at(
             most_informative(diagnosis.models->simulation().emulator(), session_.fidelity, choice),
             study_, session_.fidelity, known_.runs);
+        // Wall times of runs that were made here tell more than those of the atlas.
         runs.resize(
             budget_.batch(runs, made_.empty() ? known_.runs : made_, session_.threads, reserved_));
         return runs;

@@ -22,12 +22,16 @@ CalibrationRequest request_for(std::optional<KnownRuns> known, const SessionOpti
         .budget = options.confirming_seconds ? RunBudget(*options.confirming_seconds) : RunBudget(),
         .cohesion = options.cohesion};
     if (!known) {
+        // The few runs of a first design tell hyperparameters badly; those of the atlas serve. One
+        // round less is needed where nobody asks to confirm the fit.
         request.known.hyperparameters = atlas_hyperparameters();
         request.options.fewest_rounds -= !options.confirm;
         return request;
     }
     request.known = std::move(*known);
     request.known.may_simulate = options.confirm;
+    // The first round of runs fills gaps of the known range; the second checks the emulator at the
+    // optimum (`RunPlanner::improve`).
     request.options.fewest_rounds = 2;
     if (!options.confirm) request.options.fewest_rounds = request.options.most_rounds = 1;
     return request;

@@ -110,6 +110,8 @@ bool includes(const std::vector<std::string>& effects, const std::string& effect
 std::vector<FittedModel> proposal_rivals(const StudyDiagnosis& d) {
     std::vector<FittedModel> models;
     if (d.proposals.empty()) return models;
+    // A change of what a sensor shows is settled by a check of the sensor; no reading of the beads
+    // tells it from a change of the beads.
     const auto of_sensor = [](const FittedShape& each) { return each.shape.quantity.of_sensor(); };
     for (std::size_t k = 0; k < d.proposals.size(); ++k) {
         if (std::ranges::any_of(d.proposals[k].shapes, of_sensor)) continue;
@@ -138,6 +140,8 @@ std::vector<FittedModel> rivals_of(const StudyDiagnosis& d) {
         if (!each.suspect) rivals.push_back(as_rival(each, *d.models));
     }
     if (diagnosis.leaders) rivals.push_back(as_rival(diagnosis.leaders->model, *d.models));
+    // Where no model is named, proposals are told apart; where there are none, the errors of the
+    // study's model are reduced. A single model competes with the rivals of effects added earlier.
     if (rivals.empty()) rivals = proposal_rivals(d);
     if (rivals.empty()) rivals.push_back(as_rival(diagnosis.base, *d.models));
     if (rivals.size() == 1) rivals.insert(rivals.end(), d.rivals.begin(), d.rivals.end());

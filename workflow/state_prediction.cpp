@@ -210,6 +210,8 @@ std::optional<closures::ClosureValues> StatePredictor::closures_of(
     const FlowState dry{.friction = p.friction,
                         .inertial_number = p.inertial_number,
                         .stiffness_number = p.stiffness_number};
+    // The dry stress ratio is emulated without effects and at the default damping: a run that
+    // differs in what dry grains feel has another one.
     const bool others = std::ranges::any_of(p.effects, [](const EffectValues& values) {
         return built_in_effect(values.effect).touches != Touches::wet;
     });

@@ -55,6 +55,7 @@ ResolvedStudy defining_too(const Study& study, const WrittenEffect& effect) {
 
 /// Text of study.toml with a table appended.
 std::string with_table(const std::string& text, const std::string& table) {
+    // The file keeps the line ends that it has.
     const bool crlf = text.find("\r\n") != std::string::npos;
     std::string added = (text.ends_with('\n') ? "\n" : "\n\n") + table;
     if (!crlf) return text + added;
@@ -103,6 +104,7 @@ void apply_change(const StudyChange& change, const LadderStep& before, LadderSte
     after.change = word_for(change.change);
     after.effect = change.effect;
     add_step(ladder, before, std::move(after));
+    // The study is written last: whatever fails before, it is as it was.
     write_calibration(out, fit.calibration, fit.comparison, fit.belief);
     write_ladder(out / "ladder.json", ladder);
     replace_study(file, change.new_text);
@@ -160,6 +162,9 @@ ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measur
     const std::vector<Reading> readings = readings_to_fit(measurements);
     const bool all_before = fitted_count(study, readings) == readings.size(),
                all_after = fitted_count(changed, readings) == readings.size();
+    // The fit of an earlier command serves only if it was made as the new one will be: with the
+    // same readings, and with runs of the same origin. Differences would else be taken for the
+    // effect's.
     FittedStudy before;
     if (comparable && (all_before || !all_after) &&
         earlier->calibration.cold == begins_cold(study, session, fit)) {

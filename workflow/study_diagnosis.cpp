@@ -117,6 +117,8 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     const Fit& fit = result.diagnosis.base.fit;
     result.mistake = find_unit_mistake(*model, result.readings, study, fit.parameters);
     Circumstances beside{.doubtful = doubtful_parts(result.mistake, study, measurements)};
+    // The search for shapes takes time, and no shape stands where a model fits or where a doubt
+    // about the measurement overrules all tests.
     if (beside.doubtful.empty() && !result.diagnosis.complete) {
         result.proposals = propose(study, *result.models, result.evidence, result.readings,
                                    result.diagnosis, options);
@@ -128,6 +130,7 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     result.recordings = recordings_beside(result, misfit_to_explain, measurements.faults(true));
     beside.recordings_explain_most =
         !result.recordings.empty() && result.recordings.front().explains_most();
+    // Proposals and faults of the recordings have a say in the verdict, which is drawn again.
     conclude_anew(result.diagnosis, *result.models, options, beside);
     if (!result.diagnosis.proposals_stand) result.proposals.clear();
     const Misfit misfit{result.diagnosis.base.fit.chi2, result.diagnosis.dof,

@@ -241,6 +241,7 @@ SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis&
     }
     result.switches.resize(std::min(result.switches.size(), most));
     const ResolvedStudy fitted = with_common_readings(study, result.switches, diagnosis.readings);
+    // Listed effects come first among the switches, so that the lowest bits stand for the study.
     result.current = (std::size_t(1) << std::min(listed.size(), most)) - 1;
     result.models.resize(std::size_t(1) << result.switches.size());
     result.why_not.resize(result.models.size());

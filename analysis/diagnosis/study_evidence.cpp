@@ -156,7 +156,8 @@ std::vector<Covariate> covariates_of(const std::vector<Reading>& readings,
         for (Eigen::Index k = 0; k < of_readings.size(); ++k)
             covariate.values.segment<2>(2 * k).setConstant(of_readings(k));
         const double low = of_readings.minCoeff(), high = of_readings.maxCoeff();
-        // The ranks of the times give the run order.
+        // Quantities that vary by less than a tenth are constant set points with their scatter. The
+        // ranks of the times give the run order.
         const bool known =
             quantity.name == "run order" && !result.empty() && result.back().name == "time";
         if (!known && high - low > 0.1 * std::max(std::abs(low), std::abs(high))) {

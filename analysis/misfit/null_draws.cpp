@@ -112,6 +112,8 @@ Eigen::MatrixXd NullDraws::whitened(const WeightedResiduals& residuals) const {
 }
 
 double NullDraws::p(double observed, const Eigen::VectorXd& drawn) {
+    // The observed value counts as one more draw: no p value is 0, and tests at a level reject no
+    // more often than it says, however few the draws.
     const auto as_large = (drawn.array() >= observed).count();
     return static_cast<double>(1 + as_large) / static_cast<double>(1 + drawn.size());
 }

@@ -66,7 +66,8 @@ class WhitenedResiduals : public ceres::CostFunction {
     mutable int refused_ = 0;
 };
 
-/// Ends a search of Ceres after more than 20 steps that led out of the range.
+/// Ends a search of Ceres after more than 20 steps that led out of the range: the optimum then lies
+/// outside, and the search with bounds that follows finds the end of the range. Chosen.
 class StopAtTheEnd : public ceres::IterationCallback {
   public:
     explicit StopAtTheEnd(const WhitenedResiduals& residuals) : residuals_(residuals) {}
@@ -79,7 +80,8 @@ class StopAtTheEnd : public ceres::IterationCallback {
     const WhitenedResiduals& residuals_;
 };
 
-/// Whether a step leaves the range of a parameter that is at an end of its range already.
+/// Whether a step leaves the range of a parameter that is at an end of its range already, to a
+/// millionth of the range, since searches end on a bound but for rounding.
 bool leaves_at_bound(const ParameterBounds& range, Eigen::Index k, double at, double step) {
     const double close = 1e-6 * (range.upper(k) - range.lower(k));
     return (step < 0 && at - range.lower(k) < close) || (step > 0 && range.upper(k) - at < close);
