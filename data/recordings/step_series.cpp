@@ -80,6 +80,7 @@ void space_evenly(StepSeries& series) {
 /// @param magnitudes absolute values of the values of this sign
 /// @param series all values, of both signs
 bool significant(const std::vector<double>& magnitudes, std::span<const double> series) {
+    // Chosen: noise of a small torque must not end an import, a torque that turns round must.
     const double far = 5 * robust_deviation(series);
     if (std::ranges::any_of(magnitudes, [&](double value) { return value > far; })) return true;
     if (magnitudes.size() < std::max<std::size_t>(3, series.size() / 50)) return false;
@@ -121,6 +122,7 @@ bool nearly_constant(std::span<const double> series) {
 }
 
 std::optional<std::size_t> end_of_transient_or_drift(std::span<const double> series) {
+    // A drift by 0.1 % is small beside the error of any reading.
     const auto found = end_of_transient(series);
     if (!found && nearly_constant(series)) return series.size() / 2;
     return found;
@@ -129,6 +131,7 @@ std::optional<std::size_t> end_of_transient_or_drift(std::span<const double> ser
 }  // namespace
 
 bool turns(const Mean& angular_velocity) {
+    // Less may be the noise of a speed at rest.
     return std::abs(angular_velocity.value) > 3 * angular_velocity.standard_error;
 }
 

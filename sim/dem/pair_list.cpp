@@ -269,6 +269,8 @@ PairList::PairList(double rupture_distance, int parts, const ListRequirements& r
       old_narrow_({}, requirements.contact_history),
       old_distant_({}, requirements.contact_history) {
     if (requirements.all_in_reach) {
+        // Half a skin more than must be known, or each renewal of the narrow list would search the
+        // bins again.
         reach_ = std::max(reach_, rupture_distance);
         wide_skin_ = std::max(wide_skin_, reach_ + narrow_skin + shortest_wide_skin / 2);
     }
@@ -371,6 +373,7 @@ void PairList::select(Grains& grains, const Cell& cell) {
             if (near != none) {
                 narrow_.remember(narrow_.size() - 1, old_narrow_, near);
             }
+            // Without contact a pair has no tangential spring: only what effects keep goes on.
             if (near == none && far != none_distant) {
                 narrow_.remember_effects(narrow_.size() - 1, old_distant_, far);
             }

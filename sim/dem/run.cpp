@@ -248,6 +248,8 @@ class Run {
     /// Shears the sample block by block until the run may end.
     /// @return whether a steady state was found
     bool shear() {
+        // Chosen: a run that is not steady after twice the requested strain and 4 more is returned
+        // as not steady.
         const std::size_t most = 2 * wanted_ + blocks_in(4);
         while (state_.series.size() < most) {
             guarded([&] { return fill_block(); });
@@ -273,6 +275,8 @@ class Run {
             return false;
         }
         const auto found = state_.series.transient(wet_);
+        // Where no end of the transient is found, progress is reported as if the next look found
+        // it.
         state_.transient = found ? *found : done - fewest_ + blocks_in(look_every_strain);
         const std::size_t averaged = done - state_.transient;
         if (!found || averaged < fewest_) {
