@@ -3,57 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <set>
 
 #include "data/grains.h"
+#include "data/quantities/unit_factors.h"
 #include "data/recordings/plausibility.h"
+#include "data/remarks/fault_wording.h"
 
 namespace pendular {
 namespace {
 
-/// Factor by which a column read in a wrong unit must be multiplied, with a text that names the
-/// mistake.
-struct Factor {
-    double value;
-    std::string_view meaning;
-};
-
-constexpr double turn = 2 * std::numbers::pi, degree = std::numbers::pi / 180;
-
-const std::vector<Factor> angular_factors = {
-    {turn / 60, "numbers in rpm were read as rad/s"},
-    {turn, "numbers in turns per second (Hz) were read as rad/s"},
-    {degree, "numbers in deg/s were read as rad/s"},
-    {60 / turn, "numbers in rad/s were read as rpm"},
-    {1 / turn, "numbers in rad/s were read as turns per second (Hz)"},
-    {1 / degree, "numbers in rad/s were read as deg/s"},
-    {60, "numbers per second were read as per minute"},
-    {1.0 / 60, "numbers per minute were read as per second"}};
-
-const std::vector<Factor> gravity_factors = {
-    {gravity, "numbers in kilogram-force were read as newton"},
-    {gravity / 1000, "numbers in gram-force were read as newton"},
-    {gravity / 100, "numbers in gf cm were read as mN m"},
-    {1 / gravity, "numbers in newton were read as kilogram-force"}};
-
-constexpr std::string_view wrong_prefix = "a prefix of the unit is wrong";
-
-std::vector<Factor> with_powers_of_ten(std::vector<Factor> factors, int most) {
-    for (int n = 1; n <= most; ++n) {
-        factors.push_back({std::pow(10.0, n), wrong_prefix});
-        factors.push_back({std::pow(10.0, -n), wrong_prefix});
-    }
-    return factors;
-}
-
-/// Column of a recording, with the factors to try and their effect on a reading.
+/// Column of a recording that may be in a wrong unit, with the effect on a reading.
 struct Column {
-    std::string_view name;
-    std::vector<Factor> factors;
+    std::string_view quantity;
+    int powers;  ///< largest power of ten that a wrong prefix may amount to
     void (*multiply)(Reading& reading, double factor);
     bool changes_condition;  ///< whether the condition, and therefore the prediction, changes
 };
@@ -95,16 +60,28 @@ void multiply_liquid_content(Reading& reading, double factor) {
     reading.condition.liquid_content *= factor;
 }
 
-const std::vector<Column>& columns() {
-    static const std::vector<Column> all = {
-        {"angular velocity", with_powers_of_ten(angular_factors, 3), multiply_angular_velocity,
-         true},
-        {"torque", with_powers_of_ten(gravity_factors, 6), multiply_shear_stress, false},
-        {"normal force", with_powers_of_ten(gravity_factors, 3), multiply_normal_force, true},
-        {"gap", with_powers_of_ten({}, 3), multiply_gap, true},
-        {"bead mass", with_powers_of_ten({}, 3), multiply_bead_mass, true},
-        {"liquid content", with_powers_of_ten({}, 2), multiply_liquid_content, true}};
-    return all;
+constexpr Column columns[] = {{"angular_velocity", 3, multiply_angular_velocity, true},
+                              {"torque", 6, multiply_shear_stress, false},
+                              {"normal_force", 3, multiply_normal_force, true},
+                              {"height", 3, multiply_gap, true},
+                              {"bead_mass", 3, multiply_bead_mass, true},
+                              {"liquid_content", 2, multiply_liquid_content, true}};
+
+/// Factor by which a column in a wrong unit must be multiplied.
+struct Factor {
+    double value;
+    std::string meaning;  ///< such as "numbers in rpm were read as rad/s"
+    bool prefix = false;  ///< whether the units differ by their prefix alone
+};
+
+std::vector<Factor> factors_of(const Column& column) {
+    std::vector<Factor> factors;
+    for (const UnitMixUp& units : unit_mix_ups(column.quantity))
+        factors.push_back({units.factor, units.meaning()});
+    for (int n = 1; n <= column.powers; ++n)
+        for (const int power : {n, -n})
+            factors.push_back({std::pow(10.0, power), "a prefix of the unit is wrong", true});
+    return factors;
 }
 
 /// Whether a reading is within the range of steady shear of grains for which a model can be
@@ -203,7 +180,7 @@ struct FileGroup {
 
 bool has_column(const Reading& reading, const FileGroup& group, const Column& column) {
     return group.files.contains(reading.origin.file) &&
-           !(column.name == "liquid content" && reading.condition.dry());
+           !(column.quantity == "liquid_content" && reading.condition.dry());
 }
 
 /// Readings after one column of a group of files was multiplied by a factor; empty where the factor
@@ -267,8 +244,7 @@ std::vector<FileGroup> groups_to_try(const std::vector<Reading>& readings, const
 bool better(double chi2, const Factor& factor, const std::optional<UnitMistake>& best, int dof) {
     if (!best) return true;
     const double alike = std::sqrt(2.0 * dof);
-    const bool prefix = factor.meaning == wrong_prefix, best_is_prefix = best->unit == wrong_prefix;
-    const double handicap = prefix == best_is_prefix ? 0 : prefix ? alike : -alike;
+    const double handicap = factor.prefix == best->prefix ? 0 : factor.prefix ? alike : -alike;
     return chi2 + handicap < best->chi2_after;
 }
 
@@ -292,18 +268,19 @@ std::optional<UnitMistake> find_unit_mistake(const Predictor& model,
     if (before < bad_enough * dof) return std::nullopt;
     std::optional<UnitMistake> best;
     for (const FileGroup& group : groups_to_try(readings, study)) {
-        for (const Column& column : columns()) {
-            for (const Factor& factor : column.factors) {
+        for (const Column& column : columns) {
+            for (const Factor& factor : factors_of(column)) {
                 const auto trial = multiplied(readings, group, column, factor.value, study);
                 if (!trial) continue;
                 const double after = chi2_of(*trial, column, misfits, as_read);
                 if (after > mended * before || after > good_enough * dof ||
                     !better(after, factor, best, dof))
                     continue;
-                best = UnitMistake{.column = std::string(column.name),
+                best = UnitMistake{.column = words_for_quantity(std::string(column.quantity)),
                                    .files = group.name,
                                    .factor = factor.value,
-                                   .unit = std::string(factor.meaning),
+                                   .unit = factor.meaning,
+                                   .prefix = factor.prefix,
                                    .chi2_before = before,
                                    .chi2_after = after,
                                    .dof = dof};

@@ -1,7 +1,8 @@
 #include "data/recordings/checks.h"
 
 #include <cmath>
-#include <optional>
+
+#include "data/quantities/unit_factors.h"
 
 namespace pendular {
 namespace {
@@ -9,16 +10,6 @@ namespace {
 /// Relative difference up to which a torque is a power of ten times that of the stress [1]. Chosen:
 /// wider than the rounding of both columns, and so narrow that other faults are left alone.
 constexpr double repair_tolerance = 0.05;
-
-/// Power of ten by which a torque differs from the torque of the stress; 0 if they agree, empty if
-/// they differ otherwise or if one of them is zero or unknown.
-std::optional<int> lost_power(double torque, double torque_of_stress) {
-    const double factor = std::abs(torque / torque_of_stress);
-    if (!(factor > 0) || std::isinf(factor)) return std::nullopt;
-    const double power = std::round(std::log10(factor));
-    if (std::abs(factor / std::pow(10, power) - 1) > repair_tolerance) return std::nullopt;
-    return static_cast<int>(power);
-}
 
 }  // namespace
 
@@ -33,7 +24,8 @@ std::vector<Remark> torques_without_mark(const Recording& recording, const Annul
                  .because = std::vector<Remark>(1)};
     std::size_t agreeing = 0;
     for (std::size_t i = 0; i < recording.size(); ++i) {
-        const auto power = lost_power(recording.torque[i], torque(recording.shear_stress[i], cell));
+        const double expected = torque(recording.shear_stress[i], cell);
+        const auto power = power_of_ten(recording.torque[i] / expected, repair_tolerance);
         if (power == 0) ++agreeing;
         if (!power || *power == 0) continue;
         rows[i] = true;

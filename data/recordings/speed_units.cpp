@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <string>
 #include <vector>
+
+#include "data/quantities/unit_factors.h"
 
 namespace pendular {
 namespace {
 
 using Steps = std::vector<const Reading*>;
-
-/// Factors between the numbers of an angular velocity in two units: 1/min and turn/s to rad/s.
-constexpr double unit_factors[] = {30 / std::numbers::pi, 2 * std::numbers::pi};
 
 /// Readings of recordings in steady shear, by file.
 std::map<std::string, Steps> steps_by_file(const std::vector<Reading>& readings) {
@@ -92,12 +90,13 @@ std::vector<Remark> other_speed_units(const std::vector<Reading>& readings) {
     constexpr std::size_t most = 500;  // the time grows with the square
     std::vector<Remark> found;
     if (files.size() > most) return found;
-    for (const double factor : unit_factors) {
-        const OddFiles odd = odd_files(files, factor);
+    for (const UnitMixUp& units : unit_mix_ups("angular_velocity")) {
+        if (units.factor < 1) continue;  // the reverse of another, which finds both
+        const OddFiles odd = odd_files(files, units.factor);
         if (odd.odd.empty()) continue;
         Remark& doubt = found.emplace_back(Remark{.kind = Remark::Kind::other_speed_unit,
                                                   .quantity = "angular_velocity",
-                                                  .size = factor,
+                                                  .size = units.factor,
                                                   .names = odd.others});
         for (const std::string& file : odd.odd)
             for (const Reading* reading : files.at(file))

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string_view>
 
+#include "data/quantities/unit_factors.h"
 #include "data/reading.h"
 #include "data/recordings/plausibility.h"
 #include "data/remarks/fault_wording.h"
@@ -51,7 +51,7 @@ constexpr std::array value_words = {
 
 /// Text with the power of ten that leads to a usual value: " (a bead mass 10 times smaller or a gap
 /// 10 times larger would give 0.6)"; empty if no power of ten does.
-std::string power_of_ten(const Remark& doubt, const ValueWords& words) {
+std::string usual_by_power_of_ten(const Remark& doubt, const ValueWords& words) {
     const int power = power_to_usual(doubt.quantity, doubt.size);
     if (power == 0) return "";
     const auto change = [&](const char* what, bool larger) {
@@ -86,7 +86,7 @@ std::string limit_and_check(const Remark& doubt) {
                        below ? words.why_not_less
                        : wet ? "1.5 (1 + 1/P*), more than wet grains can have at this P*"
                              : words.why_not_more,
-                       words.check, power_of_ten(doubt, words));
+                       words.check, usual_by_power_of_ten(doubt, words));
 }
 
 /// Sentence on the readings with impossible values of one quantity.
@@ -102,6 +102,11 @@ std::string impossible_sentence(const Remark& doubt) {
                        limit_and_check(doubt.because.front()));
 }
 
+/// Text with two units: "the factor between rad/s and rpm".
+std::string between(const UnitMixUp& units) {
+    return fmt::format("the factor between {} and {}", units.unit, units.taken_for);
+}
+
 /// Likely cause of a constant factor between a stated and a computed column.
 std::string cause_of(const Remark& doubt) {
     constexpr double factor_tolerance = 0.02;  // as in contradictions.cpp
@@ -111,16 +116,16 @@ std::string cause_of(const Remark& doubt) {
     if (doubt.quantity == "shear_stress" && (is(2) || is(0.5)))
         return "the printed torque formula gives twice the derived one: see torque_formula in "
                "[cell]";
-    const double power = std::round(std::log10(doubt.size));
-    if (power != 0 && is(std::pow(10, power)))
+    if (const int power = power_of_ten(doubt.size, factor_tolerance).value_or(0))
         return fmt::format(
-            "a factor of 10^{:.0f}: check the units of both columns{}", power,
+            "a factor of 10^{}: check the units of both columns{}", power,
             doubt.quantity == "shear_stress"
                 ? "; if only some torques lost a mark, repair = true in [[recording]] takes them "
                   "from the shear stress"
                 : "");
-    if (doubt.quantity == "shear_rate" && (is(2 * M_PI) || is(0.5 / M_PI)))
-        return "a factor of 2 pi: turns per second read as radians per second or the reverse";
+    const UnitMixUp* const speeds = find_mix_up("angular_velocity", doubt.size, factor_tolerance);
+    if (doubt.quantity == "shear_rate" && speeds)
+        return fmt::format("{}: check the units of both columns", between(*speeds));
     return "check inner_radius and outer_radius in [cell]: the instrument used others, or another "
            "formula";
 }
@@ -147,10 +152,9 @@ std::string names_of(const std::vector<std::string>& files) {
 
 std::string speed_unit_text(const Remark& doubt) {
     return fmt::format(
-        "The angular velocities of {} differ by a factor of {:.3g}, the factor between {}, from "
-        "those of {} at the same steps; check the unit in the headers.",
-        names_of(doubt.files), doubt.size,
-        doubt.size > 2 * std::numbers::pi + 1 ? "1/min (rpm) and rad/s" : "turn/s and rad/s",
+        "The angular velocities of {} differ by a factor of {:.3g}, {}, from those of {} at the "
+        "same steps; check the unit in the headers.",
+        names_of(doubt.files), doubt.size, between(*find_mix_up(doubt.quantity, doubt.size, 1e-9)),
         names_of(doubt.names));
 }
 

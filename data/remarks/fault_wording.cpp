@@ -12,6 +12,7 @@
 
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
+#include "data/quantities/unit_factors.h"
 #include "data/recordings/robust.h"
 
 namespace pendular {
@@ -186,8 +187,7 @@ const char* stress_for(const std::string& measured) {
 
 std::string ratio_text(const Remark& fault) {
     constexpr double ratio_tolerance = 0.05;  // as in file_checks.cpp
-    const double power = std::pow(10, std::round(std::log10(std::abs(fault.size))));
-    const bool decimal = power != 1 && std::abs(fault.size / power - 1) < ratio_tolerance;
+    const bool decimal = power_of_ten(fault.size, ratio_tolerance).value_or(0) != 0;
     const std::string force = words_for_quantity(fault.quantity),
                       stress = stress_for(fault.quantity);
     return fmt::format(

@@ -213,8 +213,9 @@ TEST_F(ReadMeasurements, DoubtVelocitiesThatDifferByAFactorBetweenUnits) {
         const auto doubt = std::ranges::find(found, "angular_velocity", &Remark::quantity);
         return doubt == found.end() ? std::string() : text_of(*doubt);
     };
-    expect_told(
-        {said(doubts(rpm, 1.04)), said(doubts(1 / rpm, 1.04)), said(doubts(2 * std::numbers::pi))});
+    expect_told({said(doubts(rpm, 1.04)), said(doubts(1 / rpm, 1.04)),
+                 said(doubts(2 * std::numbers::pi)), said(doubts(180 / std::numbers::pi)),
+                 said(doubts(60))});
     // Ratios of ordinary speeds: a decade, with dilated beads; series of 5 and 10 for each decade.
     for (const double other : {1.0, 5.0, 6.25, 6.3, 6.3096, 9.5, 10.0})
         for (const double gap : {1.0, 1.03, 1.047})
