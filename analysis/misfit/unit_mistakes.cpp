@@ -19,6 +19,7 @@ namespace {
 struct Column {
     std::string_view quantity;
     int powers;  ///< largest power of ten that a wrong prefix may amount to
+    bool (*is_column_of)(const Reading& reading);  ///< whether the reading comes of such a column
     void (*multiply)(Reading& reading, double factor);
     bool changes_condition;  ///< whether the condition, and therefore the prediction, changes
 };
@@ -51,7 +52,7 @@ void multiply_bead_mass(Reading& reading, double factor) {
     if (reading.condition.bead_volume) *reading.condition.bead_volume *= factor;
 }
 
-void multiply_angular_velocity(Reading& reading, double factor) {
+void multiply_shear_rate(Reading& reading, double factor) {
     reading.condition.inertial_number *= factor;
     reading.shear_rate *= factor;
 }
@@ -60,12 +61,24 @@ void multiply_liquid_content(Reading& reading, double factor) {
     reading.condition.liquid_content *= factor;
 }
 
-constexpr Column columns[] = {{"angular_velocity", 3, multiply_angular_velocity, true},
-                              {"torque", 6, multiply_shear_stress, false},
-                              {"normal_force", 3, multiply_normal_force, true},
-                              {"height", 3, multiply_gap, true},
-                              {"bead_mass", 3, multiply_bead_mass, true},
-                              {"liquid_content", 2, multiply_liquid_content, true}};
+/// Whether a reading was averaged from a recording; the others come from a table of readings.
+bool recorded(const Reading& reading) {
+    return reading.within_run_only;
+}
+
+// Stresses and solid fractions in a table of readings are not tried: a wrong prefix makes them
+// impossible, which the import says (data/recordings/plausibility.h), and inertial numbers have no
+// unit.
+constexpr Column columns[] = {
+    {"angular_velocity", 3, recorded, multiply_shear_rate, true},
+    {"torque", 6, recorded, multiply_shear_stress, false},
+    {"normal_force", 3, recorded, multiply_normal_force, true},
+    {"height", 3, recorded, multiply_gap, true},
+    {"bead_mass", 3, recorded, multiply_bead_mass, true},
+    {"shear_rate", 3, [](const Reading& r) { return !recorded(r) && r.shear_rate > 0; },
+     multiply_shear_rate, true},
+    {"liquid_content", 2, [](const Reading& r) { return !r.condition.dry(); },
+     multiply_liquid_content, true}};
 
 /// Factor by which a column in a wrong unit must be multiplied.
 struct Factor {
@@ -175,13 +188,8 @@ struct Trial {
 /// Files whose columns may all be in the same wrong unit.
 struct FileGroup {
     std::set<std::string> files;
-    std::string name;  ///< as in "the torque of wet_1.csv": "of wet_1.csv"
+    std::string name;  ///< as in "the torque of wet_1.csv": "of wet_1.csv"; empty: all files
 };
-
-bool has_column(const Reading& reading, const FileGroup& group, const Column& column) {
-    return group.files.contains(reading.origin.file) &&
-           !(column.quantity == "liquid_content" && reading.condition.dry());
-}
 
 /// Readings after one column of a group of files was multiplied by a factor; empty where the factor
 /// changes no reading or makes a reading impossible.
@@ -189,7 +197,8 @@ std::optional<Trial> multiplied(const std::vector<Reading>& readings, const File
                                 const Column& column, double factor, const Study& study) {
     Trial trial{.readings = readings, .changed = {}};
     for (std::size_t k = 0; k < readings.size(); ++k) {
-        if (!has_column(readings[k], group, column)) continue;
+        if (!group.files.contains(readings[k].origin.file)) continue;
+        if (!column.is_column_of(readings[k])) continue;
         column.multiply(trial.readings[k], factor);
         if (!possible(trial.readings[k], study)) return std::nullopt;
         trial.changed.push_back(k);
@@ -221,7 +230,7 @@ std::vector<FileGroup> groups_to_try(const std::vector<Reading>& readings, const
     std::set<std::string> all;
     for (const Reading& reading : readings)
         all.insert(reading.origin.file);
-    std::vector<FileGroup> groups = {{.files = all, .name = "of all recordings"}};
+    std::vector<FileGroup> groups = {{.files = all, .name = ""}};
     const auto add = [&](const FileGroup& group) {
         if (!group.files.empty() &&
             std::ranges::find(groups, group.files, &FileGroup::files) == groups.end())
@@ -237,6 +246,15 @@ std::vector<FileGroup> groups_to_try(const std::vector<Reading>& readings, const
     for (const std::string& file : all)
         add({.files = {file}, .name = "of " + std::filesystem::path(file).filename().string()});
     return groups;
+}
+
+/// Text with the files in which a factor changed readings, such as "of all recordings".
+std::string files_of(const FileGroup& group, const Trial& trial) {
+    if (!group.name.empty()) return group.name;
+    const auto from_recordings = std::ranges::count_if(
+        trial.changed, [&](std::size_t k) { return recorded(trial.readings[k]); });
+    if (from_recordings == std::ssize(trial.changed)) return "of all recordings";
+    return from_recordings == 0 ? "of all tables of readings" : "of all files";
 }
 
 /// Whether a factor reduces chi2 more than the best factor so far, or about equally and is the more
@@ -277,7 +295,7 @@ std::optional<UnitMistake> find_unit_mistake(const Predictor& model,
                     !better(after, factor, best, dof))
                     continue;
                 best = UnitMistake{.column = words_for_quantity(std::string(column.quantity)),
-                                   .files = group.name,
+                                   .files = files_of(group, *trial),
                                    .factor = factor.value,
                                    .unit = factor.meaning,
                                    .prefix = factor.prefix,

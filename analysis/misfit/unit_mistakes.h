@@ -33,10 +33,12 @@ struct UnitMistake {
 /// factor reduces chi2 by at least 70 %, to at most 3.5 per degree of freedom. Empty if no factor
 /// does, or if chi2 as read is below 2 per degree of freedom.
 ///
-/// The factors are powers of ten and those of units that are mixed up (`unit_mix_ups`). Each is
-/// tried on the column in all files, in the files of one entry [[recording]] or [[readings]] of
-/// study.toml, and in each file, with the friction coefficient fitted again. Among factors that
-/// reduce chi2 about equally, a mix-up of two named units has precedence.
+/// Only columns are tried from which the readings came: no angular velocity is doubted where a
+/// table states inertial numbers. The factors are powers of ten and those of units that are mixed
+/// up (`unit_mix_ups`). Each is tried on the column in all files, in the files of one entry
+/// [[recording]] or [[readings]] of study.toml, and in each file, with the friction coefficient
+/// fitted again. Among factors that reduce chi2 about equally, a mix-up of two named units has
+/// precedence.
 /// @param parameters fitted values; the first is the friction coefficient
 std::optional<UnitMistake> find_unit_mistake(const Predictor& model,
                                              const std::vector<Reading>& readings,

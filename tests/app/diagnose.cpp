@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -5,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "tests/support/app_support.h"
 
@@ -163,6 +165,34 @@ TEST_F(DiagnoseCommand, RefusesARigThatCannotBe) {
     const Outcome run = run_pendular("next --quiet " + path);
     EXPECT_EQ(run.code, 2);
     expect_told({run.errors});
+}
+
+/// Readings with a rolling resistance of 0.02, all at one inertial number.
+struct Point {
+    double normal_stress, shear_stress, solid_fraction;
+};
+const std::vector<std::vector<Point>> rolling_beads = {
+    {{1000, 395.2, 0.572}, {2500, 991.5, 0.571}, {5000, 1986, 0.572}},
+    {{1000, 399.8, 0.571}, {2500, 998.7, 0.573}, {5000, 1979, 0.571}}};
+const std::string heavy_beads_table =
+    "[grains]\ndiameter = \"500 um\"\ndensity = \"2500 kg/m^3\"\n";
+
+TEST_F(DiagnoseCommand, DoubtsNoSpeedInATableWithoutSpeeds) {
+    std::string points =
+        "normal_stress [Pa],shear_stress [Pa],shear_stress_sd [Pa],solid_fraction "
+        "[1],solid_fraction_sd [1],inertial_number [1]\n";
+    for (const auto& filling : rolling_beads)
+        for (const Point& point : filling)
+            points +=
+                fmt::format("{},{},{},{},0.002,0.004\n", point.normal_stress, point.shear_stress,
+                            0.01 * point.shear_stress, point.solid_fraction);
+    folder_.write("points.csv", points);
+    folder_.write("study.toml", heavy_beads_table + points_table);
+    const Outcome run = run_pendular("diagnose " + folder_.path().string() + " --quiet --json -");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const auto json = nlohmann::json::parse(run.output);
+    EXPECT_EQ(json.at("verdict"), "missing");
+    EXPECT_THAT(json.at("effects"), testing::ElementsAre("rolling-resistance"));
 }
 
 }  // namespace app_diagnose_test
