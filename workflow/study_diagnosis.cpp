@@ -44,6 +44,14 @@ std::vector<std::string> doubtful_parts(const std::optional<UnitMistake>& mistak
     return {parts.begin(), parts.end()};
 }
 
+/// Whether a model with known effects explains the readings at least as well as a wrong unit, by
+/// Akaike's criterion. Its chi2 is without the errors that `UnitMistake` grants the model.
+bool explained_by_effects(const Diagnosis& diagnosis, const UnitMistake& mistake) {
+    return std::ranges::any_of(diagnosis.fitting, [&](const FittedModel& each) {
+        return each.fit.chi2 + 2.0 * static_cast<double>(each.chosen.size()) <= mistake.chi2_after;
+    });
+}
+
 /// Faults inside the recordings, and how much of the misfit they may explain.
 std::vector<RecordingEvidence> recordings_beside(const StudyDiagnosis& d, bool misfit,
                                                  const std::vector<Remark>& findings) {
@@ -116,6 +124,8 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     const std::shared_ptr<const Predictor> model = result.models->predictor({});
     const Fit& fit = result.diagnosis.base.fit;
     result.mistake = find_unit_mistake(*model, result.readings, study, fit.parameters);
+    if (result.mistake && explained_by_effects(result.diagnosis, *result.mistake))
+        result.mistake.reset();
     Circumstances beside{.doubtful = doubtful_parts(result.mistake, study, measurements)};
     // The search for shapes takes time, and no shape stands where a model fits or where a doubt
     // about the measurement overrules all tests.

@@ -15,7 +15,8 @@
 // pure function.
 //
 // In order of precedence:
-//   1. A measurement that is doubtful in itself (a wrong unit) overrules all tests.
+//   1. A measurement that is doubtful in itself overrules all tests: implausible readings, or a
+//      wrong unit that explains the readings better than any known effect.
 //   2. The study's model fits: `nothing_missing`, or `inconclusive` if effects of interest could
 //      have gone undetected, if no effect could have been seen, or if errors are assumed.
 //   3. Models with further effects fit: `missing` names what they share; `indistinguishable` if

@@ -5,9 +5,12 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <string>
 #include <vector>
 
+#include "data/annular_cell.h"
+#include "data/grains.h"
 #include "tests/support/app_support.h"
 
 namespace app_diagnose_test {
@@ -174,8 +177,30 @@ struct Point {
 const std::vector<std::vector<Point>> rolling_beads = {
     {{1000, 395.2, 0.572}, {2500, 991.5, 0.571}, {5000, 1986, 0.572}},
     {{1000, 399.8, 0.571}, {2500, 998.7, 0.573}, {5000, 1979, 0.571}}};
+const GrainProperties heavy_beads{.diameter = 500e-6, .density = 2500};
 const std::string heavy_beads_table =
     "[grains]\ndiameter = \"500 um\"\ndensity = \"2500 kg/m^3\"\n";
+
+/// Recording of an annular cell with 60 g of beads that shows points one after the other.
+std::string recording_of(const std::vector<Point>& points) {
+    const AnnularCell cell{
+        .inner_radius = 0.021, .outer_radius = 0.045, .bead_volume = 0.06 / heavy_beads.density};
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> normal;
+    std::string text = recording_header;
+    double time = 0;
+    for (const Point& point : points) {
+        const double gap = height(point.solid_fraction, cell);
+        const double rate = 0.004 / inertial_number(1, point.normal_stress, heavy_beads);
+        for (int row = 0; row < 400; ++row)
+            text += fmt::format(
+                "{:.4f},{:.6g},{:.6g},{:.6g},{:.6g}\n", time += 0.05 / rate,
+                1e3 * torque(point.shear_stress, cell) * (1 + 0.01 * normal(random)),
+                normal_force(point.normal_stress, cell) * (1 + 0.002 * normal(random)),
+                1e3 * gap * (1 + 5e-4 * normal(random)), angular_velocity(rate, gap, cell));
+    }
+    return text;
+}
 
 TEST_F(DiagnoseCommand, DoubtsNoSpeedInATableWithoutSpeeds) {
     std::string points =
@@ -188,6 +213,19 @@ TEST_F(DiagnoseCommand, DoubtsNoSpeedInATableWithoutSpeeds) {
                             0.01 * point.shear_stress, point.solid_fraction);
     folder_.write("points.csv", points);
     folder_.write("study.toml", heavy_beads_table + points_table);
+    const Outcome run = run_pendular("diagnose " + folder_.path().string() + " --quiet --json -");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const auto json = nlohmann::json::parse(run.output);
+    EXPECT_EQ(json.at("verdict"), "missing");
+    EXPECT_THAT(json.at("effects"), testing::ElementsAre("rolling-resistance"));
+}
+
+TEST_F(DiagnoseCommand, PrefersAKnownEffectToAWrongUnit) {
+    // Multiplying the speeds by 9.549 leaves a chi2 of 9, the effect one of 5.
+    folder_.write("dry_1.csv", recording_of(rolling_beads[0]));
+    folder_.write("dry_2.csv", recording_of(rolling_beads[1]));
+    folder_.write("study.toml",
+                  heavy_beads_table + cell_table() + "[[recording]]\nfile = \"dry_*.csv\"\n");
     const Outcome run = run_pendular("diagnose " + folder_.path().string() + " --quiet --json -");
     ASSERT_EQ(run.code, 0) << run.errors;
     const auto json = nlohmann::json::parse(run.output);
