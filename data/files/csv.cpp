@@ -118,12 +118,6 @@ char header_delimiter(std::string_view header) {
     return *most == 0 ? ',' : candidates[static_cast<std::size_t>(most - counts.begin())];
 }
 
-/// Whether a line is blank, a comment, or delimiters alone, as spreadsheets write empty rows.
-bool passed_over(std::string_view line) {
-    const std::string_view text = trimmed(line);
-    return text.starts_with('#') || text.find_first_not_of(" \t,;") == std::string_view::npos;
-}
-
 /// Limit of header cells, which are compared in pairs: their time grows with the square.
 constexpr std::size_t most_columns = 1000;
 
@@ -178,6 +172,17 @@ void check_cell_count(std::size_t cells, const std::string& file, int line) {
                                      most_cells / 1'000'000));
 }
 
+bool holds_no_row(std::string_view line) {
+    const std::string_view text = trimmed(line);
+    return text.starts_with('#') || text.find_first_not_of(" \t,;") == std::string_view::npos;
+}
+
+Row row_of(const Table& table, std::string_view line, int number, bool last) {
+    Row row = split_cells(line, table.delimiter, {table.file, number}, InnerQuotes::refused);
+    check_length(table, row, last);
+    return row;
+}
+
 Row split_cells(std::string_view line, char delimiter, const Position& at, InnerQuotes inner) {
     return LineSplitter(line, delimiter, at, inner).split();
 }
@@ -190,21 +195,20 @@ Table read_table(const std::filesystem::path& path) {
 Table table_of(const std::string& file, const std::vector<std::string_view>& lines) {
     Table table{.file = file, .header = {}, .rows = {}};
     std::size_t first = 0;
-    while (first < lines.size() && passed_over(lines[first]))
+    while (first < lines.size() && holds_no_row(lines[first]))
         ++first;
     if (first == lines.size())
         throw InputError({table.file}, "is empty; a header and rows of numbers are needed");
 
     table.delimiter = header_delimiter(lines[first]);
-    Position at{table.file, static_cast<int>(first) + 1};
-    table.header = split_cells(lines[first], table.delimiter, at, InnerQuotes::kept);
+    table.header = split_cells(lines[first], table.delimiter,
+                               {table.file, static_cast<int>(first) + 1}, InnerQuotes::kept);
     check_header(table);
     for (std::size_t i = first + 1; i < lines.size(); ++i) {
-        if (passed_over(lines[i])) continue;
-        at.line = static_cast<int>(i) + 1;
-        table.rows.push_back(split_cells(lines[i], table.delimiter, at, InnerQuotes::refused));
-        check_length(table, table.rows.back(), i + 1 == lines.size());
-        check_cell_count(table.rows.size() * table.header.cells.size(), at.file, at.line);
+        if (holds_no_row(lines[i])) continue;
+        const int number = static_cast<int>(i) + 1;
+        table.rows.push_back(row_of(table, lines[i], number, i + 1 == lines.size()));
+        check_cell_count(table.rows.size() * table.header.cells.size(), table.file, number);
     }
     if (table.rows.empty())
         throw InputError({table.file, table.header.line},

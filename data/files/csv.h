@@ -55,6 +55,17 @@ enum class InnerQuotes { refused, kept };
 ///         refuses it, or for more than `most_cells_of_line` cells
 Row split_cells(std::string_view line, char delimiter, const Position& at, InnerQuotes inner);
 
+/// Whether a line of a table is no row: blank, a comment that begins with '#', or delimiters alone,
+/// as spreadsheets write empty rows.
+bool holds_no_row(std::string_view line);
+
+/// Returns a line as a row of a table.
+/// @param number of the line, from 1
+/// @param last whether it is the last line of the file
+/// @throws InputError if the row and the header differ in length, or a quote is misplaced or not
+///         closed
+Row row_of(const Table& table, std::string_view line, int number, bool last);
+
 /// Reads a text file of cells that are separated by a delimiter: the most frequent of comma,
 /// semicolon and tab in the header. Blank lines, lines of empty cells and lines that begin with '#'
 /// are skipped.

@@ -16,14 +16,19 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-std::optional<double> parse_number(std::string_view text) {
-    text = trimmed(text);
+std::optional<double> take_number(std::string_view& text) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    if (!std::isfinite(value)) return std::nullopt;
+    if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     return value;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+    text = trimmed(text);
+    const auto value = take_number(text);
+    return text.empty() ? value : std::nullopt;
 }
 
 std::optional<std::string> beyond_measure(double number) {

@@ -13,6 +13,10 @@ std::string_view trimmed(std::string_view text);
 /// text. The decimal mark is '.' in every locale.
 std::optional<double> parse_number(std::string_view text);
 
+/// Removes the finite number with which a text begins and returns it; empty, and the text may have
+/// lost a plus sign, if no number begins there.
+std::optional<double> take_number(std::string_view& text);
+
 /// Largest magnitude [SI unit] that is accepted for a measured quantity: powers of larger
 /// magnitudes would overflow in a fit.
 constexpr double largest_magnitude = 1e15;

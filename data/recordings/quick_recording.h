@@ -15,9 +15,9 @@ constexpr std::uintmax_t largest_quick_recording = std::uintmax_t(1) << 34;
 /// Number of rows from which on `quick_recording` averages rows, so that the memory is bounded.
 constexpr std::size_t most_kept_rows = 1 << 20;
 
-/// Reads a simple recording row by row, in a fraction of the time and memory of `read_recording`: a
+/// Reads a plain recording row by row, in a fraction of the time and memory of `read_recording`: a
 /// UTF-8 table with one header, whose other cells are all numbers with a decimal point. More than
-/// `most_rows` rows are averaged (`AveragedRows`). Empty for every other file, for files larger
+/// `most_rows` rows are averaged (`RecordingRows`). Empty for every other file, for files larger
 /// than `largest_quick_recording`, and for settings that only `read_recording` understands.
 /// @throws InputError if the file cannot be read
 std::optional<Recording> quick_recording(const std::filesystem::path& path,

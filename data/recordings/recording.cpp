@@ -3,119 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
+#include "data/recordings/recording_rows.h"
 
 namespace pendular {
 namespace {
-
-const std::vector<std::string_view> needed_columns = {"time", "torque", "normal_force", "height",
-                                                      "angular_velocity"};
-
-/// Whether the instrument computes a column from others.
-bool repeats_others(std::string_view name) {
-    return name == "shear_stress" || name == "normal_stress" || name == "shear_rate";
-}
-
-/// Checks that time does not go back, except where a new interval begins.
-/// @throws InputError at the first time that goes back within an interval
-void check_time(const Recording& recording, const Table& table, const Columns& columns) {
-    for (std::size_t i = 1; i < recording.size(); ++i) {
-        if (recording.time[i] >= recording.time[i - 1]) continue;
-        const bool has_intervals = !recording.interval.empty();
-        if (has_intervals && recording.interval[i] != recording.interval[i - 1]) continue;
-        throw InputError(
-            columns.at(table.rows[i], "time"),
-            fmt::format("time goes back from {:.6g} to {:.6g} s; {}", recording.time[i - 1],
-                        recording.time[i],
-                        has_intervals ? "it may do so only where the interval changes"
-                                      : "add a column 'Interval [1]' that changes here, or "
-                                        "split the file"));
-    }
-}
-
-void check_row(const Row& row, const Columns& columns) {
-    if (columns.value(row, "height") <= 0)
-        throw InputError(columns.at(row, "height"), "a gap must be positive; check its zero");
-    const auto interval = columns.value_if_any(row, "interval");
-    if (interval && *interval != std::floor(*interval))
-        throw InputError(columns.at(row, "interval"), "an interval must be a whole number");
-}
-
-/// Values in SI units of an optional column that repeats a measured quantity; empty if the file has
-/// no readable column of this name, NaN where a cell is not a number.
-std::vector<double> repeated_column(const Table& table, const Columns& columns,
-                                    std::string_view name) {
-    std::vector<double> values;
-    const auto read = [&](auto&& what, auto otherwise) {
-        try {
-            return what();
-        } catch (const InputError&) {
-            return otherwise;
-        }
-    };
-    if (!read([&] { return columns.has(name); }, false)) return values;
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    for (const Row& row : table.rows)
-        values.push_back(
-            read([&] { return columns.value_if_any(row, name).value_or(none); }, none));
-    return values;
-}
-
-/// Checks that a table has all columns that a recording needs; stresses may stand in for torque and
-/// normal force.
-/// @throws InputError at the header if a column is missing
-void require_columns(const Columns& columns) {
-    for (const std::string_view name : needed_columns) {
-        if (columns.has(name)) continue;
-        if (name == "torque" && columns.has("shear_stress")) continue;
-        if (name == "normal_force" && columns.has("normal_stress")) continue;
-        columns.require(name);
-    }
-}
-
-/// Columns whose values a recording needs in every row: torque and normal force, or the stresses
-/// that stand in for them.
-std::vector<std::string_view> columns_to_fill(const Columns& columns) {
-    std::vector<std::string_view> names = needed_columns;
-    const auto stand_in = [&](std::string_view name, std::string_view stress) {
-        if (!columns.has(name)) std::ranges::replace(names, name, stress);
-    };
-    stand_in("torque", "shear_stress");
-    stand_in("normal_force", "normal_stress");
-    return names;
-}
-
-/// Reads the recording from a table that has all columns, every row of which must be valid.
-Recording recording_of_table(const Table& table) {
-    const Columns columns(table);
-    require_columns(columns);
-    const std::vector<std::string_view> filled = columns_to_fill(columns);
-    Recording recording;
-    recording.file = table.file;
-    std::vector<std::string_view> names;
-    std::vector<SeriesColumn> present;
-    for (const SeriesColumn& column : series_columns()) {
-        names.push_back(column.name);
-        if (!repeats_others(column.name) && columns.has(column.name)) present.push_back(column);
-    }
-    recording.unused_columns = columns.others(names);
-    for (const Row& row : table.rows) {
-        check_row(row, columns);
-        for (const std::string_view name : filled)
-            columns.value(row, name);  // refuses a cell without a number
-        recording.line.push_back(row.line);
-        for (const auto& [name, values] : present)
-            (recording.*values).push_back(columns.value(row, name));
-    }
-    for (const auto& [name, values] : series_columns())
-        if (repeats_others(name)) recording.*values = repeated_column(table, columns, name);
-    check_time(recording, table, columns);
-    return recording;
-}
 
 /// Text that names an interval in messages.
 std::string name_of(const Block& block) {
@@ -130,31 +24,24 @@ std::vector<Lines> lines_of(const Row& first, const Row& last) {
     return {{first.line, last.line}};
 }
 
-/// Removes rows without a value in a needed column, and lists them.
-Table with_all_values(const Block& block, std::vector<Remark>& left_out) {
-    const Columns columns(block.table);
-    const std::vector<std::string_view> needed = columns_to_fill(columns);
-    Table table = block.table;
-    table.rows.clear();
+/// Adds the rows of an interval, but lists those without a value in a needed column.
+void add_rows(const Block& block, RecordingRows& rows, std::vector<Remark>& left_out) {
     for (const Row& row : block.table.rows) {
-        const auto missing = std::ranges::find_if(
-            needed, [&](std::string_view name) { return !columns.value_if_any(row, name); });
-        if (missing == needed.end()) {
-            table.rows.push_back(row);
-            continue;
-        }
-        leave_out(left_out, {.kind = Remark::Kind::no_value,
-                             .quantity = std::string(*missing),
-                             .files = {table.file},
-                             .lines = lines_of(row, row),
-                             .names = {name_of(block)}});
+        const std::string_view missing = rows.missing(row);
+        if (missing.empty())
+            rows.add(row);
+        else
+            leave_out(left_out, {.kind = Remark::Kind::no_value,
+                                 .quantity = std::string(missing),
+                                 .files = {block.table.file},
+                                 .lines = lines_of(row, row),
+                                 .names = {name_of(block)}});
     }
-    return table;
 }
 
 /// Appends the rows of an interval, whose number becomes `number`. Columns that only one of the two
 /// has are dropped.
-void append_interval(Recording& whole, const Recording& part, double number) {
+void append_interval(Recording& whole, const IntervalSeries& part, double number) {
     for (const auto& [name, values] : series_columns()) {
         if (name == "interval") continue;
         auto& to = whole.*values;
@@ -189,8 +76,14 @@ bool has_other_role(const Block& block, const FileFormat& format, const std::str
     return true;
 }
 
-/// Recording of a plain table without the intervals to which the user gave another role.
-Recording steady_part(Recording recording, const FileFormat& format) {
+/// Recording of a plain table, every row of which must be valid, without the intervals to which the
+/// user gave another role.
+Recording recording_of_table(const Table& table, const FileFormat& format) {
+    const Columns columns(table);
+    RecordingRows rows(columns);
+    for (const Row& row : table.rows)
+        rows.add(row);
+    Recording recording{rows.finish(), table.file, 1, rows.unused_columns()};
     if (recording.interval.empty() || format.roles.empty()) return recording;
     std::vector<bool> marked;
     for (std::size_t i = 0; i < recording.size(); ++i) {
@@ -207,8 +100,7 @@ Recording steady_part(Recording recording, const FileFormat& format) {
 }  // namespace
 
 Recording recording_of(const BlockFile& file, const FileFormat& format) {
-    if (file.layout == "plain")
-        return steady_part(recording_of_table(file.blocks.front().table), format);
+    if (file.layout == "plain") return recording_of_table(file.blocks.front().table, format);
     Recording whole;
     whole.file = file.file;
     const bool own_numbers = numbers_tell_apart(file.blocks);
@@ -219,8 +111,10 @@ Recording recording_of(const BlockFile& file, const FileFormat& format) {
         if (block.table.rows.empty()) continue;
         const auto lines = lines_of(block.table.rows.front(), block.table.rows.back());
         if (has_other_role(block, format, file.file, lines, whole.left_out)) continue;
+        const Columns columns(block.table);
+        std::optional<RecordingRows> rows;
         try {
-            require_columns(Columns(block.table));
+            rows.emplace(columns);
         } catch (const InputError& error) {
             if (first_error.empty()) first_error = error.what();
             leave_out(whole.left_out, {.kind = Remark::Kind::lacks_column,
@@ -229,9 +123,9 @@ Recording recording_of(const BlockFile& file, const FileFormat& format) {
                                        .names = {name_of(block)}});
             continue;
         }
-        const Table table = with_all_values(block, whole.left_out);
-        if (table.rows.empty()) continue;
-        append_interval(whole, recording_of_table(table), own_numbers ? block.number : count);
+        add_rows(block, *rows, whole.left_out);
+        const IntervalSeries part = rows->finish();
+        if (part.size() > 0) append_interval(whole, part, own_numbers ? block.number : count);
     }
     if (whole.size() == 0 && !first_error.empty())
         throw InputError(first_error +

@@ -15,7 +15,7 @@ namespace pendular {
 struct Recording : IntervalSeries {
     std::string file;
     /// Number of consecutive rows of the file whose mean is one row; above 1 only for very long
-    /// files (`AveragedRows`).
+    /// files (`RecordingRows`).
     int averaged_rows = 1;
     std::vector<std::string> unused_columns;  ///< header cells of columns that were not read
     std::vector<Remark> left_out = {};        ///< rows and intervals that were not read

@@ -49,6 +49,7 @@ TEST_F(QuickRecording, EqualsTheGeneralReaderBitForBit) {
         header + "\n" + rows(120'000),
         "\xEF\xBB\xBF" + header + ",Shear stress [kPa],Interval,Room [1]\n" + rows(50, ",1.5,3,7"),
         header + "\r\n1, 2 ,3,4,5\r\n\r\n2,2,3,4,5\r\n3,-2.5e-1,3,4,5",
+        header + "\n# a comment\n1,2,3,4,5\n,,,,\n2,+2,3,4,5\n#\n",
         "Speed [rpm];Gap [um];Normal stress [Pa];Shear stress [Pa];Time "
         "[min]\n1;2;3;4;5\n1;2;3;4;6\n"};
     for (const std::string& text : files) {
@@ -70,7 +71,8 @@ TEST_F(QuickRecording, LeavesOtherFilesToTheGeneralReader) {
         begin + "0.3,nan,5,4,1\n",
         begin + "0.05,30,5,4,1\n",
         begin + "0.3,30,5,-4,1\n",
-        begin + "# a comment\n",
+        begin + "# a comment \xE9\n" + rows(1),
+        begin + "# two\rlines\n" + rows(1),
         begin + "0.3,\"30\",5,4,1\n",
         begin + "\"0.3\",30,5,4,1\n",
         "# Ri: 21 mm\n" + begin,
