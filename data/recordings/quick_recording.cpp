@@ -29,8 +29,11 @@ bool states_nothing(const FileFormat& format) {
 /// reader.
 class QuickReader {
   public:
-    QuickReader(const std::filesystem::path& path, const FileFormat& format, std::size_t most_rows)
-        : format_(format), file_(path.string()), most_rows_(most_rows) {}
+    /// @param too_large whether the general reader refuses the file for its size, so that what is
+    ///        wrong with it has to be said here
+    QuickReader(const std::filesystem::path& path, const FileFormat& format, std::size_t most_rows,
+                bool too_large)
+        : format_(format), file_(path.string()), most_rows_(most_rows), too_large_(too_large) {}
 
     /// Reads the whole lines of a part of the file and keeps what follows the last line end.
     bool read_part(std::string_view part) {
@@ -54,7 +57,7 @@ class QuickReader {
     }
 
     std::optional<Recording> finish() {
-        if (!rest_.empty() && !read_line(rest_)) return std::nullopt;
+        if (!rest_.empty() && !read_line(rest_, true)) return std::nullopt;
         if (!rows_) return std::nullopt;
         Recording recording{rows_->finish(), file_, rows_->averaged_rows(),
                             rows_->unused_columns()};
@@ -82,6 +85,7 @@ class QuickReader {
             table_ = table_of(file_, {lines[0], *row});
             rows_.emplace(columns_.emplace(table_), most_rows_);
         } catch (const InputError&) {
+            if (too_large_) throw;
             return false;
         }
         numbers_.resize(table_.header.cells.size());
@@ -91,12 +95,15 @@ class QuickReader {
         });
     }
 
-    bool read_line(std::string_view line) {
+    bool read_line(std::string_view line, bool last = false) {
         ++line_;
         if (line.ends_with('\r')) line.remove_suffix(1);
         if (line_ == 1 || line.empty()) return true;  // the header, or a blank line
         if (split(line) && rows_->add(line_, numbers_)) return true;
-        return printable(line) == line && holds_no_row(line);
+        if (printable(line) != line) return false;
+        if (holds_no_row(line)) return true;
+        if (too_large_) rows_->add(row_of(table_, line, line_, last));
+        return too_large_;
     }
 
     /// Sets `numbers_` from a line that has nothing but numbers.
@@ -122,6 +129,7 @@ class QuickReader {
     const FileFormat& format_;
     std::string file_;
     std::size_t most_rows_;
+    bool too_large_;
     std::string rest_;  ///< begin of a line whose end is in the next part
     int line_ = 0;
     Table table_;  ///< of the header and the first row
@@ -135,7 +143,9 @@ class QuickReader {
 std::optional<Recording> quick_recording(const std::filesystem::path& path,
                                          const FileFormat& format, std::size_t most_rows) {
     if (!states_nothing(format)) return std::nullopt;
-    QuickReader reader(path, format, most_rows);
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+    QuickReader reader(path, format, most_rows, !unknown && size > largest_table);
     const bool all = read_in_parts(path, largest_quick_recording,
                                    [&](std::string_view part) { return reader.read_part(part); });
     return all ? reader.finish() : std::nullopt;

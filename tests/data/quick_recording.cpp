@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <random>
 
+#include "data/files/file_bytes.h"
 #include "data/files/formats/layouts.h"
 #include "tests/support/golden.h"
 
@@ -136,6 +138,34 @@ TEST_F(QuickRecording, AveragesNoRowsOfTwoIntervals) {
 TEST_F(QuickRecording, LeavesErrorsToTheGeneralReader) {
     EXPECT_FALSE(quick(header + "\n" + rows(3) + "0.3,1,2,x,4\n"));
     expect_told({input_error([&] { read_recording(file_); })});
+}
+
+class LongRecording : public QuickRecording {
+  protected:
+    const std::string start_ = header + ",Shear stress [Pa]\n0,30,5,4,0.5,---\n";
+};
+
+TEST_F(LongRecording, IsReadCellByCellWhereItMustBe) {
+    const std::string blanks(1'000'000, ' ');  // few rows are long enough
+    std::string text = start_;
+    for (std::size_t i = 1; text.size() <= largest_table; ++i)
+        text += fmt::format("{},30,5,4,0.5,100{}\n", i, blanks);
+    const auto recording = quick(text + "\"9999\",30,5,4,0.5,\n");
+    ASSERT_TRUE(recording);
+    EXPECT_EQ(recording->torque.back(), 0.03);
+    EXPECT_EQ(recording->shear_stress[1], 100);
+    EXPECT_TRUE(std::isnan(recording->shear_stress.front()));
+    EXPECT_TRUE(std::isnan(recording->shear_stress.back()));
+}
+
+TEST_F(LongRecording, IsRefusedAtTheCellThatIsWrong) {
+    const auto refused = [&](const std::string& text) {
+        const auto file = folder_.write("t.csv", text);
+        std::filesystem::resize_file(file, largest_table + 1);
+        return input_error([&] { quick_recording(file, {}); });
+    };
+    expect_told({refused(start_ + "1,x,5,4,0.5,1\n"), refused(start_ + "1,30,5,-4,0.5,1\n"),
+                 refused(start_ + "1,30,5\n"), refused("Time [s],Gap [mm]\n1,2\n")});
 }
 
 }  // namespace pendular::data_quick_recording_test
