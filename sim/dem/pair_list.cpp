@@ -57,11 +57,11 @@ void neighbours_of(std::int32_t i, const Grains& grains, const Cell& cell, const
 
 /// Largest squared length among these vectors.
 double largest_squared(const std::vector<Vector>& vectors) {
-    double largest = 0;
+    double longest = 0;
     for (const Vector& v : vectors) {
-        largest = std::max(largest, dot(v, v));
+        longest = std::max(longest, dot(v, v));
     }
-    return largest;
+    return longest;
 }
 
 /// Whether two grains that were further apart than `left_out` when a list was made may now be
