@@ -24,9 +24,10 @@ struct Belief {
     bool believable() const { return reasons.empty(); }
 };
 
-/// Smallest p value of chi2 [1] at which a model counts as describing the readings: so small that
-/// the uncertainty of the readings' errors cannot explain it.
-constexpr double incredible_p = 1e-6;
+/// Smallest p value of chi2 [1] at which a model counts as describing the readings: the smallest
+/// that is printed. The p value allows for errors that few replicates determine, so that 1 of 1000
+/// fits of a right model is refused.
+constexpr double incredible_p = 1e-3;
 
 /// Returns the reasons not to believe a fit: a large misfit, parameters at the end of their range,
 /// a column in a wrong unit, and doubts of the import about measured values.
