@@ -19,6 +19,9 @@ inline const std::string measured_colour = "#1b1b1b", model_colour = "#0b62a4",
                          explaining_colour =
                              "#606060";  ///< colour of key (legend) entries common to all series
 
+/// Factor on shifts and errors of a friction coefficient in figures [1].
+inline constexpr double in_thousandths = 1e3;
+
 /// Stress ratio [1] and solid fraction [1] of a reading or prediction, in this order, with their
 /// standard errors, as figures draw them.
 struct Shown {

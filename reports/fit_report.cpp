@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "calib/fit/instrument_budget.h"
 #include "calib/fit/range_text.h"
 #include "data/recordings/replicate_groups.h"
 #include "data/remarks/wording.h"
@@ -82,10 +83,49 @@ std::string estimate_text(const Calibration& c, std::size_t k) {
     const std::string& unit = c.parameters[k].unit;
     const std::string value = estimate_text(c.fit, i, unit);
     if (!(c.fit.standard_error(i) > 0) || !c.fit.determines(i)) return value;
+    const std::string instrument = !(c.fit.instrument_error(i) > 0)
+                                       ? ""
+                                       : fmt::format(", {} from what all readings share",
+                                                     with_unit(c.fit.instrument_error(i), unit));
     return fmt::format(
-        "{} ({} from the readings, {} from the {})", value,
+        "{} ({} from the readings, {} from the {}{})", value,
         with_unit(c.fit.measurement_error(i), unit), with_unit(c.fit.simulation_error(i), unit),
-        stated ? "simulations and the model discrepancy in study.toml" : "simulations");
+        stated ? "simulations and the model discrepancy in study.toml" : "simulations", instrument);
+}
+
+/// Error of a shared quantity as text, such as "torque-gain 2 % (assumed)".
+std::string uncertainty_text(const InstrumentError& error) {
+    const std::string size = error.unit == "1" ? fmt::format("{:.2g} %", 100 * error.standard)
+                                               : with_unit(error.standard, error.unit);
+    return fmt::format("{} {}{}", error.name, size,
+                       error.assumed && error.counts ? " (assumed)" : "");
+}
+
+/// The three largest of the errors that count (or do not), with their parts of the error of the
+/// first parameter: "torque-gain 2 % (assumed) -> 0.0080, ...".
+std::string largest_parts(const Calibration& c, bool counts) {
+    std::vector<std::string> parts;
+    for (const InstrumentError& each : largest_errors(c.fit, 0, counts, 3))
+        parts.push_back(fmt::format("{} gives {}", uncertainty_text(each),
+                                    with_unit(std::abs(each.shift(0)), c.parameters[0].unit)));
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// Lines on the contribution of shared errors to the error of the first parameter, and on those it
+/// leaves out because study.toml does not state it.
+void add_instrument_lines(Output& output, const Calibration& c) {
+    if (!c.fit.determines(0)) return;
+    if (const std::string parts = largest_parts(c, true); !parts.empty())
+        output.line(fmt::format("Largest parts of what all readings share: {}.", parts));
+    const std::string others = largest_parts(c, false);
+    if (others.empty()) return;
+    output.line(fmt::format(
+        "{}: typical ones would add an error of {} ({}). State yours in [instrument] of "
+        "study.toml.",
+        c.fit.instrument_error(0) > 0
+            ? "The error leaves out what [instrument] does not state"
+            : "The error leaves out what all readings share, such as the errors of gains and radii",
+        with_unit(c.fit.instrument_error(0, false), c.parameters[0].unit), others));
 }
 
 /// Beginning of the answer with the effects of the model: "With torque-offset and lid-slip, the
@@ -122,6 +162,13 @@ Output calibration_output(const FittedStudy& result, const Measurements& measure
                                              parameter_in_words(c.parameters[0].name), first)));
     for (std::size_t k = 1; k < c.parameters.size(); ++k) {
         output.line(fmt::format("{} = {}.", c.parameters[k].name, estimate_text(c, k)));
+    }
+    add_instrument_lines(output, c);
+    for (const InstrumentError& far : far_errors(c.fit)) {
+        output.line(fmt::format(
+            "Warning: the readings fit best with an error of {} that is {:.1f} times its standard "
+            "uncertainty: check it.",
+            uncertainty_text(far), std::abs(far.needed)));
     }
     add_doubts(output, belief, 1);
     if (c.profile) {

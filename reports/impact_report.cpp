@@ -146,9 +146,6 @@ std::vector<const Impact*> rows_of(const ImpactTable& table) {
     return rows;
 }
 
-/// Factor on shifts in the figure: those of a friction are drawn in thousandths [1].
-constexpr double in_thousandths = 1e3;
-
 /// Reach of the axis: the longest bar, but not bars that are more than three times as long as all
 /// others and would leave these unreadable; such bars end at the axis, with their length as text.
 double reach_of(std::vector<double> lengths) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "calib/fit/fit.h"
+#include "calib/fit/instrument_budget.h"
 #include "calib/fit/profile.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
@@ -23,6 +24,8 @@ constexpr std::size_t most_profiles = 8, most_in_pairs = 5;
 /// Rise of chi2 at the ends of the intervals that hold 68 and 95 % of one parameter, and of the
 /// regions that hold 68 and 95 % of two parameters [1].
 constexpr double rise_68 = 1, rise_95 = 3.84, rise_68_of_two = 2.30, rise_95_of_two = 5.99;
+/// Largest number of shared errors with a bar each.
+constexpr std::size_t most_parts = 8;
 /// Distance from the fit that a profile reaches, in standard errors [1], number of values with a
 /// refit, and number of points drawn between each two of them.
 constexpr double profile_reach = 3;
@@ -168,12 +171,42 @@ Figure corner_figure(const Calibration& c) {
     return figure;
 }
 
+/// Bars of the parts of the first parameter's error, the largest at the top.
+Figure error_budget(const Calibration& c) {
+    Figure figure{.name = "error_budget",
+                  .title = plain_text("Parts of the standard error of the fitted " +
+                                      c.parameters.front().name)};
+    if (!c.fit.determines(0) || !(c.fit.instrument_error(0) > 0)) return figure;
+    std::vector<std::pair<double, std::string>> parts = {
+        {c.fit.measurement_error(0), "readings"}, {c.fit.simulation_error(0), "simulations"}};
+    for (const InstrumentError& each : largest_errors(c.fit, 0, true, most_parts))
+        parts.emplace_back(std::abs(each.shift(0)), each.name);
+    std::ranges::sort(parts);
+    Panel panel{.x_label = "10^3 × part of the error", .y_label = ""};
+    Curve bars{.label = "part (parts add as squares)",
+               .style = Curve::Style::bars_across,
+               .colour = model_colour};
+    for (const auto& [size, name] : parts) {
+        bars.x.push_back(in_thousandths * size);
+        bars.y.push_back(static_cast<double>(bars.x.size()));
+        panel.y_names.push_back(plain_text(name));
+    }
+    const double whole = in_thousandths * c.fit.standard_error(0);
+    panel.curves = {bars};
+    panel.references = {{"standard error", whole, 0, true, "#888888"}};
+    panel.x_range = {0, 1.08 * whole};
+    panel.key = Key::top_left;
+    panel.headroom = 0.2;
+    figure.panels = {panel};
+    return figure;
+}
+
 }  // namespace
 
 std::vector<Figure> parameter_figures(const StudyModel& model, const Calibration& calibration) {
     Calibration c = calibration;
     c.parameters = model.model().parameters();  // a calibration read from a file lacks the ranges
-    std::vector<Figure> figures = {profile_figure(model, c), corner_figure(c)};
+    std::vector<Figure> figures = {profile_figure(model, c), corner_figure(c), error_budget(c)};
     std::erase_if(figures, [](const Figure& figure) { return figure.panels.empty(); });
     return figures;
 }

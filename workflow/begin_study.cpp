@@ -312,6 +312,11 @@ std::map<std::string, std::string> begin_study(const FileView& view, const FileF
                         view.missing.empty() ? "interval of either"
                                              : fmt::format("{}", fmt::join(view.missing, ", "))));
     text += entries;
+    text += fmt::format(
+        "[instrument]                     # errors that all readings share\n"
+        "class = {:<24} # GUESS: typical ones; state your own in place of it\n\n",
+        view.missing.empty() || view.cell.inner_radius || states_radii(view) ? "\"rheometer\""
+                                                                             : "\"table\"");
     text += "[model]\n";
     text += mass_ratio > 0
                 ? "fit_to = \"all\"                   # no dry reading: wet readings are fitted\n"

@@ -11,6 +11,7 @@
 
 #include "calib/fit/calibration_notes.h"
 #include "calib/fit/common_inertial_number.h"
+#include "calib/fit/instrument_budget.h"
 #include "calib/fit/profile.h"
 #include "calib/fit/reading_order.h"
 #include "calib/fit/study_model.h"
@@ -312,6 +313,7 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
         // The emulator learns about dry flow from wet runs too, which also changes the friction.
         c.fit = model.fit_again(fitted, c.fit.parameters);
     }
+    add_instrument(c.fit, model.whole().model(), fitted, stack(fitted, c.direct));
     c.prediction = predict_readings(model.whole().model(), c);
     const Emulator& emulator = planner.simulation()->emulator();
     c.runs = emulator.runs();

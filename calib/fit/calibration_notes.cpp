@@ -132,13 +132,13 @@ std::vector<std::string> warnings(const Calibration& c, const ResolvedStudy& stu
     if (const auto note = unsure_note(c)) {
         notes.push_back(*note);
     }
-    const Eigen::MatrixXd corrections = c.fit.covariance - c.fit.measurement_part - c.fit.run_part;
+    const double corrections = std::pow(c.fit.simulation_error(0), 2) - c.fit.run_part(0, 0);
     // Chosen: less shortens the standard error by a sixth at most if it vanishes.
-    if (corrections(0, 0) > 0.3 * c.fit.covariance(0, 0)) {
+    if (corrections > 0.3 * c.fit.covariance(0, 0)) {
         notes.push_back(fmt::format(
             "{:.0f} % of the variance comes from the corrections to the study's stiffness and to "
             "the quasi-static limit; a stiffer and slower fidelity reduces it.",
-            100 * corrections(0, 0) / c.fit.covariance(0, 0)));
+            100 * corrections / c.fit.covariance(0, 0)));
     }
     const auto localised = std::ranges::count_if(c.readings, [&](const Reading& r) {
         return !r.condition.dry() && reduced_pressure(r.condition.normal_stress, c.grains,

@@ -51,6 +51,11 @@ double Fit::width(Eigen::Index k) const {
 double Fit::standard_error(Eigen::Index k) const {
     return std::sqrt(covariance(k, k) + (widening.size() > 0 ? widening(k, k) : 0.0));
 }
+bool Fit::determines_all() const {
+    for (Eigen::Index k = 0; k < parameters.size(); ++k)
+        if (!determines(k)) return false;
+    return true;
+}
 Eigen::VectorXd Fit::standard_errors() const {
     Eigen::VectorXd errors(parameters.size());
     for (Eigen::Index k = 0; k < errors.size(); ++k) {
@@ -62,7 +67,15 @@ double Fit::measurement_error(Eigen::Index k) const {
     return std::sqrt(measurement_part(k, k) + (widening.size() > 0 ? widening(k, k) : 0.0));
 }
 double Fit::simulation_error(Eigen::Index k) const {
-    return std::sqrt(std::max(0.0, covariance(k, k) - measurement_part(k, k)));
+    return std::sqrt(std::max(
+        0.0, covariance(k, k) - measurement_part(k, k) - std::pow(instrument_error(k), 2)));
+}
+double Fit::instrument_error(Eigen::Index k, bool counts) const {
+    double variance = 0;
+    for (const InstrumentError& each : instrument) {
+        if (each.counts == counts) variance += each.shift(k) * each.shift(k);
+    }
+    return std::sqrt(variance);
 }
 
 namespace {

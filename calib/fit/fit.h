@@ -10,6 +10,19 @@
 
 namespace pendular {
 
+/// Contribution of an error that all readings share, such as that of a torque gain, to the errors
+/// of fitted parameters.
+struct InstrumentError {
+    std::string name;        ///< `SharedUncertainty::name`
+    double standard = 0;     ///< standard uncertainty [`unit`]
+    std::string unit = "1";  ///< SI unit; "1": relative
+    bool assumed = false;    ///< typical of a class of instruments rather than stated
+    bool counts = true;      ///< whether the fit's covariance contains it
+    /// Change of each parameter, in its unit, by an error of one standard uncertainty.
+    Eigen::VectorXd shift = {};
+    double needed = 0;  ///< most likely error by the readings [standard uncertainties]
+};
+
 /// Result of one weighted least-squares fit of a model's parameters to measured values.
 struct Fit {
     Eigen::VectorXd parameters;  ///< in the order of Model::parameters()
@@ -37,6 +50,8 @@ struct Fit {
     ParameterBounds range = {};
     Prediction prediction;  ///< at the fitted parameters
     std::string message;    ///< why the fit stopped
+    /// Contributions of the errors that all readings share (`add_instrument`).
+    std::vector<InstrumentError> instrument = {};
 
     /// Returns the standard error of parameter `k`, with `widening`, in its unit.
     double standard_error(Eigen::Index k) const;
@@ -44,10 +59,15 @@ struct Fit {
     double width(Eigen::Index k) const;
     /// Whether the readings determine parameter `k`: its standard error is smaller than its range.
     bool determines(Eigen::Index k) const { return standard_error(k) < width(k); }
-    /// Returns the standard errors of all parameters, with `widening`, in their units.
+    /// Whether the readings determine all parameters.
+    bool determines_all() const;
+    /// Returns standard_error() of all parameters, in their units.
     Eigen::VectorXd standard_errors() const;
     /// Returns the part of standard_error() due to errors of measurement, with `widening`.
     double measurement_error(Eigen::Index k) const;
+    /// Returns the part of standard_error() due to the errors of `instrument` that count or, if
+    /// `counts` is false, what the others would add.
+    double instrument_error(Eigen::Index k, bool counts = true) const;
     /// Returns the part of standard_error() due to all else (`run_part`).
     double simulation_error(Eigen::Index k) const;
 };

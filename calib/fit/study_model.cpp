@@ -27,7 +27,9 @@ StudyModel::StudyModel(const ResolvedStudy& study,
       model_(assemble_model(study, simulation_, study.effects())) {
     std::vector<const Effect*> of_flow = effects();
     std::erase_if(of_flow, [](const Effect* effect) { return effect->of_instrument(); });
-    flow_ = assemble_model(study, simulation_, of_flow);
+    Study exact = study;
+    exact.instrument = {};  // its errors are none of the flow
+    flow_ = assemble_model(exact, simulation_, of_flow);
 }
 
 StudyModel::StudyModel(const ResolvedStudy& study, const Calibration& c)

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "calib/model/discrepancy.h"
+#include "data/input_error.h"
 #include "sim/catalogue/instrument.h"
 
 namespace pendular {
@@ -24,6 +26,8 @@ constexpr double step_share = 1e-3;
 /// without a height, the ratio for the torque. Dry flows of frictions up to 0.4 have 0.59 to 0.64
 /// and 0.13 to 0.35 (docs/validation.md, An independent code).
 constexpr double typical_solid_fraction = 0.6, typical_stress_ratio = 0.3;
+/// Cell of a study without one [m, m^3]: only ratios of its states matter.
+constexpr AnnularCell typical_cell{.inner_radius = 0.02, .outer_radius = 0.04, .bead_volume = 1e-5};
 
 double start_of(const Effect& effect, const EffectParameter& p, const Study& study) {
     if (effect.given_by_liquid && study.liquid) {
@@ -49,7 +53,12 @@ EffectModel::EffectModel(std::shared_ptr<const FlowPredictor> inside, const Stud
     : inside_(std::move(inside)),
       study_(study),
       effects_(std::move(effects)),
-      parameters_(inside_->parameters()) {
+      parameters_(inside_->parameters()),
+      uncertainties_(shared_uncertainties(study)) {
+    std::erase_if(uncertainties_, [this](const SharedUncertainty& each) {
+        return std::ranges::any_of(
+            effects_, [&](const Effect* effect) { return each.is_fitted_by(*effect); });
+    });
     for (const Effect* effect : effects_) {
         for (const EffectParameter& p : effect->parameters) {
             if (p.is_fitted()) {
@@ -84,9 +93,15 @@ std::vector<ActiveEffect> EffectModel::effects_at(const Eigen::VectorXd& paramet
     return active;
 }
 
-EffectModel::Truths EffectModel::truths_at(const Eigen::VectorXd& parameters,
-                                           const std::vector<Condition>& conditions) const {
-    Truths truths{.effects = effects_at(parameters),
+AnnularCell EffectModel::cell() const {
+    AnnularCell cell = study_.cell.value_or(typical_cell);
+    if (cell.bead_volume == 0) cell.bead_volume = typical_cell.bead_volume;
+    return cell;
+}
+
+EffectModel::Truths EffectModel::truths_with(std::vector<ActiveEffect> effects,
+                                             const std::vector<Condition>& conditions) const {
+    Truths truths{.effects = std::move(effects),
                   .maps = {},
                   .states = {},
                   .shown = conditions,
@@ -97,9 +112,8 @@ EffectModel::Truths EffectModel::truths_at(const Eigen::VectorXd& parameters,
         if (!condition.ideal_instrument) map = InstrumentMap(touching(truths.effects, condition));
         CellState state;
         if (!map.empty()) {
-            state =
-                map.truth(shown_state(condition, typical_stress_ratio * condition.normal_stress,
-                                      typical_solid_fraction, study_.cell.value(), study_.grains));
+            state = map.truth(shown_state(condition, typical_stress_ratio * condition.normal_stress,
+                                          typical_solid_fraction, cell(), study_.grains));
             imposed = true_condition(condition, state, map);
         }
         truths.imposed.push_back(changed_condition(imposed, truths.effects, study_.liquid));
@@ -107,6 +121,11 @@ EffectModel::Truths EffectModel::truths_at(const Eigen::VectorXd& parameters,
         truths.states.push_back(state);
     }
     return truths;
+}
+
+EffectModel::Truths EffectModel::truths_at(const Eigen::VectorXd& parameters,
+                                           const std::vector<Condition>& conditions) const {
+    return truths_with(effects_at(parameters), conditions);
 }
 
 std::vector<EffectiveCondition> EffectModel::imposed(
@@ -128,7 +147,7 @@ Eigen::VectorXd EffectModel::shown(const Truths& truths, const Eigen::VectorXd& 
             }
         }
         if (!truths.maps[k].empty()) {
-            reading = shown_reading(reading, truths.states[k], truths.maps[k], study_.cell.value());
+            reading = shown_reading(reading, truths.states[k], truths.maps[k], cell());
         }
         result.segment<2>(at) = reading;
     }
@@ -161,12 +180,54 @@ Eigen::SparseMatrix<double> EffectModel::shown_by_predicted(
     return result;
 }
 
+class EffectModel::Nearby {
+  public:
+    Nearby(const EffectModel& model, const Eigen::VectorXd& parameters, const Truths& truths,
+           const Eigen::VectorXd& predicted)
+        : model_(model),
+          own_(model.inside_parameters(parameters)),
+          truths_(truths),
+          predicted_(predicted) {}
+
+    /// Returns the shown values for truths near those given; the inner model predicts again only at
+    /// conditions that changed.
+    /// @param own parameters of the inner model
+    Eigen::VectorXd shown(const Truths& there, const Eigen::VectorXd& own) const {
+        std::vector<EffectiveCondition> changed;
+        std::vector<std::size_t> places;
+        for (std::size_t k = 0; k < truths_.imposed.size(); ++k) {
+            if (own != own_ || !(there.imposed[k] == truths_.imposed[k])) {
+                changed.push_back(there.imposed[k]);
+                places.push_back(k);
+            }
+        }
+        Eigen::VectorXd values = predicted_;
+        if (!changed.empty()) {
+            if (!nearby_) nearby_ = model_.inside_->neighbourhood(own_, truths_.imposed);
+            const Eigen::VectorXd anew = nearby_->values(own, changed, places);
+            for (std::size_t k = 0; k < places.size(); ++k) {
+                values.segment<2>(2 * static_cast<Eigen::Index>(places[k])) =
+                    anew.segment<2>(2 * static_cast<Eigen::Index>(k));
+            }
+        }
+        return model_.shown(there, values);
+    }
+    /// Returns the shown values with the parameters of the inner model unchanged.
+    Eigen::VectorXd shown(const Truths& there) const { return shown(there, own_); }
+
+  private:
+    const EffectModel& model_;
+    Eigen::VectorXd own_;
+    const Truths& truths_;
+    const Eigen::VectorXd& predicted_;
+    mutable std::unique_ptr<const FlowNeighbourhood> nearby_;
+};
+
 void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
                              const std::vector<Condition>& conditions, const Truths& truths,
                              const Eigen::VectorXd& predicted, Prediction& result) const {
     const auto inside = static_cast<Eigen::Index>(inside_->parameters().size());
-    const Eigen::VectorXd own = inside_parameters(parameters);
-    std::unique_ptr<const FlowNeighbourhood> nearby;
+    const Nearby nearby(*this, parameters, truths, predicted);
     // Truths where the parameters of effects on the instrument are those of `truths`.
     const auto with_same_instrument = [&](const Eigen::VectorXd& at) {
         Truths there = truths;
@@ -179,27 +240,8 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
         return there;
     };
     const auto values_at = [&](const Eigen::VectorXd& at, bool of_instrument) {
-        // The inner model predicts again only at conditions that changed.
-        const Truths there = of_instrument ? truths_at(at, conditions) : with_same_instrument(at);
-        const Eigen::VectorXd own_there = inside_parameters(at);
-        std::vector<EffectiveCondition> changed;
-        std::vector<std::size_t> places;
-        for (std::size_t k = 0; k < conditions.size(); ++k) {
-            if (own_there != own || !(there.imposed[k] == truths.imposed[k])) {
-                changed.push_back(there.imposed[k]);
-                places.push_back(k);
-            }
-        }
-        Eigen::VectorXd values = predicted;
-        if (!changed.empty()) {
-            if (!nearby) nearby = inside_->neighbourhood(own, truths.imposed);
-            const Eigen::VectorXd anew = nearby->values(own_there, changed, places);
-            for (std::size_t k = 0; k < places.size(); ++k) {
-                values.segment<2>(2 * static_cast<Eigen::Index>(places[k])) =
-                    anew.segment<2>(2 * static_cast<Eigen::Index>(k));
-            }
-        }
-        return shown(there, values);
+        return nearby.shown(of_instrument ? truths_at(at, conditions) : with_same_instrument(at),
+                            inside_parameters(at));
     };
     const auto quotient = [&](Eigen::Index k, double step, bool of_instrument) {
         const Parameter& p = parameters_[static_cast<std::size_t>(k)];
@@ -223,6 +265,44 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
             }
         }
     }
+}
+
+Eigen::MatrixXd EffectModel::changes_by(bool all, const Eigen::VectorXd& parameters,
+                                        const std::vector<Condition>& conditions,
+                                        const Truths& truths,
+                                        const Eigen::VectorXd& predicted) const {
+    Eigen::MatrixXd changes =
+        Eigen::MatrixXd::Zero(predicted.size(), static_cast<Eigen::Index>(uncertainties_.size()));
+    const Nearby nearby(*this, parameters, truths, predicted);
+    const Eigen::VectorXd here = shown(truths, predicted);
+    for (std::size_t k = 0; k < uncertainties_.size(); ++k) {
+        const SharedUncertainty& each = uncertainties_[k];
+        if (!all && !each.counts) continue;
+        // No change where no true state, or no formula of the user, allows such an error.
+        const auto change_by_error = [&](bool below) -> Eigen::VectorXd {
+            std::vector<ActiveEffect> effects = truths.effects;
+            std::ranges::move(each.error(below), std::back_inserter(effects));
+            try {
+                return nearby.shown(truths_with(std::move(effects), conditions)) - here;
+            } catch (const std::domain_error&) {
+            } catch (const InputError&) {
+            }
+            return Eigen::VectorXd::Zero(here.size());
+        };
+        const Eigen::VectorXd above = change_by_error(false), below = -change_by_error(true);
+        // One side is shorter at the end of a range, as for a contact angle of 0.
+        changes.col(static_cast<Eigen::Index>(k)) = above.norm() < below.norm() ? below : above;
+    }
+    return changes;
+}
+
+Eigen::MatrixXd EffectModel::shared_changes(const Eigen::VectorXd& parameters,
+                                            const std::vector<Condition>& conditions) const {
+    const Truths truths = truths_at(parameters, conditions);
+    const Eigen::VectorXd predicted =
+        inside_->predict_flow(inside_parameters(parameters), truths.imposed, PredictionPart::values)
+            .value;
+    return changes_by(true, parameters, conditions, truths, predicted);
 }
 
 Prediction EffectModel::predict(const Eigen::VectorXd& parameters,
@@ -258,6 +338,11 @@ Prediction EffectModel::predict(const Eigen::VectorXd& parameters,
         if (study_.model.discrepancy != std::array{0.0, 0.0}) {
             result.covariance +=
                 discrepancy_covariance(conditions, result.value, study_.model.discrepancy);
+        }
+        if (std::ranges::any_of(uncertainties_, &SharedUncertainty::counts)) {
+            const Eigen::MatrixXd changes =
+                changes_by(false, parameters, conditions, truths, inside.value);
+            result.covariance += changes * changes.transpose();
         }
         result.run_noise = shown_covariance(inside.run_noise);
     }

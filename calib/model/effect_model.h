@@ -23,7 +23,8 @@ namespace pendular {
 ///    may change.
 /// 4. The instrument's map converts the true values to the values that the instrument shows.
 ///
-/// The covariance of a prediction includes the discrepancy that the study states. Predictions throw
+/// The covariance of a prediction includes the discrepancy that the study states and the shared
+/// uncertainties that count. Predictions throw
 /// std::domain_error if no true state of the cell gives a condition that the instrument shows.
 class EffectModel : public Predictor {
   public:
@@ -38,6 +39,9 @@ class EffectModel : public Predictor {
                        PredictionPart what = PredictionPart::covariance) const override;
     ParameterBounds bounds() const override;
     bool has_instrument() const override;
+    const std::vector<SharedUncertainty>& uncertainties() const override { return uncertainties_; }
+    Eigen::MatrixXd shared_changes(const Eigen::VectorXd& parameters,
+                                   const std::vector<Condition>& conditions) const override;
 
     /// Returns the covariances that simulation errors cause in a change of predictions, present
     /// model minus `without`, at each of `conditions`. The model `without` has the same inner model
@@ -57,6 +61,18 @@ class EffectModel : public Predictor {
     struct Truths;
     Truths truths_at(const Eigen::VectorXd& parameters,
                      const std::vector<Condition>& conditions) const;
+    Truths truths_with(std::vector<ActiveEffect> effects,
+                       const std::vector<Condition>& conditions) const;
+    /// Returns the study's cell, or one of typical size where only ratios of stresses matter,
+    /// because the study has none.
+    AnnularCell cell() const;
+    /// Predictions near `truths`, at conditions that differ a little from these.
+    class Nearby;
+    /// Returns the columns of `shared_changes` for the uncertainties that count and, if `all`, also
+    /// for the others, which otherwise are 0.
+    Eigen::MatrixXd changes_by(bool all, const Eigen::VectorXd& parameters,
+                               const std::vector<Condition>& conditions, const Truths& truths,
+                               const Eigen::VectorXd& predicted) const;
     Eigen::VectorXd inside_parameters(const Eigen::VectorXd& parameters) const {
         return parameters.head(static_cast<Eigen::Index>(inside_->parameters().size()));
     }
@@ -79,6 +95,7 @@ class EffectModel : public Predictor {
     Study study_;
     std::vector<const Effect*> effects_;
     std::vector<Parameter> parameters_;
+    std::vector<SharedUncertainty> uncertainties_;
 };
 
 /// Whether a model with `effects` must be fitted to dry and wet readings together: if an effect may

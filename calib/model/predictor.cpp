@@ -19,6 +19,11 @@ class PredictedAnew : public FlowNeighbourhood {
 
 }  // namespace
 
+const std::vector<SharedUncertainty>& Predictor::uncertainties() const {
+    static const std::vector<SharedUncertainty> none;
+    return none;
+}
+
 Predictor::Point Predictor::predict_at(const Eigen::VectorXd& parameters,
                                        const Condition& condition) const {
     const Prediction prediction = predict(parameters, {condition});

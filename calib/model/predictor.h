@@ -7,6 +7,7 @@
 
 #include "calib/model/model.h"
 #include "sim/catalogue/effective_condition.h"
+#include "sim/catalogue/shared_uncertainty.h"
 
 namespace pendular {
 
@@ -29,6 +30,17 @@ class Predictor {
 
     /// Whether effects of the instrument change what it shows (`Condition::ideal_instrument`).
     virtual bool has_instrument() const { return false; }
+
+    /// Returns the errors that all readings share, apart from those that effects of the model
+    /// contain; none by default.
+    virtual const std::vector<SharedUncertainty>& uncertainties() const;
+    /// Returns the changes of the predicted values (rows, as in `Prediction::value`) by errors of
+    /// one standard uncertainty (columns, in the order of uncertainties()). The covariance of a
+    /// prediction contains those that count.
+    virtual Eigen::MatrixXd shared_changes(const Eigen::VectorXd& /*parameters*/,
+                                           const std::vector<Condition>& conditions) const {
+        return Eigen::MatrixXd(2 * static_cast<Eigen::Index>(conditions.size()), 0);
+    }
 
     /// Returns the conditions truly imposed on the grains where the instrument shows `conditions`,
     /// with the changes of grains and liquid by effects.

@@ -17,8 +17,9 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-const Keys top_keys = {"grains", "liquid", "cell", "recording", "readings", "model",
-                       "effect", "direct", "rig",  "import",    "scatter",  "allow_outside"};
+const Keys top_keys = {"grains",  "liquid",     "cell",         "recording", "readings",
+                       "model",   "effect",     "direct",       "rig",       "import",
+                       "scatter", "instrument", "allow_outside"};
 const Keys grains_keys = {"diameter", "density", "youngs_modulus", "poisson_ratio"};
 const Keys liquid_keys = {"surface_tension", "contact_angle", "viscosity"};
 const Keys cell_keys = {"inner_radius", "outer_radius", "bead_mass", "bead_volume",
@@ -120,6 +121,15 @@ std::optional<double> bead_volume(const StudyTable& table, const GrainProperties
     if (table.has("bead_mass")) return table.positive_quantity("bead_mass", "kg") / grains.density;
     if (table.has("bead_volume")) return table.positive_quantity("bead_volume", "m^3");
     return std::nullopt;
+}
+
+/// Whether the cell or an entry states the volume of the grains in place of their mass.
+bool states_volume(const StudyTable& root) {
+    const auto has_volume = [](const StudyTable& table) { return table.has("bead_volume"); };
+    const auto cell = root.table("cell", cell_keys);
+    return (cell && has_volume(*cell)) ||
+           std::ranges::any_of(root.tables("recording", recording_keys), has_volume) ||
+           std::ranges::any_of(root.tables("readings", readings_keys), has_volume);
 }
 
 FormulaVariant form(const StudyTable& table, std::string_view key) {
@@ -371,6 +381,8 @@ Study read_study(const std::filesystem::path& path) {
     study.model = read_model(root);
     study.written_effects = read_written_effects(root);
     study.direct = read_direct(root);
+    study.instrument = read_instrument(root);
+    study.beads_weighed = !states_volume(root);
     study.rig = read_rig(root, study.grains, study.liquid.has_value());
     study.sources = read_sources(root, study);
     study.import = read_import(root);

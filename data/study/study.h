@@ -14,6 +14,7 @@
 #include "data/reading.h"
 #include "data/study/effect_tables.h"
 #include "data/study/rig.h"
+#include "data/study/stated_uncertainty.h"
 
 namespace pendular {
 
@@ -90,6 +91,9 @@ struct Study {
     ModelSettings model;
     std::vector<WrittenEffect> written_effects;
     std::vector<StatedDirect> direct;
+    InstrumentTable instrument;
+    /// Whether the volume of the grains follows from their weighed mass, nowhere from a volume.
+    bool beads_weighed = true;
     std::optional<Rig> rig;  ///< empty: `next` stays within the range of the readings
 };
 

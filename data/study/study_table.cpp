@@ -82,6 +82,22 @@ std::optional<StudyTable> StudyTable::table(std::string_view key,
                       keys);
 }
 
+std::optional<StudyTable> StudyTable::open_table(std::string_view key) const {
+    const toml::node* const node = table_->get(key);
+    if (!node || !node->is_table()) return table(key, {});
+    std::vector<std::string> all;
+    for (const auto& [name, value] : *node->as_table())
+        all.emplace_back(name.str());
+    return table(key, all);
+}
+
+std::vector<std::string> StudyTable::keys() const {
+    std::vector<std::string> all;
+    for (const auto& [name, value] : *table_)
+        all.emplace_back(name.str());
+    return all;
+}
+
 std::vector<StudyTable> StudyTable::tables(std::string_view key,
                                            const std::vector<std::string>& keys) const {
     std::vector<StudyTable> result;

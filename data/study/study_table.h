@@ -56,6 +56,10 @@ class StudyTable {
     /// Returns the table [key] inside the table.
     std::optional<StudyTable> table(std::string_view key,
                                     const std::vector<std::string>& keys) const;
+    /// Returns the table [key] inside the table, with any keys, for the caller to check.
+    std::optional<StudyTable> open_table(std::string_view key) const;
+    /// Returns the keys of the table, sorted.
+    std::vector<std::string> keys() const;
     /// Returns all tables [[key]] inside the table, in the order of the file.
     std::vector<StudyTable> tables(std::string_view key,
                                    const std::vector<std::string>& keys) const;

@@ -11,7 +11,8 @@ ResolvedStudy::ResolvedStudy(Study study, std::shared_ptr<const EffectCatalogue>
     : study_(std::move(study)),
       catalogue_(std::move(catalogue)),
       effects_(catalogue_->active(study_)),
-      direct_(direct_measurements(study_, *catalogue_)) {}
+      direct_(direct_measurements(study_, *catalogue_)),
+      uncertainties_(shared_uncertainties(study_)) {}
 
 ResolvedStudy ResolvedStudy::changed_to(Study changed) const {
     return {std::move(changed), catalogue_};

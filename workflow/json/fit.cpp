@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -125,6 +127,44 @@ void read_emulator(const Json& json, Calibration& c) {
     }
 }
 
+Json instrument_json(const Calibration& c) {
+    Json json = Json::array();
+    for (const InstrumentError& each : c.fit.instrument) {
+        Json shifts = Json::object();
+        for (std::size_t k = 0; k < c.parameters.size(); ++k)
+            shifts[c.parameters[k].name] = each.shift(static_cast<Eigen::Index>(k));
+        json.push_back({{"name", each.name},
+                        {"standard_uncertainty", each.standard},
+                        {"unit", each.unit},
+                        {"assumed", each.assumed},
+                        {"counts", each.counts},
+                        {"shift", shifts},
+                        {"needed", each.needed}});
+    }
+    return json;
+}
+
+double number_or_nan(const Json& json) {
+    return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Reads the contributions of shared errors, which earlier versions did not write.
+void read_instrument(const Json& json, Calibration& c) {
+    for (const Json& each : json.value("instrument", Json::array())) {
+        InstrumentError& error = c.fit.instrument.emplace_back();
+        error = {.name = each.at("name"),
+                 .standard = each.at("standard_uncertainty"),
+                 .unit = each.at("unit"),
+                 .assumed = each.at("assumed"),
+                 .counts = each.at("counts"),
+                 .shift = Eigen::VectorXd(std::ssize(c.parameters)),
+                 .needed = number_or_nan(each.at("needed"))};
+        for (std::size_t k = 0; k < c.parameters.size(); ++k)
+            error.shift(static_cast<Eigen::Index>(k)) =
+                number_or_nan(each.at("shift").at(c.parameters[k].name));
+    }
+}
+
 }  // namespace
 
 Json to_json(const Calibration& c, const Comparison& comparison, const Belief& belief) {
@@ -136,6 +176,7 @@ Json to_json(const Calibration& c, const Comparison& comparison, const Belief& b
         parameter["unit"] = c.parameters[k].unit;
         parameter["stderr_measurement"] = c.fit.measurement_error(i);
         parameter["stderr_simulation"] = c.fit.simulation_error(i);
+        parameter["stderr_instrument"] = c.fit.instrument_error(i);
         parameter["at_bound"] = static_cast<bool>(c.fit.at_bound[k]);
         parameter["determined"] = c.fit.determines(i);
         if (i < c.fit.range.upper.size())
@@ -150,6 +191,7 @@ Json to_json(const Calibration& c, const Comparison& comparison, const Belief& b
             : Eigen::MatrixXd::Zero(c.fit.covariance.rows(), c.fit.covariance.cols());
     json["parameter_covariance"] = matrix_json(c.fit.covariance + widening);
     json["parameter_covariance_by_few_replicates"] = matrix_json(widening);
+    json["instrument"] = instrument_json(c);
     json["chi2"] = comparison.fitted.chi2;
     json["dof"] = comparison.fitted.dof;
     json["predicted_only"] = misfit_json(comparison.predicted);
@@ -236,9 +278,23 @@ void read_parameters(const Json& json, Calibration& c) {
         c.fit.at_bound.push_back(parameter.at("at_bound"));
     }
     read_ranges(json, c.fit);
+    read_instrument(json, c);
     c.fit.widening = matrix_from(json.at("parameter_covariance_by_few_replicates"), n);
     c.fit.covariance = matrix_from(json.at("parameter_covariance"), n) - c.fit.widening;
     c.fit.measurement_part.diagonal() -= c.fit.widening.diagonal();
+}
+
+/// Whether a fit took exactly the shared errors into account that count in the study.
+bool has_uncertainties(const Json& json, const ResolvedStudy& study) {
+    std::map<std::string, double> fitted, counting;
+    for (const Json& each : json.value("instrument", Json::array()))
+        if (each.at("counts")) fitted[each.at("name")] = each.at("standard_uncertainty");
+    for (const SharedUncertainty& each : study.uncertainties()) {
+        const bool is_fitted = std::ranges::any_of(
+            study.effects(), [&](const Effect* effect) { return each.is_fitted_by(*effect); });
+        if (each.counts && !is_fitted) counting[each.name] = each.standard;
+    }
+    return fitted == counting;
 }
 
 Calibration parse_calibration(const Json& json, const ResolvedStudy& resolved,
@@ -255,10 +311,11 @@ Calibration parse_calibration(const Json& json, const ResolvedStudy& resolved,
         return json.value(item.key(), Json::array()) ==
                item.value();  // a missing key is an empty list
     });
-    if (!same_readings || !same_basis) {
-        throw InputError(where,
-                         "the readings, direct measurements, grains, liquid or model of the study "
-                         "have changed since this fit; run 'pendular calibrate' again");
+    if (!same_readings || !same_basis || !has_uncertainties(json, resolved)) {
+        throw InputError(
+            where,
+            "the readings, direct measurements, grains, liquid, model or [instrument] of the study "
+            "have changed since this fit; run 'pendular calibrate' again");
     }
     Calibration c;
     c.grains = study.grains;

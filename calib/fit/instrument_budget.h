@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "calib/fit/fit.h"
+#include "calib/model/predictor.h"
+#include "data/reading.h"
+
+namespace pendular {
+
+/// Sets Fit::instrument: what each shared uncertainty of the model's study contributes to the
+/// errors of the fitted parameters. With the change g of the readings by an error of one standard
+/// uncertainty, the parameters change by (J' W J)^-1 J' W g, where J are the derivatives of the
+/// predictions and W the inverse covariance of measured minus predicted values.
+/// Source: law of propagation, JCGM 100:2008 (GUM), Eq. (13).
+/// @param readings fitted readings, to which the fit's prediction belongs
+/// @param measured the same readings and the direct measurements
+void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Reading>& readings,
+                    const Measured& measured);
+
+/// Returns the contributions to the error of parameter `k` by the errors that count (or do not),
+/// the largest first, at most `most` of them and none below 1 % of the largest.
+std::vector<InstrumentError> largest_errors(const Fit& fit, Eigen::Index k, bool counts,
+                                            std::size_t most);
+
+/// Returns the shared errors that a fit needs three or more standard uncertainties away from 0, the
+/// farthest first.
+std::vector<InstrumentError> far_errors(const Fit& fit);
+
+}  // namespace pendular

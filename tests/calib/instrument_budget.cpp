@@ -1,0 +1,89 @@
+// Errors that all readings share, in the errors of fitted parameters.
+#include "calib/fit/instrument_budget.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "calib/fit/calibrate_study.h"
+#include "tests/physics/planted_readings.h"
+
+namespace calib_instrument_budget_test {
+
+using namespace pendular;
+
+Study stating(std::vector<StatedUncertainty> stated) {
+    Study study = planted_study();
+    study.instrument.stated = std::move(stated);
+    return study;
+}
+
+std::shared_ptr<const EffectModel> predictor_of(const Study& study) {
+    const std::shared_ptr<const EmulatedSimulation> simulation(std::shared_ptr<void>(),
+                                                               &models().simulation());
+    return assemble_model(study, simulation, {});
+}
+
+Fit fit_of(const Study& study, const std::vector<Reading>& readings) {
+    const auto predictor = predictor_of(study);
+    const Measured measured = stack(readings);
+    Fit result = fit(ModelOfReadings(predictor, conditions_of(readings)), measured,
+                     Eigen::VectorXd::Constant(1, 0.2));
+    add_instrument(result, *predictor, readings, measured);
+    return result;
+}
+
+const InstrumentError& named(const Fit& fit, const std::string& name) {
+    return *std::ranges::find(fit.instrument, name, &InstrumentError::name);
+}
+
+TEST(InstrumentBudget, AddsWhatIsStatedToTheErrorsOfPredictions) {
+    const Eigen::VectorXd friction = Eigen::VectorXd::Constant(1, planted_friction);
+    const auto exact = predictor_of(planted_study())->predict(friction, conditions());
+    const auto stated =
+        predictor_of(stating({{"torque-gain", "2 %"}}))->predict(friction, conditions());
+    EXPECT_EQ(stated.value, exact.value);
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(exact.value.size());
+    for (Eigen::Index k = 0; k < change.size(); k += 2)
+        change(k) = 0.02 * exact.value(k);
+    EXPECT_TRUE(stated.covariance.isApprox(exact.covariance + change * change.transpose(), 1e-6));
+}
+
+// What the budget says of a gain is what a fit to readings with that gain gives.
+TEST(InstrumentBudget, ShiftsAsAFitToReadingsWithTheErrorMoves) {
+    std::vector<Reading> readings = readings_with({}, 3);
+    const Fit before = fit_of(planted_study(), readings);
+    for (Reading& reading : readings)
+        reading.value(0) *= 1.02;
+    const Fit after = fit_of(planted_study(), readings);
+    const InstrumentError& gain = named(before, "torque-gain");
+    EXPECT_FALSE(gain.counts);
+    const double moved = after.parameters(0) - before.parameters(0);
+    EXPECT_NEAR(gain.shift(0), moved, 0.1 * moved);
+    EXPECT_GT(moved, 0);
+}
+
+TEST(InstrumentBudget, AddsUpToTheStandardError) {
+    const Fit fit =
+        fit_of(stating({{"torque-gain", "2 %"}, {"density", "1 %"}, {"height-offset", "30 um"}}),
+               readings_with({}, 4));
+    const double parts = std::pow(fit.measurement_error(0), 2) +
+                         std::pow(fit.simulation_error(0), 2) +
+                         std::pow(fit.instrument_error(0), 2);
+    EXPECT_NEAR(std::sqrt(parts), fit.standard_error(0), 1e-6 * fit.standard_error(0));
+    const auto largest = largest_errors(fit, 0, true, 3);
+    EXPECT_EQ(largest.front().name, "torque-gain");
+    EXPECT_TRUE(far_errors(fit).empty());
+}
+
+TEST(InstrumentBudget, NamesAnErrorFarBeyondItsUncertainty) {
+    std::vector<Reading> readings = readings_with({}, 5);
+    for (Reading& reading : readings)
+        reading.value(1) *= 1.03;
+    const auto far =
+        far_errors(fit_of(stating({{"bead_mass", "0.5 %"}, {"torque-gain", "2 %"}}), readings));
+    ASSERT_FALSE(far.empty());
+    EXPECT_EQ(far.front().name, "bead_mass");
+}
+
+}  // namespace calib_instrument_budget_test

@@ -1,0 +1,91 @@
+// The error of a fitted friction coefficient holds what the budget of the instrument says.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "calib/fit/instrument_budget.h"
+#include "tests/physics/planted_readings.h"
+
+namespace physics_instrument_coverage_test {
+
+using namespace pendular;
+
+const std::vector<std::pair<std::string, double>> budget = {
+    {"torque-gain", 0.02},   {"normal-force-gain", 0.01}, {"bead_mass", 0.005},
+    {"inner_radius", 0.005}, {"density", 0.01},           {"diameter", 0.02}};
+
+Study stating_budget() {
+    Study study = planted_study();
+    for (const auto& [name, size] : budget)
+        study.instrument.stated.push_back({name, std::to_string(size)});
+    return study;
+}
+
+std::shared_ptr<const EffectModel> predictor_of(const Study& study) {
+    const std::shared_ptr<const EmulatedSimulation> simulation(std::shared_ptr<void>(),
+                                                               &models().simulation());
+    return assemble_model(study, simulation, {});
+}
+
+std::vector<Condition> conditions_of_study(bool dry) {
+    std::vector<Condition> all = conditions();
+    if (dry) std::erase_if(all, [](const Condition& each) { return !each.dry(); });
+    return all;
+}
+
+/// Number of studies of 400 whose fit holds the truth within so many standard errors.
+int count_within(double errors, const std::vector<Fit>& fits) {
+    return static_cast<int>(std::ranges::count_if(fits, [&](const Fit& each) {
+        return std::abs(each.parameters(0) - planted_friction) < errors * each.standard_error(0);
+    }));
+}
+
+/// Fits of studies whose shared errors are drawn from the budget and that a model with (or without)
+/// the budget is fitted to.
+std::vector<Fit> fits_of(int studies, bool dry, const Study& fitted) {
+    const std::vector<Condition> at = conditions_of_study(dry);
+    const Eigen::VectorXd friction = Eigen::VectorXd::Constant(1, planted_friction);
+    const auto truth = predictor_of(stating_budget());
+    const Eigen::VectorXd exact = truth->predict(friction, at, PredictionPart::values).value;
+    const Eigen::MatrixXd changes = truth->shared_changes(friction, at);
+    const auto predictor = predictor_of(fitted);
+    std::mt19937_64 random(dry ? 11 : 2026);
+    std::normal_distribution<double> normal;
+    std::vector<Fit> fits;
+    for (int k = 0; k < studies; ++k) {
+        Eigen::VectorXd values = exact;
+        for (std::size_t j = 0; j < budget.size(); ++j)
+            values += normal(random) * changes.col(static_cast<Eigen::Index>(j));
+        const std::vector<Reading> readings = scattered(at, values, random);
+        fits.push_back(fit(ModelOfReadings(predictor, at), stack(readings),
+                           Eigen::VectorXd::Constant(1, 0.2)));
+    }
+    return fits;
+}
+
+// 400 studies: binomial errors are 2.3 % and 1.1 %, the limits three of them.
+void expect_honest(bool dry) {
+    constexpr int studies = 400;
+    const std::vector<Fit> fits = fits_of(studies, dry, stating_budget());
+    const int one = count_within(1, fits), two = count_within(1.96, fits);
+    std::printf("%s: %.1f %% within one error, %.1f %% within 1.96\n",
+                dry ? "dry readings" : "all readings", 100.0 * one / studies,
+                100.0 * two / studies);
+    EXPECT_NEAR(one, 0.683 * studies, 3 * 0.0233 * studies);
+    EXPECT_NEAR(two, 0.95 * studies, 3 * 0.0109 * studies);
+}
+
+TEST(InstrumentCoverage, IsHonestForAllReadings) {
+    expect_honest(false);
+}
+
+TEST(InstrumentCoverage, IsHonestForDryReadings) {
+    expect_honest(true);
+}
+
+TEST(InstrumentCoverage, IsMissingWithoutTheBudget) {
+    constexpr int studies = 100;
+    EXPECT_LT(count_within(1, fits_of(studies, false, planted_study())), studies / 3);
+}
+
+}  // namespace physics_instrument_coverage_test
