@@ -188,7 +188,9 @@ void ExplanationSearch::prefer_one_effect() {
         const double limit =
             std::min(best_of(found_.fitting_suspects), best_of(pairs) + clearly_better);
         for (FittedModel& each : found_.tried) {
-            if (each.suspect || each.chosen.size() != 1 || !each.fit.converged) continue;
+            if (each.suspect || each.chosen.size() != 1 || !each.fit.converged ||
+                !each.fit.determines_all())
+                continue;
             if (each.p() < options_.least_p || criterion(each) > limit) continue;
             each.accepted = true;
             singles.push_back(each);

@@ -176,7 +176,9 @@ std::vector<ScoreTest> Explanations::further_tests(const WeightedResiduals& resi
 void Explanations::judge(FittedModel& explanation) const {
     const WeightedResiduals residuals = residuals_of(explanation);
     explanation.lack_of_fit_p = lack_of_fit_p(residuals, true);
-    if (!explanation.fit.converged || explanation.lack_of_fit_p < options_.least_p / 2) {
+    // A parameter without a determined value explains nothing, however small chi2 is.
+    if (!explanation.fit.converged || !explanation.fit.determines_all() ||
+        explanation.lack_of_fit_p < options_.least_p / 2) {
         return;
     }
     const auto tests = further_tests(residuals, explanation);
