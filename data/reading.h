@@ -42,9 +42,11 @@ struct SharedError {
     /// Standard errors of shear stress [Pa] (index 0) and solid fraction [1] (index 1), increased
     /// if they were estimated from few fillings.
     Eigen::Vector2d size = Eigen::Vector2d::Zero();
-    /// Whether the size is known, as for an error of rounding. Otherwise this is the error of a
-    /// filling, whose variance `ReplicateScatter::filling` describes.
+    /// Whether the size is known, as for an error of rounding or of a filling that a table states.
+    /// Otherwise this is the error of a filling, whose variance `ReplicateScatter::filling`
+    /// describes.
     bool known = false;
+    bool of_rounding = false;
 };
 
 /// Measured state: a mean over a step of steady shear, or a point of failure. Vectors and matrices
@@ -72,6 +74,9 @@ struct Reading {
     /// Whether the reading was averaged from a recording, which yields only the error from the
     /// scatter within one step. `pool_replicates` adds the scatter between steps and fillings.
     bool within_run_only = false;
+    /// Whether the table of readings states no error of the value itself. `covariance` then holds
+    /// only what follows from other columns, such as the error of the normal stress.
+    std::array<bool, 2> unstated = {};
     /// Whether an unknown standard error was replaced by 2 % of the value.
     bool error_assumed = false;
     int replicates = 1;  ///< readings at nearly equal conditions (`are_replicates`), with this one
@@ -79,6 +84,14 @@ struct Reading {
     /// Returns the covariance matrix without the increase for few replicates, for statistical tests
     /// that themselves allow for the small number of replicates.
     Eigen::Matrix2d estimated_covariance() const { return covariance - widened_by; }
+    /// Returns the part of the variance that the reading shares with those of its filling: shear
+    /// stress [Pa^2], solid fraction [1].
+    Eigen::Vector2d filling_variance() const {
+        Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+        for (const SharedError& error : shared)
+            if (!error.of_rounding) sum += error.size.cwiseAbs2();
+        return sum;
+    }
     double stress_ratio() const { return value(0) / condition.normal_stress; }
     /// Returns a remark on the reading and its rows.
     Remark remark(Remark::Kind kind) const {

@@ -304,7 +304,7 @@ std::vector<std::string> close_effects_lines(const Diagnosis& d, const ModelSpac
         }
     }
     if (d.errors_assumed) {
-        add("The errors of the readings are assumed to be 2 %: repeated readings or _sd columns "
+        add("The errors of the readings are assumed to be 2 %: repeated readings or _se columns "
             "give a firmer verdict.");
     }
     return lines;

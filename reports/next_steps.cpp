@@ -283,7 +283,7 @@ void Steps::inconclusive() {
     constexpr double large = 2;  // chi2/dof that errors known from few repetitions leave untested
     if (diagnosis_.errors_assumed) {
         say("Repeat some conditions with new fillings, or give the standard errors of the readings "
-            "in _sd columns: without known errors, no effect can be excluded.");
+            "in _se columns: without known errors, no effect can be excluded.");
     } else if (diagnosis_.effects.empty() || diagnosis_.base.fit.chi2 > large * diagnosis_.dof) {
         say("Repeat more conditions with new fillings, so that the errors of the readings are "
             "better known.");

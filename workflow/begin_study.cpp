@@ -131,7 +131,7 @@ std::string cell_text(const FileView& view) {
 /// Header of a table of points, with the name and unit of the column of the solid fraction.
 std::string points_header(const std::string& fraction, const std::string& unit) {
     return fmt::format(
-        "normal_stress [Pa],shear_stress [Pa],shear_stress_sd [Pa],{0} [{1}],{0}_sd [{1}],"
+        "normal_stress [Pa],shear_stress [Pa],shear_stress_se [Pa],{0} [{1}],{0}_se [{1}],"
         "inertial_number [1],line [1],preshear_stress [Pa]\n",
         fraction, unit);
 }

@@ -289,7 +289,9 @@ ErrorKnowledge knowledge_of(const std::vector<Reading>& readings, const Replicat
             if (reading.scatter_group < scatter.groups.size()) {
                 const auto& group = scatter.groups[reading.scatter_group];
                 // Errors that the user states and that explain the scatter count as known.
-                if (group.excess(o, o) > 0 || (reading.within_run_only && group.freedom(o) > 0)) {
+                const bool not_stated =
+                    reading.within_run_only || reading.unstated[static_cast<std::size_t>(o)];
+                if (group.excess(o, o) > 0 || (not_stated && group.freedom(o) > 0)) {
                     mean_square = group.mean_square(o);
                     freedom = group.freedom(o);
                 }

@@ -1,11 +1,13 @@
 #include "analysis/misfit/believable.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "calib/fit/range_text.h"
+#include "data/remarks/fault_wording.h"
 #include "data/remarks/lost_readings.h"
 #include "data/remarks/wording.h"
 
@@ -64,14 +66,39 @@ std::size_t doubts_that_set_aside(const Measurements& measurements) {
     return measurements.with(Remark::Outcome::set_aside).size();
 }
 
+namespace {
+
+std::string assumed_text(const Measurements& measurements, std::ptrdiff_t assumed) {
+    const std::vector<Remark> notes = measurements.notes();
+    const auto note = std::ranges::find(notes, Remark::Kind::assumed_errors, &Remark::kind);
+    const bool of_one = note != notes.end() && !note->quantity.empty();
+    return fmt::format(
+        "Standard errors of 2 %{} are assumed for {} of {} readings, since no error was stated and "
+        "no reading was repeated.",
+        of_one ? " of " + words_for_quantity(note->quantity) : "", assumed,
+        measurements.readings.size());
+}
+
+/// Sentence on stated errors that are too large for the scatter of replicates; empty if none are.
+std::string too_large_text(const Measurements& measurements, std::ptrdiff_t repeated) {
+    std::vector<std::string> parts;
+    for (const Remark& note : measurements.notes())
+        if (note.kind == Remark::Kind::errors_above_scatter)
+            parts.push_back(fmt::format("those of {} are {} times",
+                                        words_for_quantity(note.quantity),
+                                        factor_above_scatter(note)));
+    if (parts.empty()) return "";
+    return fmt::format(
+        " They are too large: {} as large as the scatter of {} repeated readings (see the notes of "
+        "'pendular import').",
+        fmt::join(parts, " and "), repeated);
+}
+
+}  // namespace
+
 std::string error_basis(const Measurements& measurements) {
     const auto assumed = std::ranges::count_if(measurements.readings, &Reading::error_assumed);
-    if (assumed > 0) {
-        return fmt::format(
-            "Standard errors of 2 % are assumed for {} of {} readings, since no reading was "
-            "repeated.",
-            assumed, measurements.readings.size());
-    }
+    if (assumed > 0) return assumed_text(measurements, assumed);
     if (measurements.scatter.stated)
         return "Standard errors are those stated in [scatter] of study.toml.";
     const auto repeated = std::ranges::count_if(measurements.readings,
@@ -79,7 +106,10 @@ std::string error_basis(const Measurements& measurements) {
     const bool known = std::ranges::all_of(measurements.readings, [](const Reading& r) {
         return r.scatter_freedom.array().isInf().all();
     });
+    const std::string too_large = too_large_text(measurements, repeated);
     if (repeated > 0 && known) {
+        if (!too_large.empty())
+            return "Standard errors are those given with the readings." + too_large;
         return fmt::format(
             "Standard errors are those given with the readings; {} repeated readings agree with "
             "them.",

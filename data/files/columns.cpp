@@ -44,6 +44,18 @@ double further_factor(const Quantity& quantity, const Unit& unit) {
                                                                : 1;
 }
 
+/// Half the width of an interval that covers 95 % of a normal distribution, over its standard
+/// deviation [1].
+constexpr double normal_quantile_95 = 1.959964;
+
+/// Quantity of whose values a column `NAME_n` has the number; null for other columns. The n must be
+/// a small one: "normal_force_N" is a force in newtons.
+const Quantity* quantity_with_number(std::string_view name) {
+    constexpr std::string_view mark = "_n";
+    if (!name.ends_with(mark)) return nullptr;
+    return find_quantity(name.substr(0, name.size() - mark.size()));
+}
+
 /// Name of the quantity that a column is read as, since two conventions are converted.
 std::string_view read_as(const Quantity& quantity) {
     if (quantity.name == "inertial_number_diameter_density") return "inertial_number";
@@ -62,15 +74,16 @@ void Columns::add(std::size_t index) {
     const HeaderCell cell = parse_header_cell(table_.header.cells[index].text);
     const Quantity* const quantity = find_quantity(cell.name);
     if (!quantity) {
-        unknown_.push_back(index);
+        const Quantity* const counted = quantity_with_number(cell.name);
+        counted ? numbers_.push_back({read_as(*counted), index}) : unknown_.push_back(index);
         return;
     }
-    Column column{.name = read_as(*quantity), .deviation = cell.deviation, .index = index};
+    Column column{.name = read_as(*quantity), .mark = cell.mark, .index = index};
     if (!quantity->unit.empty()) {  // else a column of text
         try {
             const Unit unit(unit_of(cell, *quantity));
             const double further = further_factor(*quantity, unit);
-            column.offset = cell.deviation ? 0 : further * unit.to_si(0);
+            column.offset = cell.deviation() ? 0 : further * unit.to_si(0);
             column.factor = further * (unit.to_si(1) - unit.to_si(0));
         } catch (const std::invalid_argument& error) {
             column.wrong =
@@ -82,10 +95,10 @@ void Columns::add(std::size_t index) {
 
 std::string Columns::unit_of(const HeaderCell& cell, const Quantity& quantity) const {
     if (!cell.unit.empty() || quantity.unit == "1") return cell.unit;
-    if (cell.deviation) {
+    if (cell.deviation()) {
         for (const Cell& other : table_.header.cells) {
             const HeaderCell value = parse_header_cell(other.text);
-            if (!value.deviation && find_quantity(value.name) == &quantity) return value.unit;
+            if (!value.deviation() && find_quantity(value.name) == &quantity) return value.unit;
         }
     }
     throw std::invalid_argument(
@@ -95,13 +108,14 @@ std::string Columns::unit_of(const HeaderCell& cell, const Quantity& quantity) c
 const Columns::Column* Columns::find(std::string_view name, bool deviation) const {
     const Column* found = nullptr;
     for (const Column& column : columns_) {
-        if (column.name != name || column.deviation != deviation) continue;
+        if (column.name != name || column.deviation() != deviation) continue;
         if (!column.wrong.empty()) throw InputError(table_.at_header(column.index), column.wrong);
         if (found)
             throw InputError(table_.at_header(column.index),
-                             fmt::format("'{}' and '{}' are the same quantity; remove one",
+                             fmt::format("'{}' and '{}' are the {}; remove one",
                                          table_.header.cells[found->index].text,
-                                         table_.header.cells[column.index].text));
+                                         table_.header.cells[column.index].text,
+                                         deviation ? "error of one quantity" : "same quantity"));
         found = &column;
     }
     return found;
@@ -178,15 +192,58 @@ std::optional<Columns::Conversion> Columns::conversion(std::string_view name) co
     return Conversion{column->index, column->factor, column->offset};
 }
 
-std::optional<double> Columns::deviation(const Row& row, std::string_view name) const {
+std::optional<double> Columns::standard_error(const Row& row, std::string_view name) const {
     const Column* const column = find(name, true);
     if (!column || row.cells[column->index].text.empty()) return std::nullopt;
-    const double result = number(row, *column);
-    if (result < smallest_magnitude)
-        throw InputError(table_.at(row, column->index),
-                         fmt::format("column '{}': a standard deviation must be positive; leave "
-                                     "the cell empty where it is not known",
-                                     table_.header.cells[column->index].text));
+    const double stated = number(row, *column);
+    if (stated < smallest_magnitude)
+        throw InputError(
+            table_.at(row, column->index),
+            fmt::format("column '{}': {} must be positive; leave the cell empty where "
+                        "it is not known",
+                        table_.header.cells[column->index].text,
+                        column->mark == ErrorMark::standard_deviation ? "a standard deviation"
+                                                                      : "an error"));
+    if (column->mark == ErrorMark::half_width) return stated / normal_quantile_95;
+    const NumberOfValues* const values = number_of_values(name);
+    return values ? stated / std::sqrt(values_in(row, *values)) : stated;
+}
+
+const Columns::NumberOfValues* Columns::number_of_values(std::string_view name) const {
+    const auto found = std::ranges::find(numbers_, name, &NumberOfValues::name);
+    return found == numbers_.end() ? nullptr : &*found;
+}
+
+double Columns::values_in(const Row& row, const NumberOfValues& column) const {
+    const auto count = parse_number(row.cells[column.index].text);
+    if (!count || !(*count >= 2) || *count != std::floor(*count))
+        throw InputError(
+            table_.at(row, column.index),
+            fmt::format("column '{}': \"{}\" is not the number of values of a standard deviation; "
+                        "write a whole number of at least 2",
+                        table_.header.cells[column.index].text, row.cells[column.index].text));
+    return *count;
+}
+
+void Columns::check_numbers_of_values() const {
+    for (const NumberOfValues& values : numbers_) {
+        const Column* const column = find(values.name, true);
+        if (column && column->mark == ErrorMark::standard_deviation &&
+            number_of_values(values.name) == &values)
+            continue;
+        throw InputError(
+            table_.at_header(values.index),
+            fmt::format("column '{}' is the number of values of a standard deviation; write that "
+                        "into one column '{}_sd', or remove this one",
+                        table_.header.cells[values.index].text, values.name));
+    }
+}
+
+std::vector<std::string> Columns::deviations_without_number() const {
+    std::vector<std::string> result;
+    for (const Column& column : columns_)
+        if (column.mark == ErrorMark::standard_deviation && !number_of_values(column.name))
+            result.push_back(table_.header.cells[column.index].text);
     return result;
 }
 
@@ -215,11 +272,17 @@ std::vector<std::string> Columns::others(const std::vector<std::string_view>& us
     std::vector<std::string> result;
     for (std::size_t i = 0; i < table_.header.cells.size(); ++i) {
         const std::string& text = table_.header.cells[i].text;
-        const bool known = std::any_of(columns_.begin(), columns_.end(), [&](const Column& column) {
-            const std::string name =
-                fmt::format("{}{}", column.name, column.deviation ? "_sd" : "");
-            return column.index == i && std::find(used.begin(), used.end(), name) != used.end();
-        });
+        const auto is_used = [&](std::string_view name, bool error) {
+            return std::ranges::count(used, fmt::format("{}{}", name, error ? "_sd" : "")) > 0;
+        };
+        const bool known = std::ranges::any_of(columns_,
+                                               [&](const Column& column) {
+                                                   return column.index == i &&
+                                                          is_used(column.name, column.deviation());
+                                               }) ||
+                           std::ranges::any_of(numbers_, [&](const NumberOfValues& column) {
+                               return column.index == i && is_used(column.name, true);
+                           });
         if (!known && !text.empty()) result.push_back(text);
     }
     return result;

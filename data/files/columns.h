@@ -14,8 +14,10 @@ namespace pendular {
 /// Values of a table in SI units, found by the name of a quantity such as "torque", in any order of
 /// the columns.
 /// - Header cells read `name [unit]`, `name (unit)` or `name in unit`.
-/// - A column `name_sd [unit]` has standard deviations. If its header cell states no unit, the
-///   column `name` gives the unit.
+/// - One column states the error of a quantity: `name_se` its standard error, `name_u95` the half
+///   width of an interval that covers 95 %, and `name_sd` beside `name_n` the standard deviation of
+///   n single values, of which `name` is the mean. Without `name_n`, `name_sd` is a standard error.
+///   If the header cell states no unit, the column `name` gives the unit.
 /// - A column `inertial_number_diameter_density` is divided by sqrt(6/pi) and read as
 ///   `inertial_number`.
 /// - A column `rotational_speed` is read as `angular_velocity`. A unit without an angle (1/min)
@@ -54,10 +56,18 @@ class Columns {
     };
     /// Returns how to read a quantity's column; empty if it is missing.
     std::optional<Conversion> conversion(std::string_view name) const;
-    /// Returns the standard deviation of a quantity in a row, in SI units, from the column
-    /// `name_sd`; empty if the column is missing or the cell is empty.
-    /// @throws InputError at the cell if it is not positive
-    std::optional<double> deviation(const Row& row, std::string_view name) const;
+    /// Returns the standard error of a quantity in a row, in SI units, from the column that states
+    /// its error:
+    ///     name_se, name_sd     name_sd/sqrt(name_n)     name_u95/1.96   (normal distribution)
+    /// Empty if there is no such column, or its cell is empty.
+    /// @throws InputError at the cell if it is not positive, or at the number of values if that is
+    ///         not a whole number of at least 2
+    std::optional<double> standard_error(const Row& row, std::string_view name) const;
+    /// Checks that each column `name_n` has a column `name_sd` beside it.
+    /// @throws InputError at the header cell of the first that has not
+    void check_numbers_of_values() const;
+    /// Returns the header cells of standard deviations without a number of values.
+    std::vector<std::string> deviations_without_number() const;
 
     /// Returns the step to which a quantity was rounded in each row, in SI units, deduced from the
     /// number of digits in the file (`resolution_of`); 0 if the column is missing or the cell is
@@ -77,21 +87,31 @@ class Columns {
   private:
     struct Column {
         std::string_view name;  ///< of the quantity
-        bool deviation = false;
+        ErrorMark mark = ErrorMark::none;
         double factor = 1;
         double offset = 0;
         std::size_t index = 0;
         std::string wrong = {};  ///< error message about the unit; empty: valid
+
+        bool deviation() const { return mark != ErrorMark::none; }
+    };
+    /// Column `name_n`.
+    struct NumberOfValues {
+        std::string_view name;
+        std::size_t index = 0;
     };
 
     void add(std::size_t index);
     std::string unit_of(const HeaderCell& cell, const Quantity& quantity) const;
     const Column* find(std::string_view name, bool deviation) const;
+    const NumberOfValues* number_of_values(std::string_view name) const;
+    double values_in(const Row& row, const NumberOfValues& column) const;
     double number(const Row& row, const Column& column) const;
     [[noreturn]] void refuse_missing(std::string_view wanted) const;
 
     const Table& table_;
     std::vector<Column> columns_;
+    std::vector<NumberOfValues> numbers_;
     std::vector<std::size_t> unknown_;
 };
 

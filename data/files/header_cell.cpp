@@ -1,6 +1,7 @@
 #include "data/files/header_cell.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "data/quantities/number.h"
@@ -21,19 +22,35 @@ std::size_t opening_bracket(std::string_view text) {
     return std::string_view::npos;
 }
 
-/// Length of a mark of standard deviations such as "_sd" at the end of a name, with its separator;
-/// 0 if there is none.
-std::size_t deviation_mark(std::string_view name) {
+struct Spelling {
+    std::string_view text;
+    ErrorMark mark;
+};
+constexpr std::array spellings = {Spelling{"standard deviation", ErrorMark::standard_deviation},
+                                  Spelling{"standard error", ErrorMark::standard_error},
+                                  Spelling{"uncertainty", ErrorMark::standard_error},
+                                  Spelling{"stddev", ErrorMark::standard_deviation},
+                                  Spelling{"stdev", ErrorMark::standard_deviation},
+                                  Spelling{"stderr", ErrorMark::standard_error},
+                                  Spelling{"error", ErrorMark::standard_error},
+                                  Spelling{"std", ErrorMark::standard_deviation},
+                                  Spelling{"u95", ErrorMark::half_width},
+                                  Spelling{"sd", ErrorMark::standard_deviation},
+                                  Spelling{"se", ErrorMark::standard_error}};
+
+/// Takes a mark of errors such as "_sd" off the end of a name, with its separator.
+ErrorMark take_mark(std::string_view& name) {
     std::string lower(name);
     std::transform(lower.begin(), lower.end(), lower.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    for (const std::string_view mark : {"standard deviation", "standard error", "uncertainty",
-                                        "stddev", "stdev", "stderr", "error", "std", "sd", "se"}) {
-        if (!lower.ends_with(mark) || lower.size() <= mark.size()) continue;
-        const char separator = lower[lower.size() - mark.size() - 1];
-        if (separator == '_' || separator == ' ') return mark.size() + 1;
+    for (const auto& [text, mark] : spellings) {
+        if (!lower.ends_with(text) || lower.size() <= text.size()) continue;
+        const char separator = lower[lower.size() - text.size() - 1];
+        if (separator != '_' && separator != ' ') continue;
+        name.remove_suffix(text.size() + 1);
+        return mark;
     }
-    return 0;
+    return ErrorMark::none;
 }
 
 }  // namespace
@@ -50,9 +67,8 @@ HeaderCell parse_header_cell(std::string_view text) {
         cell.unit = trimmed(text.substr(in + 4));
     }
     name = trimmed(name);
-    const std::size_t mark = deviation_mark(name);
-    cell.deviation = mark > 0;
-    cell.name = trimmed(name.substr(0, name.size() - mark));
+    cell.mark = take_mark(name);
+    cell.name = trimmed(name);
     return cell;
 }
 

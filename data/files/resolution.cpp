@@ -21,19 +21,14 @@ int exponent_of(std::string_view number) {
 
 Digits digits_of(std::string_view cell) {
     Digits result;
-    int digits = 0, since_point = 0;
     bool started = false, point = false;
     for (const char c : cell.substr(0, cell.find_first_of("eE"))) {
         if (c == '.' || c == ',') {
             point = true;
         } else if (std::isdigit(static_cast<unsigned char>(c))) {
             started |= c != '0';
-            digits += started;
-            since_point += point;
-            if (c != '0') {
-                result.significant = digits;
-                result.decimals = since_point;
-            }
+            result.significant += started;
+            result.decimals += point;
         }
     }
     result.decimals = std::max(0, result.decimals - exponent_of(cell));

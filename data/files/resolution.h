@@ -5,8 +5,8 @@
 
 namespace pendular {
 
-/// Largest numbers of digits among the numbers in a column of a table. Trailing zeros and exponents
-/// are not counted.
+/// Largest numbers of digits among the numbers in a column of a table. Trailing zeros count: who
+/// writes 300.0 knows the value to 0.1. Exponents do not.
 struct Digits {
     int significant = 0;
     int decimals = 0;  ///< digits after the decimal mark

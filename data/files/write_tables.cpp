@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,31 @@ std::string file_from(const std::filesystem::path& written, const std::string& f
     return csv_text_cell(std::filesystem::proximate(file, folder).string());
 }
 
+/// Numbers of the fillings whose readings share an error, from 1, by `SharedError::source`: 2 k and
+/// 2 k + 1 are of one filling.
+class Fillings {
+  public:
+    explicit Fillings(const std::vector<Reading>& readings) {
+        for (const Reading& reading : readings)
+            for (const SharedError& error : reading.shared)
+                if (!error.of_rounding) numbers_.try_emplace(error.source / 2, numbers_.size() + 1);
+    }
+    bool any() const { return !numbers_.empty(); }
+    std::vector<std::string> cells_of(const Reading& reading) const {
+        const Eigen::Vector2d variance = reading.filling_variance();
+        const auto of_filling = std::ranges::find(reading.shared, false, &SharedError::of_rounding);
+        return {of_filling == reading.shared.end()
+                    ? ""
+                    : fmt::format("{}", numbers_.at(of_filling->source / 2)),
+                known(std::sqrt(variance(0))), known(std::sqrt(variance(1)))};
+    }
+
+  private:
+    std::map<std::size_t, std::size_t> numbers_;
+};
+
 std::string reading_row(const Reading& reading, const std::filesystem::path& path,
-                        bool with_failure) {
+                        const Fillings& fillings, bool with_failure) {
     const double stress_error = std::sqrt(reading.covariance(0, 0));
     const double fraction_error = std::sqrt(reading.covariance(1, 1));
     const double errors = stress_error * fraction_error;
@@ -52,6 +76,10 @@ std::string reading_row(const Reading& reading, const std::filesystem::path& pat
                                       known(reading.step),
                                       known(reading.condition.time),
                                       known(reading.condition.bead_volume.value_or(0))};
+    if (fillings.any()) {
+        for (std::string& cell : fillings.cells_of(reading))
+            cells.push_back(std::move(cell));
+    }
     if (with_failure) {
         cells.emplace_back(reading.condition.at_failure ? "1" : "0");
         cells.push_back(known(reading.condition.preshear_stress.value_or(0)));
@@ -80,6 +108,11 @@ void write_readings(const std::filesystem::path& path, const Measurements& measu
                                         header("interval"),
                                         header("time"),
                                         header("bead_volume")};
+    const Fillings fillings(measurements.readings);
+    if (fillings.any()) {
+        for (const char* name : {"filling", "shear_stress_of_filling", "solid_fraction_of_filling"})
+            headers.push_back(header(name));
+    }
     const bool with_failure = std::ranges::any_of(
         measurements.readings, [](const Reading& reading) { return reading.condition.at_failure; });
     if (with_failure) {
@@ -88,7 +121,7 @@ void write_readings(const std::filesystem::path& path, const Measurements& measu
     }
     std::string text = fmt::format("{}\n", fmt::join(headers, ","));
     for (const Reading& reading : measurements.readings)
-        text += reading_row(reading, path, with_failure);
+        text += reading_row(reading, path, fillings, with_failure);
     write_whole(path, text);
 }
 

@@ -34,6 +34,9 @@ const std::vector<std::string_view> reading_columns = {"normal_stress",
                                                        "height",
                                                        "time",
                                                        "bead_volume",
+                                                       "filling",
+                                                       "shear_stress_of_filling",
+                                                       "solid_fraction_of_filling",
                                                        "error_correlation",
                                                        "error_assumed",
                                                        "sampled_seconds",
@@ -118,16 +121,17 @@ void set_rate(const Points& points, const Row& row, Reading& reading) {
 void set_stress(const Points& points, const Row& row, Reading& reading) {
     const double normal = reading.condition.normal_stress;
     const double value = positive(points, row, points.stress);
-    const double deviation = points.columns.deviation(row, points.stress).value_or(0);
+    const auto stated = points.columns.standard_error(row, points.stress);
+    const double error = stated.value_or(0);
+    reading.unstated[0] = !stated;
     if (points.stress == "stress_ratio") {
         reading.value(0) = value * normal;
-        reading.covariance(0, 0) = std::pow(deviation * normal, 2);
+        reading.covariance(0, 0) = std::pow(error * normal, 2);
         return;
     }
-    const double normal_deviation = points.columns.deviation(row, "normal_stress").value_or(0);
+    const double of_normal = points.columns.standard_error(row, "normal_stress").value_or(0);
     reading.value(0) = value;
-    reading.covariance(0, 0) =
-        std::pow(deviation, 2) + std::pow(value / normal * normal_deviation, 2);
+    reading.covariance(0, 0) = std::pow(error, 2) + std::pow(value / normal * of_normal, 2);
 }
 
 /// Value of the column of the solid fraction that means 1: the density of the grains for a bulk
@@ -139,8 +143,43 @@ double unit_of_fraction(const Points& points) {
 void set_solid_fraction(const Points& points, const Row& row, Reading& reading) {
     const double unit = unit_of_fraction(points);
     reading.value(1) = positive(points, row, points.fraction) / unit;
-    reading.covariance(1, 1) =
-        std::pow(points.columns.deviation(row, points.fraction).value_or(0) / unit, 2);
+    const auto stated = points.columns.standard_error(row, points.fraction);
+    reading.covariance(1, 1) = std::pow(stated.value_or(0) / unit, 2);
+    reading.unstated[1] = !stated;
+}
+
+/// Number of the filling in a row; 0 where the table does not tell fillings apart.
+std::size_t filling(const Points& points, const Row& row) {
+    const auto value = points.columns.value_if_any(row, "filling");
+    if (!value) return 0;
+    constexpr double most = 1e6;  // beyond any table; keeps the number exact
+    if (!(*value >= 1 && *value <= most) || *value != std::floor(*value))
+        throw InputError(points.columns.at(row, "filling"),
+                         "a filling is numbered with a whole number from 1");
+    return static_cast<std::size_t>(*value);
+}
+
+/// Adds the part of the error of an observable that the readings of a filling share.
+/// @throws InputError if the row names no filling, or the part is larger than the whole error
+void add_error_of_filling(const Points& points, const Row& row, Eigen::Index o, Reading& reading) {
+    const std::string_view name = o == 0 ? "shear_stress_of_filling" : "solid_fraction_of_filling";
+    const double size = points.columns.value_if_any(row, name).value_or(0);
+    if (size == 0) return;
+    const Position where = points.columns.at(row, name);
+    const std::size_t number = filling(points, row);
+    if (number == 0)
+        throw InputError(where,
+                         "an error that the readings of a filling share needs the number of "
+                         "the filling, in the column 'filling'");
+    // The whole error of a table that import wrote may be this part alone, but for rounding.
+    constexpr double rounding = 1 + 1e-9;
+    if (size < 0 || size > rounding * std::sqrt(reading.covariance(o, o)))
+        throw InputError(where,
+                         "an error that the readings of a filling share is a part of their "
+                         "standard error; it must be positive and no larger than that");
+    SharedError error{.source = 2 * number + static_cast<std::size_t>(o), .known = true};
+    error.size(o) = size;
+    reading.shared.push_back(error);
 }
 
 void set_correlation(const Points& points, const Row& row, Reading& reading) {
@@ -203,6 +242,8 @@ Reading reading_of(const Points& points, const Row& row) {
     set_stress(points, row, reading);
     set_solid_fraction(points, row, reading);
     set_correlation(points, row, reading);
+    for (const Eigen::Index o : {0, 1})
+        add_error_of_filling(points, row, o, reading);
     set_cell(points, row, reading);
     if (!reading.value.allFinite() || !reading.covariance.allFinite())
         throw InputError(reading.origin, "a value or its deviation is too large to compute with");
@@ -233,6 +274,21 @@ void check_liquid_content(const Table& table, const Columns& columns, const Sour
     if (study.liquid && !source.liquid_content) columns.require("liquid_content");
 }
 
+/// Whether a table was written by `write_readings`, whose columns NAME_sd are standard errors.
+bool written_by_import(const Columns& columns) {
+    return columns.has("error_assumed") && columns.has("sampled_seconds");
+}
+
+/// Says of columns NAME_sd that they are read as standard errors, since many tables mean the
+/// standard deviation of single values by that name.
+void note_deviations(const Table& table, const Columns& columns, std::vector<Remark>& remarks) {
+    if (written_by_import(columns)) return;
+    if (const auto names = columns.deviations_without_number(); !names.empty())
+        remarks.push_back({.kind = Remark::Kind::sd_read_as_standard_error,
+                           .files = {table.file},
+                           .names = names});
+}
+
 }  // namespace
 
 Measurements read_points(const std::filesystem::path& path, const Source& source,
@@ -251,11 +307,13 @@ Measurements read_points(const std::filesystem::path& path, const Source& source
                         columns.require_one_of("solid_fraction", "bulk_density")};
     if (!columns.has("shear_rate")) columns.require("inertial_number");
     check_liquid_content(table, columns, source, study);
+    columns.check_numbers_of_values();
 
     Measurements result;
     for (const Row& row : table.rows)
         result.readings.push_back(reading_of(points, row));
     set_resolutions(points, result.readings);
+    note_deviations(table, columns, result.remarks);
     if (const auto unused = columns.others(reading_columns); !unused.empty())
         result.remarks.push_back(
             {.kind = Remark::Kind::unused_columns, .files = {table.file}, .names = unused});

@@ -1,5 +1,7 @@
 #include "data/recordings/replicate_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -15,11 +17,21 @@ double compared(const Reading& reading, Eigen::Index observable) {
     return observable == 0 ? reading.stress_ratio() : reading.value(1);
 }
 
+/// Number of the filling of a table's reading, if the table states errors of fillings; 0 otherwise.
+std::size_t stated_filling(const Reading& reading) {
+    const auto error = std::ranges::find(reading.shared, false, &SharedError::of_rounding);
+    return error == reading.shared.end() || reading.within_run_only ? 0 : error->source / 2;
+}
+
 void number_files(const std::vector<Reading>& readings, ReplicateTable& table) {
-    std::map<std::string, std::size_t> numbers;
+    std::map<std::pair<std::string, std::size_t>, std::size_t> numbers;
     for (const Reading& reading : readings) {
-        const auto [place, added] = numbers.emplace(reading.origin.file, table.files.size());
-        if (added) table.files.push_back(reading.origin.file);
+        const auto [place, added] = numbers.emplace(
+            std::pair(reading.origin.file, stated_filling(reading)), table.files.size());
+        if (added) {
+            table.files.push_back(reading.origin.file);
+            table.fillings.push_back(stated_filling(reading));
+        }
         table.file_of.push_back(place->second);
     }
 }
@@ -63,6 +75,14 @@ double geometric_mean_of_normal_stress(const std::vector<Reading>& readings) {
     return std::exp(sum / static_cast<double>(readings.size()));
 }
 
+/// Relative variance of an observable [1] without the error of a filling that a table states.
+double unshared_variance(const Reading& reading, Eigen::Index observable) {
+    if (reading.within_run_only) return relative_variance(reading, observable);
+    const double left =
+        reading.covariance(observable, observable) - reading.filling_variance()(observable);
+    return std::max(0.0, left) / std::pow(reading.value(observable), 2);
+}
+
 void add_values(const std::vector<Reading>& readings, std::size_t condition,
                 Eigen::Index observable, ReplicateTable& table) {
     const auto& group = table.groups[condition];
@@ -80,7 +100,7 @@ void add_values(const std::vector<Reading>& readings, std::size_t condition,
              .condition = condition,
              .file = table.file_of[k],
              .deviation = std::log(compared(readings[k], observable)) - mean,
-             .within = relative_variance(readings[k], observable),
+             .within = unshared_variance(readings[k], observable),
              .load = load});
     }
 }
@@ -88,7 +108,8 @@ void add_values(const std::vector<Reading>& readings, std::size_t condition,
 }  // namespace
 
 std::string ReplicateTable::name_of(std::size_t file) const {
-    return std::filesystem::path(files[file]).filename().string();
+    const std::string name = std::filesystem::path(files[file]).filename().string();
+    return fillings[file] == 0 ? name : fmt::format("{} (filling {})", name, fillings[file]);
 }
 
 ReplicateTable replicate_table(const std::vector<Reading>& readings) {

@@ -18,8 +18,11 @@ struct ReplicateCluster {
 /// Readings of a study by file, by condition, and by cluster of files, with the deviations of
 /// replicates from their mean.
 struct ReplicateTable {
-    std::vector<std::string> files;                ///< in the order of their first readings
-    std::vector<std::size_t> file_of;              ///< of each reading, index in `files`
+    /// Paths in the order of their first readings. A table that states errors of fillings is listed
+    /// once for each filling, and counts as so many files.
+    std::vector<std::string> files;
+    std::vector<std::size_t> fillings;  ///< number of the filling in such a table; 0: a whole file
+    std::vector<std::size_t> file_of;   ///< of each reading, index in `files`
     std::vector<std::size_t> cluster_of;           ///< of each reading, index in `clusters`
     std::vector<std::vector<std::size_t>> groups;  ///< readings at each condition, ascending
     std::vector<ReplicateCluster> clusters;        ///< every file is in one cluster
@@ -29,7 +32,7 @@ struct ReplicateTable {
     double least_load = 1;
     double greatest_load = 1;
 
-    /// Returns the name of a file without its folder.
+    /// Returns the name of a file without its folder, with the number of a filling of a table.
     std::string name_of(std::size_t file) const;
 };
 

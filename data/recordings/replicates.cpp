@@ -32,6 +32,13 @@ constexpr double hint_of_fillings = 0.03;
 /// Errors that the user states count as too small if replicates scatter so much more by chance with
 /// a probability below this: 5 % for both observables together.
 constexpr double unlikely_scatter = 0.025;
+/// They count as too large if replicates agree so well by chance with a probability below this: 1 %
+/// for both observables together. Stricter than the other side of the test, since the errors stay
+/// as stated: only what is said about them changes, which must not contradict honest errors.
+constexpr double unlikely_agreement = 0.005;
+/// Smallest stated error over the scatter [1] that is reported. Chosen: an error known to half its
+/// size is usual, and many replicates make smaller differences significant.
+constexpr double far_too_large = 1.5;
 
 /// Factor [1] on a standard error that was estimated with these degrees of freedom, so that two
 /// widened standard errors cover 95 %, as two known standard errors do: Student's quantile over the
@@ -44,6 +51,36 @@ double widened(double freedom) {
     return std::isfinite(freedom) && freedom > 0 ? std::pow(widening(freedom), 2) : 1;
 }
 
+/// Variances that a table states for a reading; 0 where it states none.
+Eigen::Vector2d stated_variance(const Reading& reading) {
+    Eigen::Vector2d stated = Eigen::Vector2d::Zero();
+    for (const Eigen::Index o : {0, 1}) {
+        if (reading.within_run_only || reading.unstated[static_cast<std::size_t>(o)]) continue;
+        stated(o) = reading.covariance(o, o);
+    }
+    return stated;
+}
+
+/// Comparison of the scatter of replicates with the errors that the user states for them.
+struct StatedErrorTest {
+    double chi2 = 0, freedom = 0;
+    /// Added to `chi2` before it is called too small: replicates may agree because they are
+    /// rounded.
+    double chi2_of_rounding = 0;
+
+    bool too_small() const {
+        return freedom > 0 && chi_squared_tail(chi2, freedom) < unlikely_scatter;
+    }
+    /// Probability that replicates agree at least so well by chance.
+    double p_of_agreement() const {
+        return freedom > 0 ? 1 - chi_squared_tail(chi2 + chi2_of_rounding, freedom) : 1;
+    }
+    bool too_large() const {
+        return p_of_agreement() < unlikely_agreement &&
+               freedom > far_too_large * far_too_large * (chi2 + chi2_of_rounding);
+    }
+};
+
 /// Estimates the scatter between replicates and adds it to the covariances of the readings.
 class Pooling {
   public:
@@ -52,9 +89,7 @@ class Pooling {
         apart_.variance.assign(readings_.size(), Eigen::Vector2d::Zero());
         for (std::size_t k = 0; k < readings_.size(); ++k) {
             readings_[k].scatter_group = table_.cluster_of[k];
-            stated_.push_back(readings_[k].within_run_only
-                                  ? Eigen::Vector2d::Zero()
-                                  : Eigen::Vector2d(readings_[k].covariance.diagonal()));
+            stated_.push_back(stated_variance(readings_[k]));
         }
         for (const auto& group : table_.groups) {
             for (const std::size_t k : group)
@@ -74,7 +109,7 @@ class Pooling {
         apply();
     }
     void by_statement(const StatedScatter& stated) {
-        estimate_steps();  // makes the groups; their scatter is replaced
+        estimate_steps(true);  // makes the groups; their scatter is replaced
         for (auto& group : all_.scatter.groups) {
             group.excess = stated.step.cwiseAbs2().asDiagonal();
             group.mean_square = stated.step.cwiseAbs2();
@@ -93,12 +128,14 @@ class Pooling {
   private:
     void find_load_exponents();
     void estimate_fillings();
-    void estimate_steps();
+    void estimate_steps(bool scatter_is_stated = false);
     void estimate_correlation();
     void apply();
     void add_steps(std::size_t reading);
     void add_filling(std::size_t reading);
+    void keep_stated_filling(std::size_t reading);
     void note_errors_below_rounding();
+    bool is_unknown(std::size_t reading, Eigen::Index observable) const;
     void assume_missing_errors();
     void note_few_replicates();
 
@@ -116,8 +153,10 @@ class Pooling {
         }
         return true;
     }
-    bool refuted(Eigen::Index observable, const std::vector<MeanSquare>& own,
-                 const std::vector<double>& stated) const;
+    StatedErrorTest test_stated(Eigen::Index observable, const std::vector<MeanSquare>& own,
+                                const std::vector<double>& stated) const;
+    double rounding_between(std::size_t cluster, Eigen::Index observable) const;
+    void note_test(Eigen::Index observable, const StatedErrorTest& test);
     /// Whether the scatter of an observable was estimated or stated for any group of the study.
     bool known(Eigen::Index observable) const {
         return std::ranges::any_of(
@@ -200,27 +239,52 @@ void Pooling::estimate_fillings() {
     }
 }
 
-/// Whether replicates scatter significantly more than the errors that the user states for them.
-/// @param own mean square between the replicates of each cluster
-/// @param stated mean of the variances that the user states for each cluster
-bool Pooling::refuted(Eigen::Index o, const std::vector<MeanSquare>& own,
-                      const std::vector<double>& stated) const {
-    double chi2 = 0, freedom = 0;
-    for (std::size_t c = 0; c < own.size(); ++c) {
-        if (own[c].freedom == 0 || !all_stated(c, o)) continue;
-        chi2 += own[c].freedom * own[c].value / stated[c];
-        freedom += own[c].freedom;
+/// Mean relative variance of the rounding of a cluster's replicates [1].
+double Pooling::rounding_between(std::size_t cluster, Eigen::Index o) const {
+    const auto& values = table_.clusters[cluster].values[static_cast<std::size_t>(o)];
+    double sum = 0;
+    for (const ReplicatedValue& value : values) {
+        const Reading& reading = readings_[value.reading];
+        sum += std::pow(reading.resolution(o) / reading.value(o), 2) / 12;
     }
-    if (freedom == 0) return false;
-    return chi_squared_tail(chi2, freedom) < unlikely_scatter;
+    return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
-void Pooling::estimate_steps() {
+/// @param own mean square between the replicates of each cluster
+/// @param stated mean of the variances that the user states for each cluster
+StatedErrorTest Pooling::test_stated(Eigen::Index o, const std::vector<MeanSquare>& own,
+                                     const std::vector<double>& stated) const {
+    StatedErrorTest test;
+    for (std::size_t c = 0; c < own.size(); ++c) {
+        // A table may state an error that its fillings share and none besides.
+        if (own[c].freedom == 0 || !all_stated(c, o) || !(stated[c] > 0)) continue;
+        test.chi2 += own[c].freedom * own[c].value / stated[c];
+        test.chi2_of_rounding += own[c].freedom * rounding_between(c, o) / stated[c];
+        test.freedom += own[c].freedom;
+    }
+    return test;
+}
+
+/// Notes that stated errors are too small or too large for the scatter of replicates.
+void Pooling::note_test(Eigen::Index o, const StatedErrorTest& test) {
+    if (!test.too_small() && !test.too_large()) return;
+    const double scatter = test.chi2 + (test.too_large() ? test.chi2_of_rounding : 0);
+    all_.remarks.push_back({.kind = test.too_small() ? Remark::Kind::errors_below_scatter
+                                                     : Remark::Kind::errors_above_scatter,
+                            .quantity = o == 0 ? "shear_stress" : "solid_fraction",
+                            .relative = std::sqrt(scatter / test.freedom),
+                            .p = test.too_small() ? chi_squared_tail(test.chi2, test.freedom)
+                                                  : test.p_of_agreement()});
+}
+
+void Pooling::estimate_steps(bool scatter_is_stated) {
     ReplicateScatter& scatter = all_.scatter;
     scatter.groups.assign(table_.clusters.size(), {});
     for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
+        std::vector<std::string>& files = scatter.groups[c].files;
         for (const std::size_t file : table_.clusters[c].files)
-            scatter.groups[c].files.push_back(table_.files[file]);
+            if (std::ranges::count(files, table_.files[file]) == 0)  // a table once, not by filling
+                files.push_back(table_.files[file]);
     }
     for (const Eigen::Index o : {0, 1}) {
         std::vector<MeanSquare> own;
@@ -238,7 +302,9 @@ void Pooling::estimate_steps() {
         const std::vector<MeanSquare> shrunk = moderated(own);
         // The scatter within a run is only a part of a reading's error. An error that the user
         // states is meant to be all of it, and few replicates cannot refute it by chance.
-        const bool too_small = refuted(o, own, within_runs);
+        const StatedErrorTest test = test_stated(o, own, within_runs);
+        const bool too_small = test.too_small();
+        if (!scatter_is_stated) note_test(o, test);
         for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
             const double within = own[c].freedom > 0 ? within_runs[c] : run_variance / freedom;
             const bool known = !too_small && all_stated(c, o);
@@ -297,30 +363,39 @@ void Pooling::add_steps(std::size_t k) {
     for (const Eigen::Index o : {0, 1}) {
         shape(o) = std::pow(load, -scatter.load_exponent(o));
         widening(o) = std::sqrt(widened(group.freedom(o)));
-        // For recordings without excess scatter, the error still rests on the replicates that show
-        // this, so it has their degrees of freedom. Errors given with a reading are known if they
-        // explain the scatter.
+        // For readings without stated error and excess scatter, the error still rests on the
+        // replicates that show this, so it has their degrees of freedom. Errors given with a
+        // reading are known if they explain the scatter.
         const bool estimated =
-            group.excess(o, o) > 0 || (reading.within_run_only && group.freedom(o) > 0);
+            group.excess(o, o) > 0 || (!(stated_[k](o) > 0) && group.freedom(o) > 0);
         reading.scatter_freedom(o) = estimated ? group.freedom(o) : INFINITY;
     }
     Eigen::Matrix2d step = shape.asDiagonal() * group.excess * shape.asDiagonal();
-    // The error of a recording's reading is at least the scatter between replicates at its load,
-    // even if its scatter within the run is smaller.
+    // An error that was not stated is at least the scatter between replicates at its load, even if
+    // the scatter within a run is smaller.
     for (const Eigen::Index o : {0, 1}) {
         const double least = group.mean_square(o) * shape(o) * shape(o);
         const double more = least - relative_variance(reading, o) - step(o, o);
-        if (reading.within_run_only) step(o, o) += std::max(0.0, more);
+        if (!(stated_[k](o) > 0)) step(o, o) += std::max(0.0, more);
     }
     add_scatter(reading, step, widening.asDiagonal() * step * widening.asDiagonal());
     const Eigen::Matrix2d own = apart_.variance[k].asDiagonal();
     add_scatter(reading, own, own);
 }
 
+/// Numbers the errors of a filling that a table states as those of recordings, one table's apart
+/// from another's; `covariance` contains them.
+void Pooling::keep_stated_filling(std::size_t k) {
+    std::vector<SharedError>& shared = readings_[k].shared;
+    std::erase_if(shared, [](const SharedError& error) { return error.of_rounding; });
+    for (SharedError& error : shared)
+        error.source = 2 * table_.file_of[k] + error.source % 2;
+}
+
 void Pooling::add_filling(std::size_t k) {
     Reading& reading = readings_[k];
+    if (!reading.within_run_only) return keep_stated_filling(k);
     reading.shared.clear();
-    if (!reading.within_run_only) return;
     for (const Eigen::Index o : {0, 1}) {
         const auto& filling = all_.scatter.filling[static_cast<std::size_t>(o)];
         if (!(filling.variance > 0)) continue;
@@ -338,9 +413,9 @@ void Pooling::apply() {
         add_filling(k);
     }
     note_errors_below_rounding();
+    assume_missing_errors();
     add_rounding(table_, stated_, readings_);
     note_few_replicates();
-    assume_missing_errors();
 }
 
 void Pooling::note_errors_below_rounding() {
@@ -366,21 +441,31 @@ void Pooling::note_few_replicates() {
         {.kind = Remark::Kind::few_replicates, .size = fewest, .relative = widening(fewest)});
 }
 
+/// Whether nothing tells the error of a reading: neither a statement nor the scatter of replicates.
+/// Its digits do not: they only limit how small the error can be. Replicates that agree in all
+/// their digits do tell that the error is no larger than the rounding.
+bool Pooling::is_unknown(std::size_t k, Eigen::Index o) const {
+    if (!known(o) && !(stated_[k](o) > 0)) return true;
+    const bool rounded = readings_[k].resolution(o) > 0;
+    return relative_variance(readings_[k], o) <= no_error && !rounded;
+}
+
 void Pooling::assume_missing_errors() {
     std::size_t assumed = 0;
-    for (Reading& reading : readings_) {
+    std::array<bool, 2> of = {};
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+        Reading& reading = readings_[k];
         for (const Eigen::Index o : {0, 1}) {
-            const bool unknown = reading.within_run_only && !known(o);
-            if (relative_variance(reading, o) > no_error && !unknown) continue;
-            const double variance = std::pow(assumed_error * reading.value(o), 2);
-            reading.covariance(o, o) += variance;
-            reading.error_assumed = true;
+            if (!is_unknown(k, o)) continue;
+            reading.covariance(o, o) += std::pow(assumed_error * reading.value(o), 2);
+            reading.error_assumed = of[static_cast<std::size_t>(o)] = true;
         }
         assumed += reading.error_assumed;
     }
-    if (assumed > 0)
-        all_.remarks.push_back(
-            {.kind = Remark::Kind::assumed_errors, .count = assumed, .of = readings_.size()});
+    if (assumed == 0) return;
+    Remark note{.kind = Remark::Kind::assumed_errors, .count = assumed, .of = readings_.size()};
+    if (of[0] != of[1]) note.quantity = of[0] ? "shear_stress" : "solid_fraction";
+    all_.remarks.push_back(std::move(note));
 }
 
 }  // namespace

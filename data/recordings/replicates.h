@@ -18,10 +18,12 @@ namespace pendular {
 /// Other errors:
 /// - Files or conditions that differ too much from their replicates get an error as large as their
 ///   distance (`set_far_replicates_apart`).
-/// - Errors that the user states with all readings of a cluster of files (columns `_sd`) are taken
-///   as known, unless the replicates scatter significantly more.
-/// - If the scatter is neither estimated nor stated, readings of recordings get 2 %, and so do
-///   values without any error in any case (`Reading::error_assumed`).
+/// - Errors that the user states with all readings of a cluster of files (columns of errors) are
+///   taken as known, unless the replicates scatter significantly more. A note says where replicates
+///   scatter significantly more or less.
+/// - Where the error of a value is neither estimated nor stated, it is 2 % of the value
+///   (`Reading::error_assumed`), whatever the digits of the value.
+/// - The rounding of a value is added where it exceeds the stated error (`add_rounding`).
 /// @param stated scatter that the user states in place of the estimate
 void pool_replicates(Measurements& measurements,
                      const std::optional<StatedScatter>& stated = std::nullopt);

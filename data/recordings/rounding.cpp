@@ -88,7 +88,8 @@ void add_rounding(const ReplicateTable& table, const std::vector<Eigen::Vector2d
                 // Numbers of sources follow those of the filling errors.
                 SharedError error{
                     .source = 2 * (table.files.size() + g) + static_cast<std::size_t>(o),
-                    .known = true};
+                    .known = true,
+                    .of_rounding = true};
                 error.size(o) = std::sqrt(rounding_correlation(scatter) * variance);
                 reading.shared.push_back(error);
             }

@@ -97,6 +97,7 @@ struct Remark {
         interpolated_steps,
         coarse_steps,
         unused_columns,
+        sd_read_as_standard_error,  ///< columns NAME_sd without the number of values, NAME_n
         copied_readings,
         pattern_without_file,
         recordings_without_reading,
@@ -104,6 +105,8 @@ struct Remark {
         lacks_step,
         unlike_files,
         errors_below_rounding,
+        errors_below_scatter,  ///< stated errors are too small for the scatter of replicates
+        errors_above_scatter,  ///< stated errors are too large for the scatter of replicates
         few_replicates,
         assumed_errors,
         merging_bridges,

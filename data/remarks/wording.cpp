@@ -124,7 +124,8 @@ std::string rows_text(const Remark& rows) {
             return "spike: torque, force or gap is far off the rows around it";
         case Kind::repeated_reading:
             return fmt::format(
-                "repeats {}; the same measurement counts once",
+                "{} {}; the same measurement counts once",
+                rows.relative > 0 ? "is a copy with noise of" : "repeats",
                 to_string(Position{rows.files[rows.lines[1].file], rows.lines[1].first, 0}));
         case Kind::reading_of_wrong_column: {
             const Remark& doubt = rows.because.front();
@@ -199,6 +200,16 @@ std::string lost_recordings_text(const Remark& note) {
                        more > 0 ? fmt::format(" and in {} more recordings", more) : "");
 }
 
+std::string near_copy_text(const Remark& note) {
+    return fmt::format(
+        "{} and {} agree within {:.2g} % in the stress ratio at {} steps, better than independent "
+        "recordings can (p = {:.1g}): they count once, as {}. If {} is a measurement of its own, "
+        "set "
+        "keep_implausible = true in [import] of study.toml.",
+        note.files[0], note.files[1], 100 * note.relative, note.count, note.p, note.files[0],
+        file_name_of(note.files[1]));
+}
+
 std::string note_on_file(const Remark& note) {
     switch (note.kind) {
         case Kind::averaged_rows:
@@ -231,7 +242,16 @@ std::string note_on_file(const Remark& note) {
         case Kind::unused_columns:
             return fmt::format("{}: columns not used: '{}'", note.file(),
                                fmt::join(note.names, "', '"));
+        case Kind::sd_read_as_standard_error:
+            return fmt::format(
+                "{}: '{}' {} of the mean. Beside a column NAME_n, NAME_sd is the standard "
+                "deviation "
+                "of n single values; NAME_u95 is half of a 95 % interval.",
+                note.file(), fmt::join(note.names, "', '"),
+                note.names.size() == 1 ? "is read as a standard error"
+                                       : "are read as standard errors");
         case Kind::copied_readings:
+            if (note.relative > 0) return near_copy_text(note);
             return note.files.size() == 1
                        ? fmt::format(
                              "{}: readings that repeat an earlier one in all digits: {}; "
@@ -264,6 +284,18 @@ std::string note_on_file(const Remark& note) {
     }
 }
 
+/// Sentences on stated errors that are too large for the scatter of repeated readings.
+std::string above_scatter_text(const Remark& note) {
+    return fmt::format(
+        "The standard errors given for {} are {} times as large as the scatter of repeated "
+        "readings "
+        "(p = {:.2g}). If they are standard deviations of n single values, add a column NAME_n; if "
+        "half of a 95 % interval, call the column NAME_u95. Leave the column out to take the "
+        "errors "
+        "from the scatter.",
+        words_for_quantity(note.quantity), factor_above_scatter(note), note.p);
+}
+
 std::string note_on_readings(const Remark& note) {
     switch (note.kind) {
         case Kind::unlike_files:
@@ -279,6 +311,14 @@ std::string note_on_readings(const Remark& note) {
                 "their values; the error of rounding was added. Write more digits, or check the "
                 "errors' units.",
                 note.count, note.of);
+        case Kind::errors_below_scatter:
+            return fmt::format(
+                "Repeated readings scatter {:.2g} times as much as the standard errors given for "
+                "{} "
+                "allow (p = {:.2g}): the scatter is used in their place.",
+                note.relative, words_for_quantity(note.quantity), note.p);
+        case Kind::errors_above_scatter:
+            return above_scatter_text(note);
         case Kind::few_replicates:
             return fmt::format(
                 "The scatter between replicates is known from {} only: standard errors are widened "
@@ -288,10 +328,14 @@ std::string note_on_readings(const Remark& note) {
                 note.relative);
         case Kind::assumed_errors:
             return fmt::format(
-                "{} of {} readings have no replicates, or no error at all: 2 % of the value is "
-                "assumed. Repeat the measurement with another filling, or state the scatter of the "
-                "instrument in [scatter] of the study.",
-                note.count, note.of);
+                "{} of {} readings have {}: 2 % of the value is assumed. Repeat the measurement "
+                "with "
+                "another filling, or state the scatter of the instrument in [scatter] of the "
+                "study.",
+                note.count, note.of,
+                note.quantity.empty()
+                    ? "no replicates, or no error at all"
+                    : "neither replicates nor an error of " + words_for_quantity(note.quantity));
         case Kind::merging_bridges:
             return merging_text(note);
         case Kind::few_beads:
@@ -315,6 +359,13 @@ std::string note_on_readings(const Remark& note) {
 }
 
 }  // namespace
+
+std::string factor_above_scatter(const Remark& note) {
+    constexpr double largest =
+        1000;  // beyond, the scatter is that of a copy, and no number says more
+    return note.relative * largest > 1 ? fmt::format("{:.2g}", 1 / note.relative)
+                                       : fmt::format("more than {}", largest);
+}
 
 std::string reason_of(const Remark& remark) {
     return rows_text(remark);

@@ -17,4 +17,8 @@ std::string text_of(const Remark& remark);
 /// Returns the reason why rows of a step are left out, without the number of the step.
 std::string reason_of(const Remark& remark);
 
+/// Returns how many times stated errors exceed the scatter of repeated readings, such as "3.2", of
+/// a remark of kind `errors_above_scatter`.
+std::string factor_above_scatter(const Remark& note);
+
 }  // namespace pendular

@@ -37,7 +37,8 @@ TEST(Quantities, AreFoundInAnyCaseAndSeparator) {
 TEST(HeaderCell, IsTakenApart) {
     const auto parts = [](const char* text) {
         const HeaderCell cell = parse_header_cell(text);
-        return cell.name + "|" + cell.unit + "|" + (cell.deviation ? "sd" : "");
+        const std::string marks[] = {"", "se", "sd", "u95"};
+        return cell.name + "|" + cell.unit + "|" + marks[static_cast<int>(cell.mark)];
     };
     EXPECT_EQ(parts("Torque [mN m]"), "Torque|mN m|");
     EXPECT_EQ(parts(" Torque[mN m] "), "Torque|mN m|");
@@ -49,6 +50,9 @@ TEST(HeaderCell, IsTakenApart) {
     EXPECT_EQ(parts("shear_stress_sd [Pa]"), "shear_stress|Pa|sd");
     EXPECT_EQ(parts("Shear stress std (Pa)"), "Shear stress|Pa|sd");
     EXPECT_EQ(parts("sd"), "sd||");
+    EXPECT_EQ(parts("shear_stress_se [Pa]"), "shear_stress|Pa|se");
+    EXPECT_EQ(parts("shear_stress uncertainty"), "shear_stress||se");
+    EXPECT_EQ(parts("shear_stress_u95"), "shear_stress||u95");
 }
 
 class ColumnsOf : public testing::Test {
@@ -78,9 +82,9 @@ TEST_F(ColumnsOf, ConvertToSiInAnyOrderAndUnit) {
 
 TEST_F(ColumnsOf, GiveDeviationsTheUnitOfTheirValue) {
     const Columns& columns = read("shear_stress_sd,shear_stress [kPa]\n0.01,0.25\n,0.3\n");
-    EXPECT_DOUBLE_EQ(*columns.deviation(row(), "shear_stress"), 10);
-    EXPECT_EQ(columns.deviation(row(1), "shear_stress"), std::nullopt);
-    EXPECT_EQ(columns.deviation(row(), "torque"), std::nullopt);
+    EXPECT_DOUBLE_EQ(*columns.standard_error(row(), "shear_stress"), 10);
+    EXPECT_EQ(columns.standard_error(row(1), "shear_stress"), std::nullopt);
+    EXPECT_EQ(columns.standard_error(row(), "torque"), std::nullopt);
 }
 
 TEST_F(ColumnsOf, TranslateTheOtherInertialNumber) {
@@ -138,7 +142,7 @@ TEST_F(ColumnsOf, RefuseCellsThatAreNoNumbers) {
 
 TEST_F(ColumnsOf, RefuseDeviationsThatAreNotPositive) {
     const Columns& columns = read("solid_fraction,solid_fraction_sd\n0.6,0\n");
-    expect_told({input_error([&] { columns.deviation(row(), "solid_fraction"); })});
+    expect_told({input_error([&] { columns.standard_error(row(), "solid_fraction"); })});
 }
 
 }  // namespace pendular::data_columns_test
