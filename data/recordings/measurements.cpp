@@ -11,6 +11,7 @@
 #include "data/recordings/findings/look_inside.h"
 #include "data/recordings/findings/saturation.h"
 #include "data/recordings/mark.h"
+#include "data/recordings/near_copies.h"
 #include "data/recordings/plausibility.h"
 #include "data/recordings/quick_recording.h"
 #include "data/recordings/readings.h"
@@ -121,6 +122,10 @@ using StudyCheck = std::vector<Remark> (*)(const Study& study, const Measurement
 
 constexpr StudyCheck checks_before_pooling[] = {
     [](const Study&, const Measurements& all) { return repeated_readings(all.readings); },
+    [](const Study& study, const Measurements& all) {
+        return study.import.keep_implausible ? std::vector<Remark>{}
+                                             : near_copies(all.readings, all.remarks);
+    },
     [](const Study& study, const Measurements& all) {
         return impossible_readings(all.readings, study);
     },
