@@ -141,7 +141,7 @@ struct Meaning {
     constexpr bool typical_is_absolute() const { return stated && std::string_view(unit) == "m"; }
 };
 
-enum class Needs { cell, table, liquid, nothing };
+enum class Needs { cell, table, liquid, beads };
 
 double none(const Study&) {
     return 0;
@@ -173,7 +173,7 @@ constexpr std::array known = {
     Known{Needs::table, {"shear_stress", 0.02, "1", none}},
     Known{Needs::table, {"normal_stress", 0.01, "1", none}},
     Known{Needs::table, {"solid_fraction", 0.005, "1", none}},
-    Known{Needs::nothing,
+    Known{Needs::beads,
           {"diameter", 0.02, "1", [](const Study& s) { return s.grains.diameter; }, "m"}},
     Known{Needs::liquid, {"liquid_content", 0.05, "1", none}},
     Known{Needs::liquid,
@@ -189,6 +189,8 @@ std::string obstacle_to(Needs needs, const Study& study) {
     if (needs == Needs::table && study.cell)
         return "is for tables of readings without a cell; state what it follows from: torque-gain, "
                "normal-force-gain, bead_mass and the radii";
+    if (needs == Needs::beads && !study.cell && !study.liquid)
+        return "changes nothing in a table of dry readings without a cell";
     if (needs == Needs::liquid && !study.liquid) return "is of the liquid, but the study has none";
     return "";
 }
@@ -196,22 +198,26 @@ std::string obstacle_to(Needs needs, const Study& study) {
 /// Built-in effects of the instrument with one fitted parameter, or the effects of a key's error.
 std::vector<const Effect*> effects_of(const std::string& name, const Study& study) {
     std::vector<const Effect*> effects;
-    for (const Effect& effect : errors_of_keys())
+    for (const Effect& effect : errors_of_keys()) {
+        // A table without a cell states inertial numbers, which an error of the diameter leaves.
+        if (effect.name == "diameter" && effect.of_instrument() && !study.cell) continue;
         if (effect.name == name ||
             (name == "density" && effect.name == weighed_density && study.beads_weighed))
             effects.push_back(&effect);
+    }
     for (const Effect& effect : built_in_effects())
         if (effect.name == name && effect.of_instrument() && !effect.is_switch())
             effects.push_back(&effect);
     return effects;
 }
 
-std::vector<std::string> all_names() {
+/// Names that a study may state.
+std::vector<std::string> names_for(const Study& study) {
     std::vector<std::string> names;
     for (const Known& each : known)
-        names.emplace_back(each.meaning.name);
+        if (obstacle_to(each.needs, study).empty()) names.emplace_back(each.meaning.name);
     for (const Effect& effect : built_in_effects())
-        if (effect.of_instrument() && !effect.is_switch() &&
+        if (study.cell && effect.of_instrument() && !effect.is_switch() &&
             std::ranges::find(names, effect.name) == names.end())
             names.push_back(effect.name);
     return names;
@@ -244,16 +250,16 @@ SharedUncertainty uncertainty_of(const StatedUncertainty& stated, const Study& s
         throw InputError(stated.position, fmt::format("'{}': {}", stated.name, why));
     };
     SharedUncertainty result{.name = stated.name, .effects = effects_of(stated.name, study)};
-    if (result.effects.empty()) {
-        refuse(fmt::format("is no quantity whose uncertainty [instrument] can state; {}",
-                           did_you_mean(stated.name, all_names())));
-    }
     const Known* const each = known_named(stated.name);
-    if (!each && !study.cell)
-        refuse("acts on the instrument, but the study has no [cell]; add it, or leave this out");
     if (each) {
         if (const std::string why = obstacle_to(each->needs, study); !why.empty()) refuse(why);
     }
+    if (result.effects.empty()) {
+        refuse(fmt::format("is no quantity whose uncertainty [instrument] can state; {}",
+                           did_you_mean(stated.name, names_for(study))));
+    }
+    if (!each && !study.cell)
+        refuse("acts on the instrument, but the study has no [cell]; add it, or leave this out");
     const std::string unit = unit_of(stated.name, study);
     const double size = each && each->meaning.stated ? each->meaning.stated(study) : 0;
     const bool may_be_relative = unit == "1" || (each && each->meaning.stated && unit != "rad");

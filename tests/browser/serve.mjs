@@ -56,10 +56,15 @@ const listing = (path, but) => readdirSync(path, {withFileTypes: true}).flatMap(
   const file = join(path, entry.name);
   return file === but ? [] : entry.isDirectory() ? listing(file, but) : [`${file} ${statSync(file).size} ${statSync(file).mtimeMs}`];
 }).sort();
-// Recording with torques that are larger by a factor.
+// Recording of another filling, with torques that are larger by a factor: each step has a scatter of its own, without which it
+// would count as a copy.
 const recording = factor => readFileSync(join(examples, "dry-recordings/dry_3.csv"), "utf8").split("\n").map((line, k) => {
   const cells = line.split(",");
-  if (k > 0 && cells.length > 1) cells[1] = (Number(cells[1]) * factor).toFixed(4);
+  if (k > 0 && cells.length > 1) {
+    const own = 1e4 * factor * Number(cells[5]);
+    cells[1] = (Number(cells[1]) * factor * (1 + .01 * Math.sin(own))).toFixed(4);
+    cells[3] = (Number(cells[3]) * (1 + .0015 * Math.cos(own))).toFixed(5);
+  }
   return cells.join(",");
 }).join("\n");
 const put = (name, text) => { writeFileSync(join(folder, "part"), text); renameSync(join(folder, "part"), join(study, name)); };
