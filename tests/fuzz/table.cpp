@@ -15,7 +15,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         for (const Row& row : table.rows) {
             fuzz::demand(row.cells.size() == table.header.cells.size());
             columns.value_if_any(row, "normal_stress");
-            columns.deviation(row, "normal_stress");
+            columns.standard_error(row, "normal_stress");
         }
         columns.resolutions("normal_stress");
     });
