@@ -20,24 +20,34 @@ namespace {
 using Show = std::function<CellState(CellState, double)>;
 
 /// Effect of an error of a quantity that study.toml states, with the error as its parameter.
-Effect error_of_state(std::string key, Show show) {
+Effect error_of(std::string key, Change change, Touches touches = Touches::all) {
     return {.name = std::move(key),
             .summary = {},
             .equation = {},
             .parameters = {{.name = "error", .lower = -1, .upper = 1}},
-            .change = ChangeInstrument{
-                [show](CellState state, const Values& v) { return show(state, v["error"]); }}};
+            .change = std::move(change),
+            .touches = touches};
+}
+Effect error_of_state(std::string key, Show show) {
+    return error_of(std::move(key), ChangeInstrument{[show](CellState state, const Values& v) {
+                        return show(state, v["error"]);
+                    }});
 }
 Effect error_of_liquid(std::string key, std::function<void(Liquid&, double)> change) {
-    return {.name = std::move(key),
-            .summary = {},
-            .equation = {},
-            .parameters = {{.name = "error", .lower = -1, .upper = 1}},
-            .change = ChangeCondition{[change](EffectiveCondition condition, const Values& v) {
-                change(condition.liquid.value(), v["error"]);
-                return condition;
-            }},
-            .touches = Touches::wet};
+    return error_of(std::move(key),
+                    ChangeCondition{[change](EffectiveCondition condition, const Values& v) {
+                        change(condition.liquid.value(), v["error"]);
+                        return condition;
+                    }},
+                    Touches::wet);
+}
+
+/// Effect of an error that multiplies one quantity of the shown state by (1 + error)^power.
+Effect error_of_factor(std::string key, double CellState::*quantity, double power) {
+    return error_of_state(std::move(key), [=](CellState state, double e) {
+        state.*quantity *= std::pow(1 + e, power);
+        return state;
+    });
 }
 
 /// State that the instrument shows if the true radii differ from the stated ones. In `state`,
@@ -70,59 +80,24 @@ const std::vector<Effect>& errors_of_keys() {
                        [](const CellState& s, double e) {
                            return shown_in_cell(s, s.inner_radius, s.outer_radius * (1 + e));
                        }),
-        error_of_state("bead_mass",
-                       [](CellState s, double e) {
-                           s.bead_volume /= 1 + e;
-                           return s;
-                       }),
+        error_of_factor("bead_mass", &CellState::bead_volume, -1),
         // The inertial number at the true density, and the volume of weighed beads.
-        error_of_state("density",
-                       [](CellState s, double e) {
-                           s.angular_velocity /= std::sqrt(1 + e);
-                           return s;
-                       }),
-        error_of_state(weighed_density,
-                       [](CellState s, double e) {
-                           s.bead_volume *= 1 + e;
-                           return s;
-                       }),
-        error_of_state("diameter",
-                       [](CellState s, double e) {
-                           s.angular_velocity /= 1 + e;
-                           return s;
-                       }),
+        error_of_factor("density", &CellState::angular_velocity, -0.5),
+        error_of_factor(weighed_density, &CellState::bead_volume, 1),
+        error_of_factor("diameter", &CellState::angular_velocity, -1),
         // The reduced pressure is proportional to the diameter over the surface tension.
         error_of_liquid("diameter", [](Liquid& l, double e) { l.surface_tension /= 1 + e; }),
-        error_of_state("angular_velocity",
-                       [](CellState s, double e) {
-                           s.angular_velocity *= 1 + e;
-                           return s;
-                       }),
-        error_of_state("liquid_content",
-                       [](CellState s, double e) {
-                           s.liquid_content /= 1 + e;
-                           return s;
-                       }),
+        error_of_factor("angular_velocity", &CellState::angular_velocity, 1),
+        error_of_factor("liquid_content", &CellState::liquid_content, -1),
         error_of_liquid("surface_tension", [](Liquid& l, double e) { l.surface_tension *= 1 + e; }),
         error_of_liquid("contact_angle",
                         [](Liquid& l, double e) {
                             l.contact_angle =
                                 std::clamp(l.contact_angle + e, 0.0, 89 * std::numbers::pi / 180);
                         }),
-        error_of_state("shear_stress",
-                       [](CellState s, double e) {
-                           s.torque *= 1 + e;
-                           return s;
-                       }),
-        error_of_state("normal_stress",
-                       [](CellState s, double e) {
-                           s.normal_force *= 1 + e;
-                           return s;
-                       }),
-        error_of_state("solid_fraction", [](CellState s, double e) {
-            s.bead_volume *= 1 + e;
-            return s;
-        })};
+        error_of_factor("shear_stress", &CellState::torque, 1),
+        error_of_factor("normal_stress", &CellState::normal_force, 1),
+        error_of_factor("solid_fraction", &CellState::bead_volume, 1)};
     return effects;
 }
 
