@@ -102,7 +102,7 @@ std::string uncertainty_text(const InstrumentError& error) {
 }
 
 /// The three largest of the errors that count (or do not), with their parts of the error of the
-/// first parameter: "torque-gain 2 % (assumed) -> 0.0080, ...".
+/// first parameter: "torque-gain 2 % (assumed) gives 0.0080, ...".
 std::string largest_parts(const Calibration& c, bool counts) {
     std::vector<std::string> parts;
     for (const InstrumentError& each : largest_errors(c.fit, 0, counts, 3))
@@ -120,7 +120,7 @@ void add_instrument_lines(Output& output, const Calibration& c) {
     const std::string others = largest_parts(c, false);
     if (others.empty()) return;
     output.line(fmt::format(
-        "{}: typical ones would add an error of {} ({}). State yours in [instrument] of "
+        "{}: typical ones amount to an error of {} ({}). State yours in [instrument] of "
         "study.toml.",
         c.fit.instrument_error(0) > 0
             ? "The error leaves out what [instrument] does not state"

@@ -66,7 +66,7 @@ struct Fit {
     /// Returns the part of standard_error() due to errors of measurement, with `widening`.
     double measurement_error(Eigen::Index k) const;
     /// Returns the part of standard_error() due to the errors of `instrument` that count or, if
-    /// `counts` is false, what the others would add.
+    /// `counts` is false, to those of the others in a fit that does not weigh them.
     double instrument_error(Eigen::Index k, bool counts = true) const;
     /// Returns the part of standard_error() due to all else (`run_part`).
     double simulation_error(Eigen::Index k) const;

@@ -12,7 +12,7 @@ namespace {
 /// Contributions below this share of the largest do not show in any printed digit [1].
 constexpr double least_share = 0.01;
 /// Distance from 0, in standard uncertainties, from which an error is named [1]: it is exceeded by
-/// chance in 0.3 % of cases if the uncertainty is right.
+/// chance in at most 0.3 % of cases if the uncertainty is right.
 constexpr double far_away = 3;
 
 }  // namespace

@@ -225,9 +225,8 @@ class EffectModel::Nearby {
 
 void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
                              const std::vector<Condition>& conditions, const Truths& truths,
-                             const Eigen::VectorXd& predicted, Prediction& result) const {
+                             const Nearby& nearby, Prediction& result) const {
     const auto inside = static_cast<Eigen::Index>(inside_->parameters().size());
-    const Nearby nearby(*this, parameters, truths, predicted);
     // Truths where the parameters of effects on the instrument are those of `truths`.
     const auto with_same_instrument = [&](const Eigen::VectorXd& at) {
         Truths there = truths;
@@ -267,14 +266,11 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
     }
 }
 
-Eigen::MatrixXd EffectModel::changes_by(bool all, const Eigen::VectorXd& parameters,
-                                        const std::vector<Condition>& conditions,
-                                        const Truths& truths,
-                                        const Eigen::VectorXd& predicted) const {
+Eigen::MatrixXd EffectModel::changes_by(bool all, const std::vector<Condition>& conditions,
+                                        const Truths& truths, const Nearby& nearby,
+                                        const Eigen::VectorXd& here) const {
     Eigen::MatrixXd changes =
-        Eigen::MatrixXd::Zero(predicted.size(), static_cast<Eigen::Index>(uncertainties_.size()));
-    const Nearby nearby(*this, parameters, truths, predicted);
-    const Eigen::VectorXd here = shown(truths, predicted);
+        Eigen::MatrixXd::Zero(here.size(), static_cast<Eigen::Index>(uncertainties_.size()));
     for (std::size_t k = 0; k < uncertainties_.size(); ++k) {
         const SharedUncertainty& each = uncertainties_[k];
         if (!all && !each.counts) continue;
@@ -302,7 +298,8 @@ Eigen::MatrixXd EffectModel::shared_changes(const Eigen::VectorXd& parameters,
     const Eigen::VectorXd predicted =
         inside_->predict_flow(inside_parameters(parameters), truths.imposed, PredictionPart::values)
             .value;
-    return changes_by(true, parameters, conditions, truths, predicted);
+    return changes_by(true, conditions, truths, Nearby(*this, parameters, truths, predicted),
+                      shown(truths, predicted));
 }
 
 Prediction EffectModel::predict(const Eigen::VectorXd& parameters,
@@ -321,7 +318,8 @@ Prediction EffectModel::predict(const Eigen::VectorXd& parameters,
         return result;
     }
     result.jacobian = Eigen::MatrixXd::Zero(inside.value.size(), parameters.size());
-    add_slopes(parameters, conditions, truths, inside.value, result);
+    const Nearby nearby(*this, parameters, truths, inside.value);
+    add_slopes(parameters, conditions, truths, nearby, result);
     if (what == PredictionPart::slopes && !own_slopes) {
         return result;
     }
@@ -341,7 +339,7 @@ Prediction EffectModel::predict(const Eigen::VectorXd& parameters,
         }
         if (std::ranges::any_of(uncertainties_, &SharedUncertainty::counts)) {
             const Eigen::MatrixXd changes =
-                changes_by(false, parameters, conditions, truths, inside.value);
+                changes_by(false, conditions, truths, nearby, result.value);
             result.covariance += changes * changes.transpose();
         }
         result.run_noise = shown_covariance(inside.run_noise);

@@ -70,9 +70,10 @@ class EffectModel : public Predictor {
     class Nearby;
     /// Returns the columns of `shared_changes` for the uncertainties that count and, if `all`, also
     /// for the others, which otherwise are 0.
-    Eigen::MatrixXd changes_by(bool all, const Eigen::VectorXd& parameters,
-                               const std::vector<Condition>& conditions, const Truths& truths,
-                               const Eigen::VectorXd& predicted) const;
+    /// @param here shown values without errors
+    Eigen::MatrixXd changes_by(bool all, const std::vector<Condition>& conditions,
+                               const Truths& truths, const Nearby& nearby,
+                               const Eigen::VectorXd& here) const;
     Eigen::VectorXd inside_parameters(const Eigen::VectorXd& parameters) const {
         return parameters.head(static_cast<Eigen::Index>(inside_->parameters().size()));
     }
@@ -86,10 +87,8 @@ class EffectModel : public Predictor {
     bool changes_grains() const;
     /// Sets the columns of `result.jacobian` for the parameters of the effects and, if
     /// changes_grains(), also those of the inner model, by difference quotients.
-    /// @param predicted predictions of the inner model at `parameters`
     void add_slopes(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
-                    const Truths& truths, const Eigen::VectorXd& predicted,
-                    Prediction& result) const;
+                    const Truths& truths, const Nearby& nearby, Prediction& result) const;
 
     std::shared_ptr<const FlowPredictor> inside_;
     Study study_;

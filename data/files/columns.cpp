@@ -225,6 +225,11 @@ double Columns::values_in(const Row& row, const NumberOfValues& column) const {
     return *count;
 }
 
+std::optional<std::size_t> Columns::place_of_error(std::string_view name) const {
+    const Column* const column = find(name, true);
+    return column ? std::optional(column->index) : std::nullopt;
+}
+
 void Columns::check_numbers_of_values() const {
     for (const NumberOfValues& values : numbers_) {
         const Column* const column = find(values.name, true);

@@ -66,6 +66,8 @@ class Columns {
     /// Checks that each column `name_n` has a column `name_sd` beside it.
     /// @throws InputError at the header cell of the first that has not
     void check_numbers_of_values() const;
+    /// Returns the index of the column with the error of a quantity; empty if there is none.
+    std::optional<std::size_t> place_of_error(std::string_view name) const;
     /// Returns the header cells of standard deviations without a number of values.
     std::vector<std::string> deviations_without_number() const;
 

@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -80,18 +82,27 @@ double p_of_rows(const std::vector<Reading>& readings, const Pair& pair) {
                                 static_cast<double>(pair.readings.size()));
 }
 
+/// Scatter of stress ratio and solid fraction between the files of a cluster without one.
+using OtherFiles = std::array<ScatterSums, 2>;
+
+OtherFiles files_beside(const ReplicateTable& table, std::size_t reading) {
+    OtherFiles sums;
+    for (const std::size_t o : {0, 1}) {
+        std::vector<ReplicatedValue> others = table.clusters[table.cluster_of[reading]].values[o];
+        std::erase_if(others, [&](const ReplicatedValue& value) {
+            return value.file == table.file_of[reading];
+        });
+        sums[o] = analyse_scatter(others, 0);
+    }
+    return sums;
+}
+
 /// Probability [1] that two files scatter so little beside the others of their cluster.
-double p_of_others(const ReplicateTable& table, const Pair& pair) {
-    const std::size_t earlier = pair.readings.front().first, later = pair.readings.front().second;
+double p_of_others(const OtherFiles& others, const Pair& pair) {
     const double freedom = static_cast<double>(pair.readings.size()) - 1;
     double p = 1;
     for (const Eigen::Index o : {0, 1}) {
-        std::vector<ReplicatedValue> others =
-            table.clusters[table.cluster_of[earlier]].values[static_cast<std::size_t>(o)];
-        std::erase_if(others, [&](const ReplicatedValue& value) {
-            return value.file == table.file_of[later];
-        });
-        const ScatterSums sums = analyse_scatter(others, 0);
+        const ScatterSums& sums = others[static_cast<std::size_t>(o)];
         if (sums.freedom_within < fewest_of_others || freedom < 1 || !(sums.within > 0)) continue;
         const Eigen::ArrayXd d = pair.differences.row(o).transpose().array();
         const double own = (d - d.mean()).square().sum() / 2 / freedom;
@@ -120,10 +131,14 @@ class Comparison {
         if (files_.size() > most_files) return found;
         const double limit = copied_by_chance / tests();
         for (std::size_t later = 1; later < files_.size(); ++later) {
+            std::optional<OtherFiles> others;  // the same for all earlier files
             for (std::size_t earlier = 0; earlier < later; ++earlier) {
                 const Pair pair = steps_in_common(readings_, files_[earlier], files_[later]);
-                if (pair.readings.size() < fewest_steps || !(p_of(pair) < limit)) continue;
-                report(pair, p_of(pair), found);
+                if (pair.readings.size() < fewest_steps) continue;
+                if (!others) others = files_beside(table_, pair.readings.front().second);
+                const double p = p_of(pair, *others);
+                if (!(p < limit)) continue;
+                report(pair, p, found);
                 break;
             }
         }
@@ -144,9 +159,9 @@ class Comparison {
     bool is_coarse(std::size_t reading) const {
         return coarse_.contains(readings_[reading].origin.file);
     }
-    double p_of(const Pair& pair) const {
+    double p_of(const Pair& pair, const OtherFiles& others) const {
         const auto [earlier, later] = pair.readings.front();
-        const double of_others = p_of_others(table_, pair);
+        const double of_others = p_of_others(others, pair);
         if (is_coarse(earlier) || is_coarse(later)) return of_others;
         return std::min(of_others, p_of_rows(readings_, pair));
     }

@@ -289,6 +289,23 @@ void note_deviations(const Table& table, const Columns& columns, std::vector<Rem
                            .names = names});
 }
 
+/// Refuses an error of a form of the reading that the table lacks, such as `shear_stress_se` beside
+/// `stress_ratio`, which nothing would use.
+void refuse_errors_of_absent(const Table& table, const Columns& columns, const Points& points) {
+    for (const std::string_view name :
+         {"shear_stress", "stress_ratio", "solid_fraction", "bulk_density"}) {
+        if (name == points.stress || name == points.fraction) continue;
+        if (const auto index = columns.place_of_error(name))
+            throw InputError(
+                table.at_header(*index),
+                fmt::format("column '{}' is an error of a quantity that the table lacks; write "
+                            "that of '{}', or remove it",
+                            table.header.cells[*index].text,
+                            name == "shear_stress" || name == "stress_ratio" ? points.stress
+                                                                             : points.fraction));
+    }
+}
+
 }  // namespace
 
 Measurements read_points(const std::filesystem::path& path, const Source& source,
@@ -308,6 +325,7 @@ Measurements read_points(const std::filesystem::path& path, const Source& source
     if (!columns.has("shear_rate")) columns.require("inertial_number");
     check_liquid_content(table, columns, source, study);
     columns.check_numbers_of_values();
+    refuse_errors_of_absent(table, columns, points);
 
     Measurements result;
     for (const Row& row : table.rows)

@@ -71,6 +71,7 @@ TEST(InstrumentBudget, AddsUpToTheStandardError) {
                          std::pow(fit.simulation_error(0), 2) +
                          std::pow(fit.instrument_error(0), 2);
     EXPECT_NEAR(std::sqrt(parts), fit.standard_error(0), 1e-6 * fit.standard_error(0));
+    EXPECT_GT(fit.instrument_error(0), 0.5 * fit.measurement_error(0));
     const auto largest = largest_errors(fit, 0, true, 3);
     EXPECT_EQ(largest.front().name, "torque-gain");
     EXPECT_TRUE(far_errors(fit).empty());

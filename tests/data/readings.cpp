@@ -115,7 +115,8 @@ TEST_F(ReadPoints, RefusesErrorsThatAreStatedTwiceOrInPart) {
                  refused("shear_stress_se [Pa],shear_stress_n", "6,9"),
                  refused("shear_stress_sd [Pa],shear_stress_n", "6,1"),
                  refused("shear_stress_sd [Pa],shear_stress_n", "6,"),
-                 refused("shear_stress_u95 [Pa]", "0")});
+                 refused("shear_stress_u95 [Pa]", "0"), refused("stress_ratio_se", "0.003"),
+                 refused("bulk_density_sd [kg/m^3]", "3")});
 }
 
 TEST_F(ReadPoints, MarksErrorsThatAreNotStated) {
