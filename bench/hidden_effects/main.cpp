@@ -9,6 +9,7 @@
 
 #include "bench/hidden_effects/foreign_studies.h"
 #include "bench/hidden_effects/hidden_effects.h"
+#include "bench/hidden_effects/inexact_worlds.h"
 #include "bench/hidden_effects/outside_shapes.h"
 #include "data/input_error.h"
 #include "sim/dem/simulation_error.h"
@@ -39,10 +40,17 @@ flagged, and whether the shape that is proposed for the missing change is right;
 study. --truths: those of outside_truths.csv, written without sight of the shapes; --plan chooses
 their sizes anew.
 
+pendular-bench inexact-worlds [--studies N] [--only WORLD,...] [--hidden TRUTH,...] ...
+
+Diagnoses studies of grains that the model describes less than exactly, with errors that differ from
+condition to condition, vary smoothly, or are those of LAMMPS' states, with and without a hidden
+effect, and writes inexact_worlds.txt.
+
 Examples:
   pendular-bench hidden-effects
   pendular-bench hidden-effects --only lid-slip --studies 2 --results /tmp
   pendular-bench outside-shapes --only swelling --studies 1 --results /tmp
+  pendular-bench inexact-worlds --only independent --hidden complete --results /tmp
   pendular-bench foreign-worlds --only "dry rolling" --studies 2 --results /tmp
 
 )";
@@ -79,9 +87,22 @@ void run_outside_shapes(const po::variables_map& given) {
     bench::outside_shapes(options);
 }
 
+void run_inexact_worlds(const po::variables_map& given) {
+    bench::InexactWorldsOptions options;
+    if (!given["work"].defaulted()) options.work = given["work"].as<std::string>();
+    if (!given["studies"].defaulted()) options.studies = given["studies"].as<int>();
+    if (!given["complete-studies"].defaulted())
+        options.complete_studies = given["complete-studies"].as<int>();
+    if (given.contains("only")) options.only = separated(given["only"].as<std::string>());
+    if (given.contains("hidden")) options.hidden = separated(given["hidden"].as<std::string>());
+    options.results = given["results"].as<std::string>();
+    options.threads = given["threads"].as<int>();
+    bench::inexact_worlds(options);
+}
+
 int run(int count, char** words) {
     bench::HiddenEffectsOptions options;
-    std::string command, work, truths, results, only;
+    std::string command, work, truths, results, only, kinds;
     po::options_description shown("Options", 100);
     shown.add_options()("help", "this text")("work",
                                              po::value(&work)->default_value(options.work.string()),
@@ -91,6 +112,7 @@ int run(int count, char** words) {
                                       po::value(&results)->default_value(options.results.string()),
                                       "folder to write to")(
         "only", po::value(&only), "beginnings of the names of some truths, separated by commas")(
+        "hidden", po::value(&kinds), "likewise, of the truths of inexact-worlds")(
         "studies", po::value(&options.studies)->default_value(options.studies),
         "recordings, with noise of their own, of each truth")(
         "worlds", po::value(&options.worlds)->default_value(options.worlds),
@@ -121,13 +143,18 @@ int run(int count, char** words) {
         run_foreign_studies(given);
         return 0;
     }
+    if (command == "inexact-worlds") {
+        run_inexact_worlds(given);
+        return 0;
+    }
     if (command == "outside-shapes") {
         run_outside_shapes(given);
         return 0;
     }
     if (command != "hidden-effects") {
         throw InputError(fmt::format(
-            "unknown benchmark '{}'; there are hidden-effects, foreign-worlds and outside-shapes",
+            "unknown benchmark '{}'; there are hidden-effects, foreign-worlds, inexact-worlds and "
+            "outside-shapes",
             command));
     }
     options.work = work, options.truths = truths, options.results = results;

@@ -41,6 +41,7 @@ constexpr std::array outcome_columns = {"truth",
                                         "solid_fraction_left_out_before",
                                         "shear_stress_left_out_after",
                                         "solid_fraction_left_out_after",
+                                        "friction_pull",
                                         "seconds"};
 
 std::string text_of(std::optional<double> value) {
@@ -100,8 +101,9 @@ std::vector<std::string> cells_of(const Outcome& o) {
             cells.push_back(text_of(two[1]));
         }
     } else {
-        cells.resize(outcome_columns.size() - 1);
+        cells.resize(outcome_columns.size() - 2);
     }
+    cells.push_back(text_of(o.pull));
     cells.push_back(text_of(o.seconds));
     return cells;
 }
@@ -136,6 +138,7 @@ std::vector<Outcome> read_outcomes(const std::filesystem::path& file) {
             *two = cells.two();
         }
         if (p) o.added = a;
+        o.pull = cells.number();
         o.seconds = cells.number().value_or(0);
         outcomes.push_back(std::move(o));
     }

@@ -106,10 +106,9 @@ Outcome::Added added(const StudyInput& input, const std::vector<std::string>& ef
             .left_out_after = after.ladder_step.left_out_percent.value()};
 }
 
-void diagnose_into(Outcome& outcome, const Truth& truth, const StudyInput& input,
-                   const Fidelity& fidelity) {
-    const StudyDiagnosis found =
-        diagnose_study(input.study, input.measurements, {.fidelity = fidelity});
+}  // namespace
+
+void diagnose_into(Outcome& outcome, const Truth& truth, const StudyDiagnosis& found) {
     const StudyModelSpace& models = *found.models;
     const Evidence& evidence = found.evidence;
     const Diagnosis& d = found.diagnosis;
@@ -132,9 +131,9 @@ void diagnose_into(Outcome& outcome, const Truth& truth, const StudyInput& input
             outcome.refitted_reduction = finding.refitted_reduction;
         }
     }
+    const Fit& fit = d.base.fit;
+    outcome.pull = (fit.parameters(0) - truth.friction) / fit.standard_error(0);
 }
-
-}  // namespace
 
 std::uint64_t noise_seed(const Truth& truth, int study) {
     std::uint64_t seed =
@@ -170,7 +169,8 @@ Outcome walk(const Truth& truth, const LabResult& laboratory, int study,
             outcome.faults.push_back(kind);
         }
     }
-    diagnose_into(outcome, truth, input, fidelity);
+    diagnose_into(outcome, truth,
+                  diagnose_study(input.study, input.measurements, {.fidelity = fidelity}));
     std::vector<std::string> hidden;
     for (const ActiveEffect& active : truth.hidden) {
         hidden.push_back(active.effect->name);

@@ -10,6 +10,7 @@
 
 #include "bench/hidden_effects/truth.h"
 #include "sim/lab/virtual_lab.h"
+#include "workflow/study_diagnosis.h"
 
 namespace pendular::bench {
 
@@ -60,8 +61,14 @@ struct Outcome {
         std::array<double, 2> left_out_before{}, left_out_after{};
     };
     std::optional<Added> added;
+    /// Error of the friction coefficient of the study's model, without further effects, over its
+    /// standard error [1]; empty where it was not compared.
+    std::optional<double> pull;
     double seconds = 0;
 };
+
+/// Adds verdict, confidence set and tests of a diagnosis to an outcome.
+void diagnose_into(Outcome& outcome, const Truth& truth, const StudyDiagnosis& found);
 
 /// Returns the seed of the instrument's noise in study number `study` of a hidden truth (true
 /// friction and effects). The seeds of different truths and studies differ.
