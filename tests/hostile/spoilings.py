@@ -274,7 +274,7 @@ def arguments():
     parser.add_argument("--honest", type=int, default=30, help="honest copies of each study (default: 30)")
     parser.add_argument("--jobs", type=int, default=1, help="copies at a time (default: 1)")
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build/spoilings", help="folder of finished copies")
-    parser.add_argument("--table", type=pathlib.Path, help="file for the table (default of a complete run: bench/results/spoilings.csv)")
+    parser.add_argument("--table", type=pathlib.Path, help="file for the table, with the summary beside it as .md (default of a complete run: bench/results/spoilings.csv)")
     parser.add_argument("--check", action="store_true", help="write no table; exit code 1 if a copy is wrong or failed that bench/results/spoilings.csv does not list so")
     parser.add_argument("--list", action="store_true", help="print the copies, calibrate none")
     given = parser.parse_args()
@@ -325,7 +325,9 @@ def main():
     print(summary(rows))
     whole = not (given.few or given.only or given.check)
     if given.table or whole:
-        write_table(given.table or RESULTS, rows)
+        path = given.table or RESULTS
+        write_table(path, rows)
+        path.with_suffix(".md").write_text(summary(rows) + "\n", encoding="utf-8")
     if given.check:
         known = known_wrong(RESULTS)
         new = [row for row in rows if row["kind"] != "honest" and row["fate"] in ("wrong", "failed") and key_of(row) not in known]
