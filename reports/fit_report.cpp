@@ -6,6 +6,7 @@
 
 #include "calib/fit/instrument_budget.h"
 #include "calib/fit/range_text.h"
+#include "calib/fit/reading_order.h"
 #include "data/recordings/replicate_groups.h"
 #include "data/remarks/wording.h"
 #include "reports/failure_report.h"
@@ -79,18 +80,17 @@ std::string source_of_wet(const Calibration& c) {
 /// from the simulations)".
 std::string estimate_text(const Calibration& c, std::size_t k) {
     const auto i = static_cast<Eigen::Index>(k);
-    const bool stated = c.model.discrepancy != std::array{0.0, 0.0};
     const std::string& unit = c.parameters[k].unit;
     const std::string value = estimate_text(c.fit, i, unit);
     if (!(c.fit.standard_error(i) > 0) || !c.fit.determines(i)) return value;
-    const std::string instrument = !(c.fit.instrument_error(i) > 0)
-                                       ? ""
-                                       : fmt::format(", {} from what all readings share",
-                                                     with_unit(c.fit.instrument_error(i), unit));
-    return fmt::format(
-        "{} ({} from the readings, {} from the {}{})", value,
-        with_unit(c.fit.measurement_error(i), unit), with_unit(c.fit.simulation_error(i), unit),
-        stated ? "simulations and the model discrepancy in study.toml" : "simulations", instrument);
+    const auto part = [&](double error, const char* cause) {
+        return error > 0 ? fmt::format(", {} from {}", with_unit(error, unit), cause) : "";
+    };
+    return fmt::format("{} ({} from the readings, {} from the simulations{}{})", value,
+                       with_unit(c.fit.measurement_error(i), unit),
+                       with_unit(c.fit.simulation_error(i), unit),
+                       part(c.fit.discrepancy_error(i), "an inexact model"),
+                       part(c.fit.instrument_error(i), "what all readings share"));
 }
 
 /// Error of a shared quantity as text, such as "torque-gain 2 % (assumed)".
@@ -136,14 +136,40 @@ std::string with_effects(const ModelSettings& model) {
                                                joined(names_of(model.effects), "and"));
 }
 
-/// Part of the answer on readings that were predicted, not fitted, and that the model does not
-/// describe: "; the model does not describe the 12 readings that were predicted, not fitted
-/// (p < 0.001)". Empty where it describes them or there are none.
-std::string verdict_on_predicted(const Calibration& c, const Comparison& comparison) {
-    if (c.fitted == c.readings.size() || comparison.predicted.p() >= incredible_p) return "";
-    return fmt::format(
-        "; the model does not describe the {} readings that were predicted, not fitted (p {})",
-        c.readings.size() - c.fitted, p_text(comparison.predicted.p()));
+/// "0.3 % of the stress ratio and 0.05 % of the solid fraction".
+std::string discrepancy_text(const std::array<double, 2>& discrepancy) {
+    const std::string ratio = fmt::format("{:.2g} % of the stress ratio", 100 * discrepancy[0]);
+    return discrepancy[1] > 0
+               ? fmt::format("{} and {:.2g} % of the solid fraction", ratio, 100 * discrepancy[1])
+               : ratio;
+}
+
+/// How well the model describes the fitted readings, as the end of an answer that states the fit.
+std::string agreement_text(const Calibration& c, const Belief& belief) {
+    const Agreement& fitted = belief.fitted;
+    if (fitted.degree() == Agreement::Degree::nearly)
+        return fmt::format(
+            " The model describes the readings but for {}, which the error contains.",
+            discrepancy_text(fitted.discrepancy));
+    if (fitted.discrepancy == std::array{0.0, 0.0}) return "";
+    return fmt::format(" The model describes the readings within {}, {}.",
+                       discrepancy_text(fitted.discrepancy),
+                       c.model.discrepancy_stated ? "as study.toml allows"
+                                                  : "about what independent codes differ by");
+}
+
+/// First sentences on a fit: its friction, and what it may be used for.
+std::string answer_of(const Calibration& c, const Belief& belief) {
+    const std::string first = estimate_text(c, 0);
+    if (belief.believable())
+        return fmt::format("Fitted: {} = {}.{}", c.parameters[0].name, first,
+                           agreement_text(c, belief));
+    if (belief.for_fitted_only)
+        return fmt::format("Fitted to the {} readings, and not to be used for others: {} = {}. {}",
+                           dry_count(c.readings) == c.fitted ? "dry" : "fitted",
+                           c.parameters[0].name, first, as_sentence(belief.reasons.front()));
+    return warning_on(
+        belief, fmt::format("the fitted {}, {}", parameter_in_words(c.parameters[0].name), first));
 }
 
 }  // namespace
@@ -154,22 +180,11 @@ Output calibration_output(const FittedStudy& result, const Measurements& measure
     const Comparison& comparison = result.comparison;
     const Belief& belief = result.belief;
     Output output;
-    const std::string first = estimate_text(c, 0);
-    output.answer(
-        belief.believable()
-            ? fmt::format("Fitted: {} = {}.", c.parameters[0].name, first)
-            : warning_on(belief, fmt::format("the fitted {}, {}",
-                                             parameter_in_words(c.parameters[0].name), first)));
+    output.answer(answer_of(c, belief));
     for (std::size_t k = 1; k < c.parameters.size(); ++k) {
         output.line(fmt::format("{} = {}.", c.parameters[k].name, estimate_text(c, k)));
     }
     add_instrument_lines(output, c);
-    for (const InstrumentError& far : far_errors(c.fit)) {
-        output.line(fmt::format(
-            "Warning: the readings fit best with an error of {} that is {:.1f} times its standard "
-            "uncertainty: check it.",
-            uncertainty_text(far), std::abs(far.needed)));
-    }
     add_doubts(output, belief, 1);
     if (c.profile) {
         output.line(fmt::format(
@@ -221,10 +236,9 @@ Output comparison_output(const FittedStudy& compared, const WhereItFails& where,
     const Belief& belief = compared.belief;
     Output output;
     output.answer(fmt::format(
-        "{} {:.2f} % in shear stress and {:.2f} % in solid fraction; for all readings, {}{}. {}",
+        "{} {:.2f} % in shear stress and {:.2f} % in solid fraction; for all readings, {}. {}",
         with_effects(c.model), comparison.rms_percent[0], comparison.rms_percent[1],
         misfit_text(comparison.total),
-        belief.believable() ? verdict_on_predicted(c, comparison) : "",
         belief.believable() ? error_basis(measurements)
                             : warning_on(belief, "the fitted friction coefficient")));
     add_doubts(output, belief, 1);

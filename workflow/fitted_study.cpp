@@ -3,8 +3,26 @@
 #include <utility>
 
 #include "calib/fit/predicted_readings.h"
+#include "calib/fit/reading_order.h"
 
 namespace pendular {
+
+namespace {
+
+/// Prediction of the readings that were not fitted, whose covariance contains the error of the fit.
+Prediction predicted_part(const Calibration& c) {
+    const auto rest = c.prediction.value.size() - 2 * static_cast<Eigen::Index>(c.fitted);
+    const auto corner = [rest](const Eigen::MatrixXd& whole) -> Eigen::MatrixXd {
+        return whole.size() > 0 ? whole.bottomRightCorner(rest, rest) : whole;
+    };
+    return {.value = c.prediction.value.tail(rest),
+            .jacobian = Eigen::MatrixXd::Zero(rest, 1),  // nothing is fitted to them
+            .covariance = corner(c.prediction.covariance),
+            .run_noise = {},
+            .discrepancy = corner(c.prediction.discrepancy)};
+}
+
+}  // namespace
 
 FittedStudy fitted(const ResolvedStudy& study, Calibration c) {
     FittedStudy result{.calibration = std::move(c)};
@@ -28,7 +46,15 @@ Belief belief_in(const FittedStudy& fitted, const ResolvedStudy& study,
     const Calibration& c = fitted.calibration;
     const auto mistake =
         find_unit_mistake(fitted.model->model(), c.readings, study, c.fit.parameters);
-    return belief_in(c.fit, c.parameters, fitted.comparison.fitted, measurements, mistake);
+    const auto seen = part(c.readings, 0, c.fitted);
+    const Agreement of_fitted =
+        agreement_of(seen, c.direct, fitted.model->at(seen).predict(c.fit.parameters),
+                     fitted.comparison.fitted, c.model);
+    std::optional<Agreement> of_predicted;
+    if (c.fitted < c.readings.size())
+        of_predicted = agreement_of(part(c.readings, c.fitted, c.readings.size()), {},
+                                    predicted_part(c), fitted.comparison.predicted, c.model);
+    return belief_in(c.fit, c.parameters, of_fitted, of_predicted, measurements, mistake);
 }
 
 WhereItFails where_it_fails(const FittedStudy& fitted, const Measurements& measurements) {

@@ -75,6 +75,19 @@ std::function<void(std::string_view, std::size_t, std::size_t)> progress_of(
     };
 }
 
+/// Diagnoses again with a larger discrepancy where the best explanation of a misfit leaves one, and
+/// study.toml states none.
+void diagnose_as_inexact(StudyDiagnosis& result, const Study& study,
+                         const DiagnosisOptions& options) {
+    if (result.diagnosis.base.accepted || study.model.discrepancy_stated) return;
+    const double factor = inexactness_left(result.diagnosis, result.evidence);
+    if (factor == 1) return;
+    for (double& each : result.discrepancy)
+        each *= factor;
+    *result.models = result.models->with_discrepancy(result.discrepancy);
+    result.diagnosis = diagnose(*result.models, result.evidence, options);
+}
+
 /// Checks that the readings suffice for a diagnosis.
 /// @throws InputError where all readings are at one condition, and
 ///         where a reading cannot be simulated
@@ -114,6 +127,7 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     StudyDiagnosis result{.readings = readings_to_fit(measurements),
                           .measured = measurements.readings.size()};
     check_readings(result.readings, study, session.fidelity);
+    result.discrepancy = study.study().model.discrepancy;
     result.models = std::make_unique<StudyModelSpace>(study, conditions_of(result.readings),
                                                       session.fidelity, std::move(known));
     result.evidence = evidence_of(result.readings, measurements.scatter, result.models->direct());
@@ -121,6 +135,7 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     options.progress = progress_of(session);
     options.threads = static_cast<std::size_t>(session.threads);
     result.diagnosis = diagnose(*result.models, result.evidence, options);
+    diagnose_as_inexact(result, study, options);
     const std::shared_ptr<const Predictor> model = result.models->predictor({});
     const Fit& fit = result.diagnosis.base.fit;
     result.mistake = find_unit_mistake(*model, result.readings, study, fit.parameters);
@@ -145,7 +160,12 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     if (!result.diagnosis.proposals_stand) result.proposals.clear();
     const Misfit misfit{result.diagnosis.base.fit.chi2, result.diagnosis.dof,
                         freedom_behind(result.readings)};
-    result.belief = belief_in(fit, model->parameters(), misfit, measurements, result.mistake);
+    ModelSettings settings = study.study().model;
+    settings.discrepancy = result.discrepancy;
+    result.belief = belief_in(
+        fit, model->parameters(),
+        agreement_of(result.readings, result.models->direct(), fit.prediction, misfit, settings),
+        {}, measurements, result.mistake);
     return result;
 }
 

@@ -45,6 +45,10 @@ struct StudyDiagnosis {
     /// Tested readings and direct measurements as one vector of values with its covariance, and the
     /// parts of the measurement that may be wrong.
     Evidence evidence;
+    /// Relative standard errors [1] of stress ratio and solid fraction that the models are expected
+    /// to have: those of the study, or as much more as the best explanation of a misfit leaves
+    /// (`inexactness_left`).
+    std::array<double, 2> discrepancy{};
     Diagnosis diagnosis;  ///< verdict, tests and refitted models
     /// Column of the recordings that was probably read in a wrong unit, which would explain the
     /// misfit.

@@ -9,6 +9,7 @@
 
 #include "analysis/diagnosis/explanation_search.h"
 #include "analysis/diagnosis/side_by_side.h"
+#include "calib/fit/inexactness.h"
 #include "data/input_error.h"
 
 namespace pendular {
@@ -261,6 +262,28 @@ void conclude_anew(Diagnosis& diagnosis, const ModelSpace& space, const Diagnosi
     if (diagnosis.verdict == Verdict::indistinguishable) {
         diagnosis.cosines = cosines_between(diagnosis, space.candidates());
     }
+}
+
+double inexactness_left(const Diagnosis& diagnosis, const Evidence& evidence) {
+    const auto offered = static_cast<double>(diagnosis.scan.size());
+    const auto suspects = static_cast<double>(evidence.suspects.size());
+    const auto price = [&](const FittedModel& model) {
+        double sum = 2 * static_cast<double>(model.chosen.size()) * (1 + std::log(offered));
+        if (model.suspect) {
+            const auto columns = evidence.suspects[*model.suspect].columns.cols();
+            sum += 2 * static_cast<double>(columns) + 2 * std::log(suspects);
+        }
+        return sum;
+    };
+    Inexactness best = likely_inexactness(evidence.measured, diagnosis.base.fit.prediction);
+    double least = best.criterion();
+    for (const FittedModel& each : diagnosis.tried) {
+        if (!each.fit.converged) continue;
+        const Inexactness with = likely_inexactness(evidence.measured, each.fit.prediction);
+        if (const double value = with.criterion() + price(each); value < least)
+            best = with, least = value;
+    }
+    return best.factor;
 }
 
 Diagnosis diagnose(const ModelSpace& space, const Evidence& evidence,

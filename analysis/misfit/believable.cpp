@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
+#include "calib/fit/inexactness.h"
+#include "calib/fit/instrument_budget.h"
 #include "calib/fit/range_text.h"
 #include "data/remarks/fault_wording.h"
 #include "data/remarks/lost_readings.h"
@@ -28,26 +32,37 @@ bool out_of_range(const Fit& fit, const std::vector<Parameter>& parameters, std:
     return fit.at_bound[k] && (friction || !lower || p.lower != 0);
 }
 
-}  // namespace
+/// Sentence on readings that the model does not describe.
+std::string failure_text(const Agreement& agreement, const std::string& which) {
+    return fmt::format(
+        "The model does not describe {}: chi2 = {:.4g} for {} degrees of freedom (p < 0.001), "
+        "{:.2g} "
+        "times the errors. It misses the shear stress by {:.2g} % and the solid fraction by {:.2g} "
+        "%.",
+        which, agreement.misfit.chi2, agreement.misfit.dof, agreement.in_errors(),
+        agreement.rms_percent[0], agreement.rms_percent[1]);
+}
 
-Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const Misfit& misfit,
-                 const Measurements& measurements, const std::optional<UnitMistake>& mistake) {
-    Belief belief;
-    if (mistake) belief.reasons.push_back(mistake->sentence());
-    const bool undescribed = misfit.p() < incredible_p;
-    if (undescribed) {
-        belief.misfit_reason = belief.reasons.size();
-        belief.reasons.push_back(
-            fmt::format("The model does not describe the fitted readings: chi2 = {:.4g} for {} "
-                        "degrees of freedom (p < 0.001).",
-                        misfit.chi2, misfit.dof));
-    }
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-        if (!out_of_range(fit, parameters, k)) continue;
-        belief.reasons.push_back(fmt::format(
-            "The fitted {} is {:.3g}, at the end of its range, {}.", parameters[k].name,
-            fit.parameters(static_cast<Eigen::Index>(k)), range_text(fit, parameters, k)));
-    }
+/// Faults inside recordings that change what is averaged.
+bool shifts_means(const Remark& fault) {
+    using enum Remark::Kind;
+    return !fault.corrected &&
+           (fault.kind == stick_slip || fault.kind == drift || fault.kind == unfinished_run_in);
+}
+
+/// Sentence on steps of which most never became steady; empty if they are fewer than the readings.
+std::string unsteady_text(const Measurements& measurements) {
+    const auto lost = std::ranges::count_if(
+        measurements.remarks, [](const Remark& remark) { return without_plateau(remark.kind); });
+    if (lost <= std::ssize(measurements.readings)) return "";
+    return fmt::format(
+        "{} of {} steps never became steady, so that the others may not be steady either: record "
+        "longer steps.",
+        lost, lost + std::ssize(measurements.readings));
+}
+
+/// Adds the reasons that lie in the measurement itself.
+void add_doubts(Belief& belief, const Measurements& measurements) {
     const std::vector<Remark> doubts = measurements.doubts();
     for (std::size_t k = 0; k < std::min(most_doubts, doubts.size()); ++k) {
         belief.reasons.push_back(text_of(doubts[k]));
@@ -56,7 +71,90 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
         belief.reasons.push_back(fmt::format("{} further warnings; 'pendular import' lists them.",
                                              doubts.size() - most_doubts));
     }
-    if (const auto reason = common_reason(measurements)) belief.reasons.push_back(*reason);
+    std::vector<Remark> faults = measurements.faults(true);
+    std::erase_if(faults, [](const Remark& fault) { return !shifts_means(fault); });
+    for (const std::string& sentence : sentences(faults))
+        belief.reasons.push_back(sentence);
+    if (const auto reason = common_reason(measurements)) {
+        belief.reasons.push_back(*reason);
+    } else if (std::string text = unsteady_text(measurements); !text.empty()) {
+        belief.reasons.push_back(std::move(text));
+    }
+}
+
+}  // namespace
+
+Agreement::Degree Agreement::degree() const {
+    if (as_inexact.p() < incredible_p) return Degree::fails;
+    const bool more = as_inexact.chi2 != misfit.chi2 && misfit.p() < significant_p;
+    return more ? Degree::nearly : Degree::describes;
+}
+
+double Agreement::in_errors() const {
+    return misfit.dof > 0 ? std::sqrt(misfit.chi2 / misfit.dof) : 0;
+}
+
+std::string_view to_string(Agreement::Degree degree) {
+    switch (degree) {
+        case Agreement::Degree::describes:
+            return "describes";
+        case Agreement::Degree::nearly:
+            return "nearly";
+        case Agreement::Degree::fails:
+            return "fails";
+    }
+    throw std::logic_error("a degree of agreement has no name");
+}
+
+Agreement agreement_of(const std::vector<Reading>& readings,
+                       const std::vector<DirectMeasurement>& direct, const Prediction& prediction,
+                       const Misfit& misfit, const ModelSettings& model) {
+    Agreement agreement{.misfit = misfit,
+                        .readings = readings.size(),
+                        .rms_percent = rms_percent(readings, prediction.value),
+                        .discrepancy = model.discrepancy,
+                        .as_inexact = misfit};
+    if (model.discrepancy_stated) return agreement;
+    const Inexactness likely = likely_inexactness(stack(readings, direct), prediction);
+    if (likely.factor > 1) {
+        agreement.as_inexact.chi2 = likely.chi2;
+        for (double& each : agreement.discrepancy)
+            each *= likely.factor;
+    }
+    return agreement;
+}
+
+Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const Agreement& fitted,
+                 const std::optional<Agreement>& predicted, const Measurements& measurements,
+                 const std::optional<UnitMistake>& mistake) {
+    Belief belief{.fitted = fitted, .predicted = predicted};
+    if (mistake) belief.reasons.push_back(mistake->sentence());
+    const bool undescribed = fitted.degree() == Agreement::Degree::fails;
+    if (undescribed) {
+        belief.misfit_reason = belief.reasons.size();
+        belief.reasons.push_back(failure_text(fitted, "the fitted readings"));
+    }
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+        if (!out_of_range(fit, parameters, k)) continue;
+        belief.reasons.push_back(fmt::format(
+            "The fitted {} is {:.3g}, at the end of its range, {}.", parameters[k].name,
+            fit.parameters(static_cast<Eigen::Index>(k)), range_text(fit, parameters, k)));
+    }
+    if (const auto far = far_errors(fit); !far.empty() && !undescribed) {
+        belief.reasons.push_back(fmt::format(
+            "The readings fit best with an error of {} that is {:.1f} times its {}standard "
+            "uncertainty{}: check it.",
+            far.front().name, std::abs(far.front().needed), far.front().assumed ? "typical " : "",
+            far.front().unit == "1" ? fmt::format(" of {:.2g} %", 100 * far.front().standard)
+                                    : ""));
+    }
+    add_doubts(belief, measurements);
+    if (predicted && predicted->degree() == Agreement::Degree::fails) {
+        belief.for_fitted_only = belief.reasons.empty();
+        belief.reasons.push_back(failure_text(
+            *predicted,
+            fmt::format("the {} readings that were predicted, not fitted", predicted->readings)));
+    }
     belief.meaningless =
         (undescribed && !fit.at_bound.empty() && fit.at_bound[0]) || mostly_set_aside(measurements);
     return belief;

@@ -4,7 +4,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -28,7 +30,9 @@ constexpr double least_noncentrality = 5;
 /// The model of the benchmark's readings and what a change of its predictions amounts to.
 class Design {
   public:
-    explicit Design(double friction)
+    /// Design whose readings scatter by these relative standard deviations [1] in shear stress and
+    /// solid fraction.
+    Design(double friction, const std::array<double, 2>& scatter)
         : plan_(rig(friction, 1)), study_(study_of(plan_)), conditions_(planned_conditions(plan_)) {
         KnownRuns known =
             known_runs(StudyModelSpace::with_all_effects(study_), truth_fidelity(), nullptr)
@@ -41,8 +45,8 @@ class Design {
         Measured measured{.value = prediction.value, .covariance = {}};
         Eigen::VectorXd errors = prediction.value;
         for (Eigen::Index k = 0; k < errors.size(); k += 2) {
-            errors(k) *= plan_.instrument.noise * torque_scatter;
-            errors(k + 1) *= plan_.instrument.noise * solid_fraction_scatter;
+            errors(k) *= scatter[0];
+            errors(k + 1) *= scatter[1];
         }
         measured.covariance = errors.cwiseAbs2().asDiagonal();
         residuals_ = std::make_unique<WeightedResiduals>(measured, prediction);
@@ -119,6 +123,12 @@ class Design {
     std::vector<bool> one_sided_;
     Eigen::VectorXd base_;
 };
+
+/// Design whose readings scatter as the benchmark's instrument does.
+Design planned_design(double friction) {
+    const double noise = rig(friction, 1).instrument.noise;
+    return {friction, {noise * torque_scatter, noise * solid_fraction_scatter}};
+}
 
 double rounded(double value) {
     return std::stod(fmt::format("{:.3g}", value));
@@ -216,14 +226,14 @@ void add_pair(const std::string& one, const std::string& other, std::vector<Trut
 
 std::vector<Truth> planned_truths(const std::vector<double>& noncentralities) {
     std::vector<Truth> truths = {{.name = "complete", .friction = plain_friction}};
-    std::optional<Design> plain(plain_friction);
+    std::optional<Design> plain(planned_design(plain_friction));
     for (const Effect& effect : built_in_effects()) {
         const auto& offered = plain->models().candidates();
         if (std::ranges::find(offered, effect.name, &Candidate::name) == offered.end()) continue;
         fmt::print(stderr, "{}\n", effect.name);
         if (effect.name == "rolling-resistance") {
-            add_effect(Design(rolling_friction), effect, rolling_friction, false, noncentralities,
-                       truths);
+            add_effect(planned_design(rolling_friction), effect, rolling_friction, false,
+                       noncentralities, truths);
         } else {
             add_effect(*plain, effect, plain_friction, false, noncentralities, truths);
         }
@@ -240,12 +250,26 @@ std::vector<Truth> planned_truths(const std::vector<double>& noncentralities) {
 
 std::vector<Truth> planned_outside_truths(const std::vector<double>& noncentralities) {
     std::vector<Truth> truths;
-    const Design plain(plain_friction);
+    const Design plain = planned_design(plain_friction);
     for (const OutsideEffect& outside : more_outside_effects()) {
         fmt::print(stderr, "{}\n", outside.effect.name);
         add_effect(plain, outside.effect, plain_friction, true, noncentralities, truths);
     }
     return truths;
+}
+
+void set_separations(std::vector<Truth>& truths, const std::array<double, 2>& scatter) {
+    std::map<double, Design> designs;
+    for (Truth& truth : truths) {
+        if (truth.kind != Truth::Kind::effect) continue;
+        const Design& design =
+            designs.try_emplace(truth.friction, truth.friction, scatter).first->second;
+        const ActiveEffect& hidden = truth.hidden.front();
+        const Eigen::VectorXd changed = design.change(*hidden.effect, hidden.values);
+        truth.noncentrality = changed.squaredNorm();
+        std::tie(truth.separation, truth.most_like) =
+            design.separation(changed, hidden.effect->name);
+    }
 }
 
 }  // namespace pendular::bench

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "bench/hidden_effects/truth.h"
@@ -24,5 +25,10 @@ std::vector<Truth> planned_truths(const std::vector<double>& noncentralities);
 /// permit a noncentrality, one truth has the value at the bound. Truths with a noncentrality below
 /// 5 are left out.
 std::vector<Truth> planned_outside_truths(const std::vector<double>& noncentralities);
+
+/// Sets noncentrality and separation of the truths with one effect of the catalogue to those of
+/// readings that scatter by these relative standard deviations [1] in shear stress and solid
+/// fraction.
+void set_separations(std::vector<Truth>& truths, const std::array<double, 2>& scatter);
 
 }  // namespace pendular::bench

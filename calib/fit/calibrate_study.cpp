@@ -11,6 +11,7 @@
 
 #include "calib/fit/calibration_notes.h"
 #include "calib/fit/common_inertial_number.h"
+#include "calib/fit/inexactness.h"
 #include "calib/fit/instrument_budget.h"
 #include "calib/fit/profile.h"
 #include "calib/fit/reading_order.h"
@@ -314,6 +315,8 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
         c.fit = model.fit_again(fitted, c.fit.parameters);
     }
     add_instrument(c.fit, model.whole().model(), fitted, stack(fitted, c.direct));
+    if (!study.model.discrepancy_stated)
+        c.fit.inexactness = likely_inexactness(stack(fitted, c.direct), c.fit.prediction).factor;
     c.prediction = predict_readings(model.whole().model(), c);
     const Emulator& emulator = planner.simulation()->emulator();
     c.runs = emulator.runs();

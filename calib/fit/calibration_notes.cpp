@@ -176,10 +176,8 @@ std::vector<std::string> undetermined(const Fit& fit, const std::vector<Paramete
     if (n == 0 || !fit.covariance.allFinite() || !(ranges.minCoeff() > 0)) {
         return sentences;
     }
-    Eigen::MatrixXd covariance = fit.covariance;
-    if (fit.widening.size() > 0) covariance += fit.widening;
-    const Eigen::MatrixXd scaled =
-        ranges.cwiseInverse().asDiagonal() * covariance * ranges.cwiseInverse().asDiagonal();
+    const Eigen::MatrixXd scaled = ranges.cwiseInverse().asDiagonal() * fit.total_covariance() *
+                                   ranges.cwiseInverse().asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(scaled);
     for (Eigen::Index axis = n - 1; axis >= 0 && axes.eigenvalues()(axis) > 1; --axis) {
         const Eigen::VectorXd direction = axes.eigenvectors().col(axis);

@@ -48,8 +48,14 @@ double Fit::width(Eigen::Index k) const {
                                   : std::numeric_limits<double>::infinity();
 }
 
+Eigen::MatrixXd Fit::total_covariance() const {
+    Eigen::MatrixXd total = covariance;
+    if (widening.size() > 0) total += widening;
+    if (discrepancy_part.size() > 0) total += (inexactness * inexactness - 1) * discrepancy_part;
+    return total;
+}
 double Fit::standard_error(Eigen::Index k) const {
-    return std::sqrt(covariance(k, k) + (widening.size() > 0 ? widening(k, k) : 0.0));
+    return std::sqrt(total_covariance()(k, k));
 }
 bool Fit::determines_all() const {
     for (Eigen::Index k = 0; k < parameters.size(); ++k)
@@ -67,8 +73,12 @@ double Fit::measurement_error(Eigen::Index k) const {
     return std::sqrt(measurement_part(k, k) + (widening.size() > 0 ? widening(k, k) : 0.0));
 }
 double Fit::simulation_error(Eigen::Index k) const {
-    return std::sqrt(std::max(
-        0.0, covariance(k, k) - measurement_part(k, k) - std::pow(instrument_error(k), 2)));
+    const double discrepancy = discrepancy_part.size() > 0 ? discrepancy_part(k, k) : 0;
+    return std::sqrt(std::max(0.0, covariance(k, k) - measurement_part(k, k) - discrepancy -
+                                       std::pow(instrument_error(k), 2)));
+}
+double Fit::discrepancy_error(Eigen::Index k) const {
+    return discrepancy_part.size() > 0 ? inexactness * std::sqrt(discrepancy_part(k, k)) : 0;
 }
 double Fit::instrument_error(Eigen::Index k, bool counts) const {
     double variance = 0;
@@ -163,6 +173,8 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
     result.measurement_part = caused_by(measured.covariance);
     if (measured.widening.size() > 0) result.widening = caused_by(measured.widening);
     result.run_part = caused_by(result.prediction.run_noise);
+    if (result.prediction.discrepancy.size() > 0)
+        result.discrepancy_part = caused_by(result.prediction.discrepancy);
     for (Eigen::Index k = 0; k < parameters.size(); ++k) {
         if (!(result.prediction.jacobian.col(k).squaredNorm() > 0)) {
             result.converged = false;

@@ -34,9 +34,13 @@ struct Fit {
     Eigen::MatrixXd widening;
     Eigen::MatrixXd measurement_part;  ///< part due to errors of measurement
     /// Part due to the noise of the simulation runs. The rest of `covariance` is due to corrections
-    /// of the simulation (such as that to the stiffness of the grains), to the study's discrepancy,
-    /// and to fitted constant cohesions.
+    /// of the simulation (such as that to the stiffness of the grains), to fitted constant
+    /// cohesions, to the model's discrepancy and to the errors of `instrument`.
     Eigen::MatrixXd run_part;
+    Eigen::MatrixXd discrepancy_part;  ///< part due to the model's discrepancy; may be empty
+    /// Factor [1] by which the model's discrepancy is larger than expected (`likely_inexactness`).
+    /// The errors of the parameters contain it; `chi2` and the weights of the fit do not.
+    double inexactness = 1;
     double chi2 = 0;  ///< minimum: sum of squared whitened residuals [1]
     int dof = 0;      ///< measured values minus parameters
     /// Whether the search for the minimum of chi2 converged. False if a parameter has no influence
@@ -53,7 +57,9 @@ struct Fit {
     /// Contributions of the errors that all readings share (`add_instrument`).
     std::vector<InstrumentError> instrument = {};
 
-    /// Returns the standard error of parameter `k`, with `widening`, in its unit.
+    /// Returns `covariance` with `widening` and with what `inexactness` adds.
+    Eigen::MatrixXd total_covariance() const;
+    /// Returns the standard error of parameter `k` by total_covariance(), in its unit.
     double standard_error(Eigen::Index k) const;
     /// Returns the width of the range of parameter `k`, in its unit; infinity if unknown.
     double width(Eigen::Index k) const;
@@ -68,7 +74,9 @@ struct Fit {
     /// Returns the part of standard_error() due to the errors of `instrument` that count or, if
     /// `counts` is false, to those of the others in a fit that does not weigh them.
     double instrument_error(Eigen::Index k, bool counts = true) const;
-    /// Returns the part of standard_error() due to all else (`run_part`).
+    /// Returns the part of standard_error() due to the model's discrepancy.
+    double discrepancy_error(Eigen::Index k) const;
+    /// Returns the part of standard_error() due to the simulations: all else (`run_part`).
     double simulation_error(Eigen::Index k) const;
 };
 

@@ -40,13 +40,17 @@ UnseenAndFitted predict_with_fitted(const Predictor& model, const Calibration& c
     const Eigen::MatrixXd direct = information_of(c.direct, model.parameters());
     Eigen::MatrixXd map(rest, n + rest);
     map << -through_fit, Eigen::MatrixXd::Identity(rest, rest);
-    return {.unseen = {.value = both.value.tail(rest),
-                       .jacobian = both.jacobian.bottomRows(rest),
-                       .covariance = map * both.covariance * map.transpose() +
-                                     through_fit * measured * through_fit.transpose() +
-                                     slopes * direct * slopes.transpose(),
-                       .run_noise = both.run_noise.bottomRightCorner(rest, rest)},
-            .with_fitted = through_fit * measured};
+    return {
+        .unseen = {.value = both.value.tail(rest),
+                   .jacobian = both.jacobian.bottomRows(rest),
+                   .covariance = map * both.covariance * map.transpose() +
+                                 through_fit * measured * through_fit.transpose() +
+                                 slopes * direct * slopes.transpose(),
+                   .run_noise = both.run_noise.bottomRightCorner(rest, rest),
+                   .discrepancy = both.discrepancy.size() > 0
+                                      ? Eigen::MatrixXd(map * both.discrepancy * map.transpose())
+                                      : both.discrepancy},
+        .with_fitted = through_fit * measured};
 }
 
 Prediction predict_unseen(const Predictor& model, const Calibration& c,
@@ -63,9 +67,14 @@ Prediction predict_readings(const Predictor& model, const Calibration& c) {
     const Eigen::Index rest = all.value.size() - fitted;
     all.covariance.topRightCorner(fitted, rest).setZero();
     all.covariance.bottomLeftCorner(rest, fitted).setZero();
-    all.covariance.bottomRightCorner(rest, rest) =
-        predict_unseen(model, c, conditions_of(part(c.readings, c.fitted, c.readings.size())))
-            .covariance;
+    const Prediction unseen =
+        predict_unseen(model, c, conditions_of(part(c.readings, c.fitted, c.readings.size())));
+    all.covariance.bottomRightCorner(rest, rest) = unseen.covariance;
+    if (all.discrepancy.size() > 0) {
+        all.discrepancy.topRightCorner(fitted, rest).setZero();
+        all.discrepancy.bottomLeftCorner(rest, fitted).setZero();
+        all.discrepancy.bottomRightCorner(rest, rest) = unseen.discrepancy;
+    }
     return all;
 }
 

@@ -334,8 +334,9 @@ Prediction EffectModel::predict(const Eigen::VectorXd& parameters,
     if (what == PredictionPart::covariance) {
         result.covariance = shown_covariance(inside.covariance);
         if (study_.model.discrepancy != std::array{0.0, 0.0}) {
-            result.covariance +=
+            result.discrepancy =
                 discrepancy_covariance(conditions, result.value, study_.model.discrepancy);
+            result.covariance += result.discrepancy;
         }
         if (std::ranges::any_of(uncertainties_, &SharedUncertainty::counts)) {
             const Eigen::MatrixXd changes =

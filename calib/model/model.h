@@ -35,11 +35,14 @@ struct Prediction {
     Eigen::MatrixXd jacobian;
     /// Covariance matrix (2 n + m rows and columns) of the errors of `value` that come from the
     /// model: the noise of the simulation runs, the errors of corrections, such as that to the
-    /// stiffness of the study's grains, the discrepancy that the study states, and the errors of
-    /// fitted constant cohesions.
+    /// stiffness of the study's grains, the discrepancy of the model, and the errors of fitted
+    /// constant cohesions.
     Eigen::MatrixXd covariance;
     /// Part of `covariance` due to the noise of the simulation runs, which more runs would reduce.
     Eigen::MatrixXd run_noise;
+    /// Part of `covariance` due to the discrepancy that is expected of the study's model; empty for
+    /// an exact model.
+    Eigen::MatrixXd discrepancy = {};
 };
 
 /// Returns the index of the parameter that `direct` measures; empty if the model lacks it.

@@ -56,6 +56,7 @@ Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>
     }
     widen(readings.covariance, more);
     widen(readings.run_noise, more);
+    widen(readings.discrepancy, more);
     for (Eigen::Index k = 0; k < more; ++k) {
         const DirectMeasurement& each = direct[static_cast<std::size_t>(k)];
         readings.value(n + k) = predicted_value(each, parameters, values);

@@ -151,6 +151,14 @@ StudyModelSpace StudyModelSpace::offering(const std::vector<Effect>& more) const
     return models;
 }
 
+StudyModelSpace StudyModelSpace::with_discrepancy(const std::array<double, 2>& discrepancy) const {
+    StudyModelSpace models = *this;
+    Study inexact = study_;
+    inexact.model.discrepancy = discrepancy;
+    models.study_ = study_.changed_to(std::move(inexact));
+    return models;
+}
+
 std::shared_ptr<const EffectModel> StudyModelSpace::with_only(
     const std::vector<std::string>& names) const {
     std::vector<const Effect*> effects;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -64,6 +65,9 @@ class StudyModelSpace : public ModelSpace {
     /// Returns a copy with the effects `more` as further candidates, after the present ones. They
     /// must not act on grains inside a simulation and must outlive the copy.
     StudyModelSpace offering(const std::vector<Effect>& more) const;
+    /// Returns a copy whose models are expected to err by `discrepancy`: relative standard errors
+    /// [1] of stress ratio and solid fraction.
+    StudyModelSpace with_discrepancy(const std::array<double, 2>& discrepancy) const;
     int internally_fitted_values() const override;
     ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
                                std::size_t added, const Eigen::VectorXd& values) const override;

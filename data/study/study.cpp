@@ -335,7 +335,7 @@ std::vector<ListedEffect> read_listed_effects(const StudyTable& model) {
 /// Expected error of the model: one number for the stress ratio, or two.
 std::array<double, 2> read_discrepancy(const StudyTable& table) {
     const std::vector<double> numbers = table.numbers("discrepancy");
-    if (numbers.empty() && !table.has("discrepancy")) return {0, 0};
+    if (numbers.empty() && !table.has("discrepancy")) return usual_discrepancy;
     if (numbers.empty() || numbers.size() > 2) {
         table.refuse("discrepancy",
                      "must be one number (of the stress ratio) or two (of stress ratio and solid "
@@ -353,6 +353,7 @@ std::array<double, 2> read_discrepancy(const StudyTable& table) {
 
 ModelSettings read_model(const StudyTable& root) {
     ModelSettings model;
+    model.discrepancy = usual_discrepancy;
     const auto table = root.table("model", model_keys);
     if (!table) return model;
     model.base = table->choice("base", {"dem", "rumpf", "mohr-coulomb"});
@@ -364,6 +365,7 @@ ModelSettings read_model(const StudyTable& root) {
     model.effects = read_listed_effects(*table);
     model.bridge_force = form(*table, "bridge_force");
     model.discrepancy = read_discrepancy(*table);
+    model.discrepancy_stated = table->has("discrepancy");
     return model;
 }
 

@@ -177,6 +177,7 @@ Json to_json(const Calibration& c, const Comparison& comparison, const Belief& b
         parameter["stderr_measurement"] = c.fit.measurement_error(i);
         parameter["stderr_simulation"] = c.fit.simulation_error(i);
         parameter["stderr_instrument"] = c.fit.instrument_error(i);
+        parameter["stderr_discrepancy"] = c.fit.discrepancy_error(i);
         parameter["at_bound"] = static_cast<bool>(c.fit.at_bound[k]);
         parameter["determined"] = c.fit.determines(i);
         if (i < c.fit.range.upper.size())
@@ -185,12 +186,15 @@ Json to_json(const Calibration& c, const Comparison& comparison, const Belief& b
             parameter["profile_68_percent"] = {c.profile->first, c.profile->second};
         }
     }
-    const Eigen::MatrixXd widening =
-        c.fit.widening.size() > 0
-            ? c.fit.widening
-            : Eigen::MatrixXd::Zero(c.fit.covariance.rows(), c.fit.covariance.cols());
-    json["parameter_covariance"] = matrix_json(c.fit.covariance + widening);
-    json["parameter_covariance_by_few_replicates"] = matrix_json(widening);
+    const auto or_zero = [&](const Eigen::MatrixXd& part) {
+        return matrix_json(part.size() > 0 ? part
+                                           : Eigen::MatrixXd::Zero(c.fit.covariance.rows(),
+                                                                   c.fit.covariance.cols()));
+    };
+    json["parameter_covariance"] = matrix_json(c.fit.total_covariance());
+    json["parameter_covariance_by_few_replicates"] = or_zero(c.fit.widening);
+    json["parameter_covariance_by_discrepancy"] = or_zero(c.fit.discrepancy_part);
+    json["inexactness"] = c.fit.inexactness;
     json["instrument"] = instrument_json(c);
     json["chi2"] = comparison.fitted.chi2;
     json["dof"] = comparison.fitted.dof;
@@ -281,6 +285,11 @@ void read_parameters(const Json& json, Calibration& c) {
     read_instrument(json, c);
     c.fit.widening = matrix_from(json.at("parameter_covariance_by_few_replicates"), n);
     c.fit.covariance = matrix_from(json.at("parameter_covariance"), n) - c.fit.widening;
+    if (json.contains("inexactness")) {
+        c.fit.inexactness = json.at("inexactness");
+        c.fit.discrepancy_part = matrix_from(json.at("parameter_covariance_by_discrepancy"), n);
+        c.fit.covariance -= (std::pow(c.fit.inexactness, 2) - 1) * c.fit.discrepancy_part;
+    }
     c.fit.measurement_part.diagonal() -= c.fit.widening.diagonal();
 }
 

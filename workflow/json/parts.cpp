@@ -121,8 +121,21 @@ Json cohesion_lines_json(const std::vector<CohesionLine>& lines) {
 }
 
 void add_belief(Json& json, const Belief& belief) {
+    const auto agreement_json = [](const Agreement& agreement) -> Json {
+        return {{"degree", to_string(agreement.degree())},
+                {"readings", agreement.readings},
+                {"chi2", agreement.misfit.chi2},
+                {"dof", agreement.misfit.dof},
+                {"p", agreement.misfit.p()},
+                {"misfit_in_errors", agreement.in_errors()},
+                {"rms_percent", agreement.rms_percent},
+                {"discrepancy", agreement.discrepancy}};
+    };
     json["believable"] = belief.believable();
     json["reasons"] = belief.reasons;
+    json["agreement"] = {
+        {"fitted", agreement_json(belief.fitted)},
+        {"predicted", belief.predicted ? agreement_json(*belief.predicted) : Json()}};
 }
 
 Json recordings_json(const std::vector<RecordingEvidence>& evidence) {

@@ -1,0 +1,74 @@
+#include "calib/fit/inexactness.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+
+namespace pendular {
+namespace {
+
+/// Number of steps from an exact model to `largest_inexactness`, each 1.27 times the one before:
+/// chosen, since no reading tells smaller steps apart.
+constexpr int steps = 5;
+
+/// Smallest gain of the logarithm of likelihood and prior at which more than the expected
+/// discrepancy is seen: p = 0.05 with the size at the bound of its range (half of chi2 with one
+/// degree of freedom beyond 2.71).
+constexpr double significant = 2.71 / 2;
+
+/// Residuals and derivatives, divided by the Cholesky factor of a covariance.
+struct Whitened {
+    Eigen::VectorXd residuals;
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> slopes;
+    double log_determinant = 0;  ///< of the covariance
+
+    Whitened(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& residuals_,
+             const Eigen::MatrixXd& derivatives) {
+        const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+        const Eigen::MatrixXd lower = factor.matrixL();
+        residuals = lower.triangularView<Eigen::Lower>().solve(residuals_);
+        slopes.compute(lower.triangularView<Eigen::Lower>().solve(derivatives));
+        log_determinant = 2 * lower.diagonal().array().log().sum();
+    }
+    /// chi2 without the part that the derivatives can imitate.
+    double chi2() const {
+        const Eigen::VectorXd turned = slopes.householderQ().transpose() * residuals;
+        return turned.tail(turned.size() - slopes.rank()).squaredNorm();
+    }
+    double restricted() const {
+        return -log_determinant / 2 - chi2() / 2 -
+               slopes.matrixQR().diagonal().head(slopes.rank()).array().abs().log().sum();
+    }
+};
+
+}  // namespace
+
+double restricted_log_likelihood(const Eigen::MatrixXd& covariance,
+                                 const Eigen::VectorXd& residuals,
+                                 const Eigen::MatrixXd& derivatives) {
+    return Whitened(covariance, residuals, derivatives).restricted();
+}
+
+Inexactness likely_inexactness(const Measured& measured, const Prediction& prediction) {
+    const Eigen::MatrixXd exact = measured.covariance + prediction.covariance;
+    const Eigen::VectorXd residuals = measured.value - prediction.value;
+    const bool inexact = prediction.discrepancy.size() > 0;
+    Inexactness best;
+    double to_beat = -INFINITY;
+    for (int step = 0; step <= (inexact ? steps : 0); ++step) {
+        const double factor = std::pow(largest_inexactness, static_cast<double>(step) / steps);
+        const double more = factor * factor - 1;
+        const Whitened whitened(
+            more > 0 ? Eigen::MatrixXd(exact + more * prediction.discrepancy) : exact, residuals,
+            prediction.jacobian);
+        const double prior = std::pow(std::log(factor) / std::numbers::ln2, 2);
+        const double value = whitened.restricted() - prior / 2;
+        if (value > to_beat) {
+            to_beat = step == 0 ? value + significant : value;
+            best = {factor, whitened.chi2(), whitened.log_determinant, prior};
+        }
+    }
+    return best;
+}
+
+}  // namespace pendular
