@@ -12,7 +12,7 @@
 #include "app/options.h"
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/calibration.h"
-#include "data/recordings/replicate_groups.h"
+#include "data/recordings/reading_groups.h"
 #include "reports/draw_figure.h"
 #include "reports/fit_report.h"
 #include "reports/misfit_figures.h"

@@ -12,7 +12,7 @@
 #include "app/command.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/write_whole.h"
-#include "data/quantities/nearest.h"
+#include "data/input_error.h"
 #include "data/quantities/number.h"
 #include "data/recordings/file_view.h"
 #include "data/study/study.h"

@@ -19,7 +19,6 @@
 #include "calib/emulator/emulator.h"
 #include "calib/emulator/emulator_hyperparameters.h"
 #include "data/input_error.h"
-#include "data/quantities/nearest.h"
 #include "reports/draw_figure.h"
 #include "reports/run_plots.h"
 #include "reports/run_report.h"

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "data/files/file_bytes.h"
+#include "data/files/file_access.h"
 #include "data/files/write_whole.h"
 #include "reports/figure_numbers.h"
 #include "reports/figure_text.h"

@@ -10,7 +10,7 @@
 
 #include "calib/model/study_model_space.h"
 #include "calib/model/study_state.h"
-#include "data/printed_unit.h"
+#include "data/effect_parameter.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
 #include "reports/layout.h"

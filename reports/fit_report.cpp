@@ -6,7 +6,7 @@
 
 #include "calib/fit/instrument_budget.h"
 #include "calib/fit/range_text.h"
-#include "data/recordings/replicate_groups.h"
+#include "data/recordings/reading_groups.h"
 #include "data/remarks/wording.h"
 #include "reports/failure_report.h"
 #include "reports/tables.h"

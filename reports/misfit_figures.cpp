@@ -12,8 +12,8 @@
 #include <string>
 
 #include "analysis/diagnosis/study_evidence.h"
-#include "data/quantities/distributions.h"
 #include "data/quantities/number.h"
+#include "data/quantities/statistics.h"
 #include "reports/dry_figures.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"

@@ -7,7 +7,6 @@
 
 #include "calib/emulator/emulated_observables.h"
 #include "data/input_error.h"
-#include "data/quantities/nearest.h"
 #include "data/quantities/quantity.h"
 #include "reports/figure_style.h"
 

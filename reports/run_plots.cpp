@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "data/input_error.h"
-#include "data/quantities/nearest.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
 #include "sim/dem/grain_effects.h"

@@ -10,11 +10,10 @@
 #include <optional>
 #include <regex>
 
-#include "data/files/file_bytes.h"
-#include "data/files/printable.h"
+#include "data/files/file_access.h"
+#include "data/files/text_file.h"
 #include "data/input_error.h"
 #include "data/quantities/number.h"
-#include "data/study/files.h"
 #include "data/study/study_edit.h"
 
 namespace pendular {

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "data/input_error.h"
-#include "data/quantities/nearest.h"
 #include "data/quantities/number.h"
 #include "workflow/known_runs.h"
 

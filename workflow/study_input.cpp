@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "calib/model/mohr_coulomb.h"
+#include "data/files/file_access.h"
 #include "data/files/text_file.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/recordings/measurements.h"
-#include "data/study/files.h"
 
 namespace pendular {
 namespace {

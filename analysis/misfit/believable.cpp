@@ -7,8 +7,6 @@
 #include <cmath>
 
 #include "calib/fit/range_text.h"
-#include "data/remarks/fault_wording.h"
-#include "data/remarks/lost_readings.h"
 #include "data/remarks/wording.h"
 
 namespace pendular {

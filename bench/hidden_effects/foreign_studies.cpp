@@ -8,7 +8,7 @@
 #include "bench/hidden_effects/foreign_world.h"
 #include "bench/hidden_effects/judgement.h"
 #include "data/files/write_whole.h"
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
 
 namespace pendular::bench {
 namespace {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "data/files/write_whole.h"
-#include "data/recordings/replicate_groups.h"
+#include "data/recordings/reading_groups.h"
 #include "sim/lab/virtual_study.h"
 #include "sim/runs/seeds.h"
 #include "workflow/session.h"

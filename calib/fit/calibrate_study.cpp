@@ -17,7 +17,6 @@
 #include "calib/fit/study_model.h"
 #include "calib/model/run_planner.h"
 #include "data/input_error.h"
-#include "data/remarks/lost_readings.h"
 #include "data/remarks/wording.h"
 #include "sim/runs/run_request.h"
 

@@ -14,7 +14,6 @@
 #include "data/reading.h"
 #include "data/study/effect_tables.h"
 #include "data/study/rig.h"
-#include "data/study/stated_uncertainty.h"
 
 namespace pendular {
 

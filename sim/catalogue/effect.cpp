@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "data/printed_unit.h"
-#include "data/quantities/nearest.h"
+#include "data/effect_parameter.h"
+#include "data/input_error.h"
 
 namespace pendular {
 namespace {

@@ -12,7 +12,7 @@
 #include <optional>
 #include <regex>
 
-#include "data/quantities/nearest.h"
+#include "data/input_error.h"
 
 namespace pendular {
 namespace {

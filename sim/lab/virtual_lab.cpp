@@ -7,7 +7,7 @@
 #include <map>
 
 #include "data/input_error.h"
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
 #include "sim/lab/lab_checks.h"
 #include "sim/lab/liquid_volume.h"
 #include "sim/runs/run_request.h"

@@ -1,11 +1,10 @@
 // Recordings that are copies with noise, which are no replicates.
-#include "data/recordings/near_copies.h"
+#include "data/recordings/copies.h"
 
 #include <cmath>
 #include <random>
 
 #include "data/recordings/measurements.h"
-#include "data/recordings/replicates.h"
 #include "tests/support/golden.h"
 #include "tests/support/honest_studies.h"
 

@@ -12,7 +12,6 @@
 #include <limits>
 
 #include "data/input_error.h"
-#include "data/quantities/nearest.h"
 #include "sim/dem/archive.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/blob.h"

@@ -1,4 +1,4 @@
-#include "data/files/write_tables.h"
+#include "data/recordings/measurements.h"
 
 #include <fmt/format.h>
 
