@@ -13,7 +13,7 @@
 
 #include "app/declaration.h"
 #include "app/output_paths.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 
 // Boost.Program_options is included in options.cpp alone: it takes seconds to compile.
 namespace boost::program_options {

@@ -12,7 +12,7 @@
 #include "data/files/write_whole.h"
 #include "data/recordings/reading_groups.h"
 #include "sim/lab/virtual_study.h"
-#include "sim/runs/seeds.h"
+#include "sim/runs/run_settings.h"
 #include "workflow/session.h"
 
 namespace pendular::bench {

@@ -5,7 +5,7 @@
 #include "calib/emulator/query.h"
 #include "data/study/study.h"
 #include "sim/dem/run.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "data/reading.h"
-#include "sim/catalogue/direct_measurement.h"
+#include "sim/catalogue/resolved_study.h"
 
 namespace pendular {
 

@@ -9,7 +9,7 @@
 #include "calib/emulator/emulator.h"
 #include "calib/model/predictor.h"
 #include "data/study/study.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular {
 

@@ -9,7 +9,7 @@
 #include "calib/model/study_state.h"
 #include "data/quantities/statistics.h"
 #include "sim/runs/run_request.h"
-#include "sim/runs/seeds.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 
 #include <fmt/format.h>
 
