@@ -17,7 +17,7 @@
 #include "app/terminal.h"
 #include "calib/emulator/emulated_observables.h"
 #include "calib/emulator/emulator.h"
-#include "calib/emulator/emulator_hyperparameters.h"
+#include "calib/emulator/known_runs.h"
 #include "data/input_error.h"
 #include "reports/draw_figure.h"
 #include "reports/run_plots.h"

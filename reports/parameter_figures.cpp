@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "calib/fit/fit.h"
-#include "calib/fit/instrument_budget.h"
-#include "calib/fit/profile.h"
+#include "calib/fit/parameter_errors.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "calib/fit/calibrate_study.h"
-#include "calib/fit/common_inertial_number.h"
+#include "calib/fit/predicted_readings.h"
 #include "calib/fit/reading_order.h"
 #include "calib/fit/structural_cohesion.h"
 #include "reports/figure_style.h"

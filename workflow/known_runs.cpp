@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "calib/emulator/emulator_hyperparameters.h"
+#include "calib/emulator/known_runs.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_table.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calib/fit/range_text.h"
+#include "calib/fit/calibration_notes.h"
 #include "data/remarks/wording.h"
 
 namespace pendular {

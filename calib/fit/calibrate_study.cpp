@@ -10,9 +10,8 @@
 #include <utility>
 
 #include "calib/fit/calibration_notes.h"
-#include "calib/fit/common_inertial_number.h"
-#include "calib/fit/instrument_budget.h"
-#include "calib/fit/profile.h"
+#include "calib/fit/parameter_errors.h"
+#include "calib/fit/predicted_readings.h"
 #include "calib/fit/reading_order.h"
 #include "calib/fit/study_model.h"
 #include "calib/model/run_planner.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "calib/emulator/emulated_observables.h"
-#include "calib/emulator/emulated_structure.h"
+#include "calib/emulator/emulated_state.h"
 #include "calib/model/study_state.h"
 #include "sim/catalogue/effect.h"
 #include "sim/closures/state.h"

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "calib/emulator/emulated_structure.h"
+#include "calib/emulator/emulated_state.h"
 #include "calib/emulator/emulator.h"
 #include "calib/model/predictor.h"
 #include "data/study/study.h"

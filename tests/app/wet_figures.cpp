@@ -10,7 +10,7 @@
 
 #include "analysis/misfit/compare.h"
 #include "calib/fit/fit.h"
-#include "calib/fit/profile.h"
+#include "calib/fit/parameter_errors.h"
 #include "calib/fit/structural_cohesion.h"
 #include "data/files/csv.h"
 #include "reports/draw_figure.h"
