@@ -16,7 +16,7 @@
 #include "reports/draw_figure.h"
 #include "reports/fit_report.h"
 #include "reports/misfit_figures.h"
-#include "workflow/json/comparison.h"
+#include "workflow/json/diagnosis.h"
 #include "workflow/json/parts.h"
 
 namespace pendular::app {

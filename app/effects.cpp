@@ -17,7 +17,6 @@
 #include "reports/effect_signature.h"
 #include "sim/catalogue/effect_catalogue.h"
 #include "workflow/json/commands.h"
-#include "workflow/known_runs.h"
 #include "workflow/study_input.h"
 
 namespace pendular::app {

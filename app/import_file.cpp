@@ -22,7 +22,6 @@
 #include "workflow/begin_study.h"
 #include "workflow/json/measurements.h"
 #include "workflow/study_input.h"
-#include "workflow/tidy_table.h"
 
 namespace pendular::app {
 namespace {

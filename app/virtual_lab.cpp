@@ -19,7 +19,7 @@
 #include "sim/lab/virtual_lab.h"
 #include "sim/lab/virtual_study.h"
 #include "sim/runs/store/run_store.h"
-#include "workflow/json/laboratory.h"
+#include "workflow/json/run.h"
 
 namespace pendular::app {
 namespace {

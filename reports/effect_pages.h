@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "reports/output.h"
-#include "workflow/json/effects.h"
+#include "workflow/json/commands.h"
 
 namespace pendular {
 

@@ -9,7 +9,7 @@
 
 #include "data/input_error.h"
 #include "data/quantities/number.h"
-#include "workflow/known_runs.h"
+#include "workflow/study_input.h"
 
 namespace pendular {
 namespace {

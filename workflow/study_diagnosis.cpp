@@ -18,7 +18,7 @@
 #include "data/input_error.h"
 #include "data/quantities/quantity.h"
 #include "data/recordings/reading_groups.h"
-#include "workflow/known_runs.h"
+#include "workflow/study_input.h"
 
 namespace pendular {
 namespace {

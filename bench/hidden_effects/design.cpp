@@ -14,7 +14,7 @@
 #include "bench/hidden_effects/rig.h"
 #include "calib/model/study_model_space.h"
 #include "sim/lab/virtual_recording.h"
-#include "workflow/known_runs.h"
+#include "workflow/study_input.h"
 
 namespace pendular::bench {
 namespace {

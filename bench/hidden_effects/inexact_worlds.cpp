@@ -23,8 +23,8 @@
 #include "data/quantities/statistics.h"
 #include "data/recordings/measurements.h"
 #include "sim/lab/virtual_recording.h"
-#include "workflow/known_runs.h"
 #include "workflow/study_diagnosis.h"
+#include "workflow/study_input.h"
 
 namespace pendular::bench {
 namespace {

@@ -15,7 +15,7 @@
 #include "reports/layout.h"
 #include "tests/support/app_support.h"
 #include "tests/support/known_flow.h"
-#include "workflow/json/ladder.h"
+#include "workflow/json/fit.h"
 
 namespace analysis_ladder_test {
 

@@ -17,7 +17,7 @@
 #include "sim/lab/lab_plan.h"
 #include "sim/runs/run_settings.h"
 #include "tests/support/app_support.h"
-#include "workflow/json/laboratory.h"
+#include "workflow/json/run.h"
 
 namespace sim_virtual_lab_test {
 
