@@ -14,7 +14,6 @@
 #include "data/input_error.h"
 #include "reports/draw_figure.h"
 #include "reports/effect_pages.h"
-#include "reports/effect_signature.h"
 #include "sim/catalogue/effect_catalogue.h"
 #include "workflow/json/commands.h"
 #include "workflow/study_input.h"

@@ -10,7 +10,6 @@
 #include "analysis/diagnosis/study_evidence.h"
 #include "data/input_error.h"
 #include "reports/diagnosis_report.h"
-#include "reports/next_report.h"
 #include "reports/next_steps.h"
 #include "reports/page/page_curves.h"
 #include "reports/page/report_page.h"

@@ -14,7 +14,7 @@
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/remarks/wording.h"
-#include "reports/lab_report.h"
+#include "reports/run_report.h"
 #include "sim/lab/lab_checks.h"
 #include "sim/lab/virtual_lab.h"
 #include "sim/lab/virtual_study.h"

@@ -1,4 +1,4 @@
-#include "reports/prediction_figure.h"
+#include "reports/simulation_figures.h"
 
 #include <fmt/format.h>
 

@@ -11,8 +11,8 @@
 
 #include "analysis/ladder.h"
 #include "reports/draw_figure.h"
-#include "reports/ladder_figure.h"
 #include "reports/layout.h"
+#include "reports/misfit_figures.h"
 #include "tests/support/app_support.h"
 #include "tests/support/known_flow.h"
 #include "workflow/json/fit.h"

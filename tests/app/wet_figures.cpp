@@ -15,7 +15,6 @@
 #include "data/files/csv.h"
 #include "reports/draw_figure.h"
 #include "reports/misfit_figures.h"
-#include "reports/wet_figures.h"
 #include "tests/support/app_support.h"
 #include "tests/support/wet_study_support.h"
 

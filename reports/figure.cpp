@@ -1,4 +1,4 @@
-#include "reports/figure_text.h"
+#include "reports/figure.h"
 
 #include <fmt/format.h>
 
