@@ -1,4 +1,4 @@
-#include "bench/hidden_effects/design.h"
+#include "bench/hidden_effects/rig.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,6 @@
 
 #include "analysis/diagnosis/signature.h"
 #include "analysis/misfit/weighted_residuals.h"
-#include "bench/hidden_effects/rig.h"
 #include "calib/model/study_model_space.h"
 #include "sim/lab/virtual_recording.h"
 #include "workflow/study_input.h"

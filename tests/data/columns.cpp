@@ -10,8 +10,6 @@
 #include "data/quantities/units.h"
 #include "tests/support/golden.h"
 
-// Digits to which the numbers of a column were rounded.
-
 namespace pendular::data_columns_test {
 
 using testing::ElementsAre;
@@ -149,6 +147,7 @@ TEST_F(ColumnsOf, RefuseDeviationsThatAreNotPositive) {
     expect_told({input_error([&] { columns.standard_error(row(), "solid_fraction"); })});
 }
 
+// Digits to which the numbers of a column were rounded.
 double step_of(std::vector<std::string_view> cells, double value) {
     return resolution_of(value, digits_of(cells));
 }

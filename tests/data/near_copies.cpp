@@ -6,7 +6,7 @@
 
 #include "data/recordings/measurements.h"
 #include "tests/support/golden.h"
-#include "tests/support/honest_studies.h"
+#include "tests/support/ordinary_studies.h"
 
 namespace pendular::data_near_copies_test {
 

@@ -7,11 +7,9 @@
 #include <string>
 
 namespace SQLite {
-
 class Database;
 class Statement;
 class Exception;
-
 }  // namespace SQLite
 
 namespace pendular {
