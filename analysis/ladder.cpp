@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "data/quantities/distributions.h"
+#include "data/quantities/statistics.h"
 
 namespace pendular {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "analysis/misfit/compare.h"
 #include "calib/model/mohr_coulomb.h"
-#include "data/recordings/replicate_groups.h"
+#include "data/recordings/reading_groups.h"
 
 namespace pendular {
 namespace {

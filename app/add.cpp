@@ -14,7 +14,7 @@
 #include "app/open_session.h"
 #include "data/input_error.h"
 #include "reports/change_report.h"
-#include "workflow/json/comparison.h"
+#include "workflow/json/diagnosis.h"
 #include "workflow/proposed_effects.h"
 
 namespace pendular::app {

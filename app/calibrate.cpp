@@ -12,7 +12,7 @@
 #include "app/options.h"
 #include "calib/fit/calibrate_study.h"
 #include "data/input_error.h"
-#include "data/recordings/replicate_groups.h"
+#include "data/recordings/reading_groups.h"
 #include "reports/fit_report.h"
 #include "workflow/json/fit.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/runs/ensemble.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular::app {
 

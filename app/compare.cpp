@@ -12,11 +12,11 @@
 #include "app/options.h"
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/calibration.h"
-#include "data/recordings/replicate_groups.h"
+#include "data/recordings/reading_groups.h"
 #include "reports/draw_figure.h"
 #include "reports/fit_report.h"
 #include "reports/misfit_figures.h"
-#include "workflow/json/comparison.h"
+#include "workflow/json/diagnosis.h"
 #include "workflow/json/parts.h"
 
 namespace pendular::app {

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "data/effect_parameter.h"
 #include "data/input_error.h"
-#include "data/printed_unit.h"
 #include "data/quantities/number.h"
 #include "data/quantities/units.h"
 

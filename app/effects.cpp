@@ -14,10 +14,8 @@
 #include "data/input_error.h"
 #include "reports/draw_figure.h"
 #include "reports/effect_pages.h"
-#include "reports/effect_signature.h"
 #include "sim/catalogue/effect_catalogue.h"
 #include "workflow/json/commands.h"
-#include "workflow/known_runs.h"
 #include "workflow/study_input.h"
 
 namespace pendular::app {

@@ -12,7 +12,7 @@
 #include "app/command.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/write_whole.h"
-#include "data/quantities/nearest.h"
+#include "data/input_error.h"
 #include "data/quantities/number.h"
 #include "data/recordings/file_view.h"
 #include "data/study/study.h"
@@ -22,7 +22,6 @@
 #include "workflow/begin_study.h"
 #include "workflow/json/measurements.h"
 #include "workflow/study_input.h"
-#include "workflow/tidy_table.h"
 
 namespace pendular::app {
 namespace {

@@ -11,7 +11,6 @@
 #include "app/console.h"
 #include "app/open_session.h"
 #include "reports/draw_figure.h"
-#include "reports/next_report.h"
 #include "reports/next_steps.h"
 #include "workflow/json/diagnosis.h"
 #include "workflow/json/parts.h"

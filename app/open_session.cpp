@@ -15,7 +15,7 @@
 #include "data/quantities/number.h"
 #include "reports/change_report.h"
 #include "reports/draw_figure.h"
-#include "reports/ladder_figure.h"
+#include "reports/misfit_figures.h"
 #include "reports/words.h"
 #include "sim/dem/run.h"
 #include "workflow/json/diagnosis.h"

@@ -11,7 +11,7 @@
 #include "app/console.h"
 #include "app/options.h"
 #include "app/terminal.h"
-#include "data/files/file_lock.h"
+#include "data/files/file_access.h"
 #include "sim/runs/store/run_store.h"
 #include "workflow/session.h"
 

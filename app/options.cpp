@@ -13,7 +13,6 @@
 #include <thread>
 
 #include "data/input_error.h"
-#include "data/quantities/nearest.h"
 #include "sim/runs/store/run_store.h"
 #include "workflow/study_input.h"
 

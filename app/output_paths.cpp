@@ -1,4 +1,4 @@
-#include "app/output_paths.h"
+#include "app/options.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -10,7 +10,6 @@
 #include "app/command.h"
 #include "app/terminal.h"
 #include "data/input_error.h"
-#include "data/quantities/nearest.h"
 
 namespace pendular::app {
 namespace {

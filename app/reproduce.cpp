@@ -11,8 +11,8 @@
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "reports/draw_figure.h"
-#include "reports/paper_figures.h"
-#include "reports/reproduction_report.h"
+#include "reports/run_report.h"
+#include "reports/simulation_figures.h"
 #include "sim/runs/ensemble.h"
 #include "workflow/json/prediction.h"
 

@@ -10,11 +10,10 @@
 #include "analysis/diagnosis/study_evidence.h"
 #include "data/input_error.h"
 #include "reports/diagnosis_report.h"
-#include "reports/next_report.h"
 #include "reports/next_steps.h"
 #include "reports/page/page_curves.h"
 #include "reports/page/report_page.h"
-#include "workflow/json/ladder.h"
+#include "workflow/json/fit.h"
 #include "workflow/json/training_runs.h"
 #include "workflow/switched_models.h"
 

@@ -11,7 +11,7 @@
 #include "app/options.h"
 #include "data/recordings/file_view.h"
 #include "data/study/study.h"
-#include "reports/page/page_recordings.h"
+#include "reports/page/page_data.h"
 #include "workflow/session.h"
 
 namespace pendular::app {

@@ -15,7 +15,7 @@
 #include <system_error>
 
 #include "app/command.h"
-#include "data/files/printable.h"
+#include "data/files/text_file.h"
 #include "data/input_error.h"
 #include "sim/dem/run.h"
 

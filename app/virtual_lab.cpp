@@ -14,12 +14,12 @@
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/remarks/wording.h"
-#include "reports/lab_report.h"
+#include "reports/run_report.h"
 #include "sim/lab/lab_checks.h"
 #include "sim/lab/virtual_lab.h"
 #include "sim/lab/virtual_study.h"
 #include "sim/runs/store/run_store.h"
-#include "workflow/json/laboratory.h"
+#include "workflow/json/run.h"
 
 namespace pendular::app {
 namespace {

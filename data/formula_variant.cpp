@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "data/input_error.h"
-#include "data/quantities/nearest.h"
 
 namespace pendular {
 

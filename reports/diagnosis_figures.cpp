@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "reports/figure.h"
 #include "reports/figure_style.h"
-#include "reports/figure_text.h"
 #include "reports/tables.h"
 
 namespace pendular {

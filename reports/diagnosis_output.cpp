@@ -13,7 +13,6 @@
 #include "reports/impact_report.h"
 #include "reports/other_causes.h"
 #include "reports/proposal_report.h"
-#include "reports/suspect_report.h"
 #include "reports/with_error.h"
 #include "reports/words.h"
 #include "workflow/rivals.h"

@@ -11,12 +11,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "data/files/file_bytes.h"
+#include "data/files/file_access.h"
 #include "data/files/write_whole.h"
-#include "reports/figure_numbers.h"
-#include "reports/figure_text.h"
+#include "reports/figure.h"
 #include "reports/layout.h"
-#include "reports/marks.h"
 
 namespace pendular {
 namespace {

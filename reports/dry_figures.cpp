@@ -1,4 +1,4 @@
-#include "reports/dry_figures.h"
+#include "reports/misfit_figures.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "data/printed_unit.h"
+#include "data/effect_parameter.h"
 #include "reports/with_error.h"
 #include "reports/words.h"
 #include "sim/lab/lab_plan.h"

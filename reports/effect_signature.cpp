@@ -1,4 +1,4 @@
-#include "reports/effect_signature.h"
+#include "reports/effect_pages.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,9 +10,9 @@
 
 #include "calib/model/study_model_space.h"
 #include "calib/model/study_state.h"
-#include "data/printed_unit.h"
+#include "data/effect_parameter.h"
+#include "reports/figure.h"
 #include "reports/figure_style.h"
-#include "reports/figure_text.h"
 #include "reports/layout.h"
 #include "sim/lab/lab_plan.h"
 

@@ -1,4 +1,4 @@
-#include "reports/figure_numbers.h"
+#include "reports/draw_figure.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 #include <set>
 
 #include "data/files/csv.h"
-#include "reports/figure_text.h"
+#include "reports/figure.h"
 
 namespace pendular {
 namespace {

@@ -13,7 +13,6 @@
 
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
-#include "data/remarks/lost_readings.h"
 #include "data/remarks/wording.h"
 #include "reports/tables.h"
 

@@ -4,10 +4,10 @@
 
 #include <array>
 
-#include "calib/fit/instrument_budget.h"
-#include "calib/fit/range_text.h"
+#include "calib/fit/calibration_notes.h"
+#include "calib/fit/parameter_errors.h"
 #include "calib/fit/reading_order.h"
-#include "data/recordings/replicate_groups.h"
+#include "data/recordings/reading_groups.h"
 #include "data/remarks/wording.h"
 #include "reports/failure_report.h"
 #include "reports/tables.h"

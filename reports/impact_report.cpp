@@ -8,8 +8,8 @@
 #include <functional>
 #include <vector>
 
+#include "reports/figure.h"
 #include "reports/figure_style.h"
-#include "reports/figure_text.h"
 #include "reports/with_error.h"
 
 namespace pendular {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "reports/figure_text.h"
+#include "reports/figure.h"
 
 namespace pendular {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/lab_report.h"
+#include "reports/run_report.h"
 
 #include <fmt/format.h>
 

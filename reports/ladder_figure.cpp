@@ -1,4 +1,4 @@
-#include "reports/ladder_figure.h"
+#include "reports/misfit_figures.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "reports/figure.h"
 #include "reports/figure_style.h"
-#include "reports/figure_text.h"
 
 namespace pendular {
 namespace {

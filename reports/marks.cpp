@@ -1,4 +1,4 @@
-#include "reports/marks.h"
+#include "reports/layout.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,13 +12,10 @@
 #include <string>
 
 #include "analysis/diagnosis/study_evidence.h"
-#include "data/quantities/distributions.h"
 #include "data/quantities/number.h"
-#include "reports/dry_figures.h"
+#include "data/quantities/statistics.h"
+#include "reports/figure.h"
 #include "reports/figure_style.h"
-#include "reports/figure_text.h"
-#include "reports/parameter_figures.h"
-#include "reports/wet_figures.h"
 
 namespace pendular {
 namespace {

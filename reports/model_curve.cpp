@@ -10,7 +10,7 @@
 
 #include "calib/fit/reading_order.h"
 #include "data/quantities/number.h"
-#include "reports/figure_text.h"
+#include "reports/figure.h"
 
 namespace pendular {
 

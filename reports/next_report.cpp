@@ -1,4 +1,4 @@
-#include "reports/next_report.h"
+#include "reports/next_steps.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include "analysis/diagnosis/study_evidence.h"
 #include "data/quantities/number.h"
 #include "data/study/study.h"
+#include "reports/figure.h"
 #include "reports/figure_style.h"
-#include "reports/figure_text.h"
 #include "reports/fit_report.h"
 #include "reports/with_error.h"
 #include "reports/words.h"

@@ -7,7 +7,97 @@
 #include <cmath>
 #include <set>
 
+#include "reports/with_error.h"
+#include "reports/words.h"
+
 namespace pendular {
+
+std::string own_condition(const std::vector<Reading>& readings, const SuspectMeasurement& suspect) {
+    struct Property {
+        const char* name;
+        double (*of)(const Condition&);
+        const char* unit;
+    };
+    static const Property properties[] = {
+        {"liquid content", [](const Condition& c) { return c.liquid_content; }, "1"},
+        {"normal stress", [](const Condition& c) { return c.normal_stress; }, "Pa"},
+        {"mass of beads (volume)", [](const Condition& c) { return c.bead_volume.value_or(0); },
+         "m^3"}};
+    std::vector<std::string> texts;
+    for (const Property& property : properties) {
+        constexpr double equal = 0.02;  // as replicates
+        std::set<double> in, out;
+        for (std::size_t k = 0; k < readings.size(); ++k) {
+            const auto rows = suspect.columns.middleRows<2>(2 * static_cast<Eigen::Index>(k));
+            (rows.isZero(0) ? out : in).insert(property.of(readings[k].condition));
+        }
+        const auto as_in = [&](double value) {
+            return std::abs(value - *in.begin()) <= equal * std::abs(*in.begin());
+        };
+        if (!in.empty() && !out.empty() && std::ranges::all_of(in, as_in) &&
+            std::ranges::none_of(out, as_in)) {
+            texts.push_back(
+                fmt::format("{} {}", property.name, with_unit(*in.begin(), property.unit)));
+        }
+    }
+    return joined(texts, "and");
+}
+
+std::string SuspectError::text() const {
+    std::vector<std::string> texts;
+    for (std::size_t k = 0; k < suspect.quantities.size(); ++k) {
+        const auto o = static_cast<Eigen::Index>(k);
+        if (!concerns(o)) continue;
+        texts.push_back(fmt::format("{} {} % too {}", suspect.quantities[k],
+                                    with_error(100 * std::abs(size(o)), 100 * standard_error(o)),
+                                    size(o) < 0 ? "low" : "high"));
+    }
+    return joined(texts, "and");
+}
+
+std::vector<SuspectError> suspect_errors(const StudyDiagnosis& study) {
+    // Largest share of a measured value that may be error: at 1, the true value would be 0.
+    constexpr double largest_share = 0.99;
+    const Diagnosis& d = study.diagnosis;
+    std::vector<SuspectError> errors;
+    if (d.verdict != Verdict::suspect_measurement || d.overruled) return errors;
+    for (const FittedModel& each : d.confidence_set) {
+        if (!each.suspect) continue;
+        SuspectError error{.suspect = study.evidence.suspects[*each.suspect], .model = each};
+        const auto quantities = static_cast<Eigen::Index>(error.suspect.quantities.size());
+        const Eigen::Index first = each.fit.parameters.size() - error.suspect.columns.cols();
+        for (Eigen::Index k = 0; k < quantities; ++k) {
+            // The fit states the error relative to the measured value, a: measured (1 - a) = true.
+            const double a = std::min(each.fit.parameters(first + k), largest_share);
+            error.size(k) = a / (1 - a);
+            error.standard_error(k) = each.fit.standard_error(first + k) / ((1 - a) * (1 - a));
+        }
+        errors.push_back(error);
+    }
+    return errors;
+}
+
+std::vector<std::string> suspect_lines(const StudyDiagnosis& study) {
+    const auto per_dof = [](double chi2, int dof) { return chi2 / std::max(1, dof); };
+    std::vector<std::string> lines;
+    for (const SuspectError& error : suspect_errors(study)) {
+        const std::string size = error.text();
+        std::string line =
+            fmt::format("With the error of {} corrected{}, chi2/dof falls from {:.2f} to {:.2f}.",
+                        error.suspect.name, size.empty() ? "" : " (" + size + ")",
+                        per_dof(study.diagnosis.base.fit.chi2, study.diagnosis.dof),
+                        per_dof(error.model.fit.chi2, error.model.fit.dof));
+        if (const std::string own = own_condition(study.readings, error.suspect); !own.empty()) {
+            line += fmt::format(
+                " Only these readings have {}: an effect that Pendular does not know and that "
+                "acts only there would look the same.",
+                own);
+        }
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
 namespace {
 
 /// Rank correlation from which on the contents count as measured in order [1].

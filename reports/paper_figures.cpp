@@ -1,4 +1,4 @@
-#include "reports/paper_figures.h"
+#include "reports/simulation_figures.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "reports/parameter_figures.h"
+#include "reports/misfit_figures.h"
 
 #include <fmt/format.h>
 
@@ -11,10 +11,9 @@
 #include <vector>
 
 #include "calib/fit/fit.h"
-#include "calib/fit/instrument_budget.h"
-#include "calib/fit/profile.h"
+#include "calib/fit/parameter_errors.h"
+#include "reports/figure.h"
 #include "reports/figure_style.h"
-#include "reports/figure_text.h"
 
 namespace pendular {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/prediction_figure.h"
+#include "reports/simulation_figures.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 
 #include "calib/emulator/emulated_observables.h"
 #include "data/input_error.h"
-#include "data/quantities/nearest.h"
 #include "data/quantities/quantity.h"
 #include "reports/figure_style.h"
 

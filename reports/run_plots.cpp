@@ -1,4 +1,4 @@
-#include "reports/run_plots.h"
+#include "reports/simulation_figures.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,8 @@
 #include <utility>
 
 #include "data/input_error.h"
-#include "data/quantities/nearest.h"
+#include "reports/figure.h"
 #include "reports/figure_style.h"
-#include "reports/figure_text.h"
 #include "sim/dem/grain_effects.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_columns.h"

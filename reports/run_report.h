@@ -8,9 +8,11 @@
 #include "reports/output.h"
 #include "sim/closures/closure_values.h"
 #include "sim/dem/run.h"
+#include "sim/lab/virtual_lab.h"
 #include "sim/runs/store/run_store.h"
 #include "workflow/json/commands.h"
 #include "workflow/json/run.h"
+#include "workflow/reproduction.h"
 #include "workflow/state_prediction.h"
 
 namespace pendular {
@@ -60,5 +62,25 @@ Output campaign_output(const CampaignState& state, const std::vector<dem::RunRes
 /// Returns what `pendular campaign --dry-run` says.
 /// @param source what the expected duration follows from
 Output plan_output(const CampaignState& state, int threads, const std::string& source);
+
+/// Returns what `pendular virtual-lab` says of the recordings that it wrote to `folder`.
+Output lab_output(const LabResult& result, const std::filesystem::path& folder);
+
+/// Returns how many of the published numbers the simulations reproduce, and how many simulated
+/// states were used.
+std::string verdict_of(const Reproduction& reproduction);
+
+/// Returns a table with the meaning of each published number, its published and simulated values,
+/// and whether they agree.
+/// @param all whether numbers that agree are shown too
+std::vector<std::string> scoreboard_table(const std::vector<ScoreboardRow>& rows, bool all);
+
+/// Returns a page in Markdown with a table of numbers for each section of Badetti et al. (2018),
+/// and how to repeat the comparison.
+std::string reproduction_page(const Reproduction& reproduction);
+
+/// Returns what `pendular reproduce` says.
+/// @param all whether numbers that agree are shown too
+Output reproduction_output(const Reproduction& reproduction, bool all);
 
 }  // namespace pendular

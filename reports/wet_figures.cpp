@@ -1,11 +1,11 @@
-#include "reports/wet_figures.h"
+#include "reports/misfit_figures.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "calib/fit/calibrate_study.h"
-#include "calib/fit/common_inertial_number.h"
+#include "calib/fit/predicted_readings.h"
 #include "calib/fit/reading_order.h"
 #include "calib/fit/structural_cohesion.h"
 #include "reports/figure_style.h"

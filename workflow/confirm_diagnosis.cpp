@@ -1,4 +1,4 @@
-#include "workflow/confirm_diagnosis.h"
+#include "workflow/session.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "workflow/known_runs.h"
+#include "workflow/study_input.h"
 
 namespace pendular {
 namespace {

@@ -10,7 +10,7 @@
 #include "data/input_error.h"
 #include "include/pendular/session.h"
 #include "sim/dem/simulation_error.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 #include "sim/runs/store/run_store.h"
 #include "workflow/rivals.h"
 #include "workflow/session.h"

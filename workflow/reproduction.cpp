@@ -7,8 +7,8 @@
 #include "calib/emulator/emulated_observables.h"
 #include "data/input_error.h"
 #include "sim/runs/store/run_table.h"
-#include "workflow/known_runs.h"
 #include "workflow/requested_state.h"
+#include "workflow/study_input.h"
 
 namespace pendular {
 Reproduction::Reproduction(const Fidelity& fidelity, const RunStore* store) : fidelity_(fidelity) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/reproduction/published_numbers.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 #include "sim/runs/store/run_store.h"
 
 namespace pendular {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "calib/emulator/emulated_structure.h"
+#include "calib/emulator/emulated_state.h"
 #include "data/input_error.h"
 #include "sim/runs/run_request.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "calib/emulator/known_range.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular {
 

@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "data/input_error.h"
-#include "data/quantities/nearest.h"
 #include "data/quantities/number.h"
-#include "workflow/known_runs.h"
+#include "workflow/study_input.h"
 
 namespace pendular {
 namespace {

@@ -13,9 +13,8 @@
 #include "data/input_error.h"
 #include "data/study/study_edit.h"
 #include "workflow/json/fit.h"
-#include "workflow/json/ladder.h"
-#include "workflow/known_runs.h"
 #include "workflow/proposed_effects.h"
+#include "workflow/study_input.h"
 
 namespace pendular {
 namespace {

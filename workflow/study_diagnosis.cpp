@@ -17,8 +17,8 @@
 #include "calib/fit/calibration.h"
 #include "data/input_error.h"
 #include "data/quantities/quantity.h"
-#include "data/recordings/replicate_groups.h"
-#include "workflow/known_runs.h"
+#include "data/recordings/reading_groups.h"
+#include "workflow/study_input.h"
 
 namespace pendular {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "data/quantities/distributions.h"
+#include "data/quantities/statistics.h"
 
 namespace pendular {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "analysis/misfit/compare.h"
 #include "data/quantities/number.h"
-#include "data/recordings/replicate_groups.h"
+#include "data/recordings/reading_groups.h"
 
 namespace pendular {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "analysis/misfit/checks.h"
 #include "calib/model/model.h"
-#include "data/recordings/replicates.h"
+#include "data/recordings/measurements.h"
 
 namespace pendular {
 

@@ -8,11 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "calib/fit/calibration_notes.h"
 #include "calib/fit/inexactness.h"
-#include "calib/fit/instrument_budget.h"
-#include "calib/fit/range_text.h"
-#include "data/remarks/fault_wording.h"
-#include "data/remarks/lost_readings.h"
+#include "calib/fit/parameter_errors.h"
 #include "data/remarks/wording.h"
 
 namespace pendular {

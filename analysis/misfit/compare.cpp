@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "calib/model/mohr_coulomb.h"
-#include "data/quantities/distributions.h"
-#include "data/recordings/replicate_groups.h"
+#include "data/quantities/statistics.h"
+#include "data/recordings/reading_groups.h"
 
 namespace pendular {
 namespace {

@@ -8,9 +8,9 @@
 #include <set>
 
 #include "data/grains.h"
-#include "data/quantities/unit_factors.h"
+#include "data/quantities/units.h"
 #include "data/recordings/plausibility.h"
-#include "data/remarks/fault_wording.h"
+#include "data/remarks/wording.h"
 
 namespace pendular {
 namespace {

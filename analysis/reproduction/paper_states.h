@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "calib/emulator/emulator.h"
-#include "sim/closures/capillary_stress.h"
 #include "sim/closures/closure_values.h"
+#include "sim/closures/state.h"
 #include "sim/dem/run.h"
 
 // Simulated states of the parameter study of Badetti et al. (2018), on which the figures and

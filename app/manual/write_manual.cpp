@@ -5,8 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/manual/completion.h"
-#include "app/manual/man_page.h"
+#include "app/manual/manual.h"
 #include "data/files/write_whole.h"
 
 int main(int count, char** words) {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/manual/completion.h"
+#include "app/manual/manual.h"
 
 namespace pendular::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "app/serve/live_study.h"
-#include "app/serve/request_check.h"
+#include "app/serve/page_routes.h"
 
 namespace pendular::app {
 

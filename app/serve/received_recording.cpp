@@ -11,12 +11,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "data/files/file_bytes.h"
-#include "data/files/printable.h"
+#include "data/files/file_access.h"
+#include "data/files/text_file.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/recordings/file_view.h"
-#include "data/study/files.h"
 #include "data/study/study.h"
 #include "reports/file_report.h"
 #include "workflow/study_input.h"

@@ -5,8 +5,8 @@
 #include <exception>
 #include <utility>
 
-#include "data/files/printable.h"
-#include "data/study/files.h"
+#include "data/files/file_access.h"
+#include "data/files/text_file.h"
 #include "data/study/study.h"
 #include "workflow/study_input.h"
 

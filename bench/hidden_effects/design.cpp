@@ -1,4 +1,4 @@
-#include "bench/hidden_effects/design.h"
+#include "bench/hidden_effects/rig.h"
 
 #include <fmt/format.h>
 
@@ -13,10 +13,9 @@
 
 #include "analysis/diagnosis/signature.h"
 #include "analysis/misfit/weighted_residuals.h"
-#include "bench/hidden_effects/rig.h"
 #include "calib/model/study_model_space.h"
 #include "sim/lab/virtual_recording.h"
-#include "workflow/known_runs.h"
+#include "workflow/study_input.h"
 
 namespace pendular::bench {
 namespace {

@@ -1,14 +1,13 @@
-#include "bench/hidden_effects/foreign_studies.h"
+#include "bench/hidden_effects/foreign_world.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "bench/hidden_effects/foreign_world.h"
 #include "bench/hidden_effects/judgement.h"
 #include "data/files/write_whole.h"
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
 
 namespace pendular::bench {
 namespace {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "bench/hidden_effects/truth.h"
@@ -24,5 +26,31 @@ struct ForeignWorld {
 /// @param states bench/foreign_worlds/states.csv
 /// @throws InputError if the file cannot be read, lacks a column or contains a wrong number
 std::vector<ForeignWorld> read_foreign_worlds(const std::filesystem::path& states);
+
+/// Options of the benchmark `foreign_studies`, which diagnoses studies whose flow another DEM code
+/// (LAMMPS) simulated.
+struct ForeignStudiesOptions {
+    /// Folder for the outcomes of finished studies, from which a benchmark that was stopped
+    /// continues.
+    std::filesystem::path work = "build/foreign-studies";
+    std::filesystem::path states = "bench/foreign_worlds/states.csv";
+    std::filesystem::path results = "bench/results";
+    /// Beginnings of the names of the virtual laboratories (`ForeignWorld`) to use; empty: all.
+    std::vector<std::string> only;
+    /// Number of studies of each virtual laboratory (`ForeignWorld`), each with different noise of
+    /// the instrument.
+    int studies = 20;
+    /// Relative errors [1] that study.toml states for the model: first of the stress ratio, second
+    /// of the solid fraction. Each study is diagnosed once without and once with these errors.
+    std::array<double, 2> discrepancy = {0.005, 0.001};
+};
+
+/// Diagnoses studies whose flow another DEM code (LAMMPS) simulated. Each study is diagnosed once
+/// without and once with a stated error of the model. Writes foreign_worlds.txt (summary),
+/// foreign_worlds_confusion.csv (confusion matrix) and foreign_worlds_studies.csv (one row for each
+/// diagnosis). A benchmark that was stopped continues after the last finished diagnosis.
+/// @throws InputError if a table cannot be read
+/// @throws std::runtime_error if a file cannot be written
+void foreign_studies(const ForeignStudiesOptions& options);
 
 }  // namespace pendular::bench

@@ -11,7 +11,6 @@
 #include <tuple>
 
 #include "app/terminal.h"
-#include "bench/hidden_effects/design.h"
 #include "bench/hidden_effects/report.h"
 #include "bench/hidden_effects/resolve.h"
 #include "bench/hidden_effects/rig.h"

@@ -15,17 +15,16 @@
 #include <random>
 
 #include "analysis/diagnosis/side_by_side.h"
-#include "bench/hidden_effects/design.h"
 #include "bench/hidden_effects/foreign_world.h"
 #include "bench/hidden_effects/judgement.h"
 #include "bench/hidden_effects/rig.h"
 #include "calib/model/discrepancy.h"
 #include "data/files/write_whole.h"
-#include "data/recordings/replicates.h"
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
+#include "data/recordings/measurements.h"
 #include "sim/lab/virtual_recording.h"
-#include "workflow/known_runs.h"
 #include "workflow/study_diagnosis.h"
+#include "workflow/study_input.h"
 
 namespace pendular::bench {
 namespace {

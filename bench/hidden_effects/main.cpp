@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/hidden_effects/foreign_studies.h"
+#include "bench/hidden_effects/foreign_world.h"
 #include "bench/hidden_effects/hidden_effects.h"
 #include "bench/hidden_effects/inexact_worlds.h"
 #include "bench/hidden_effects/outside_shapes.h"

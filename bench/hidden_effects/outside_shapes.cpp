@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "app/terminal.h"
-#include "bench/hidden_effects/design.h"
 #include "bench/hidden_effects/rig.h"
 #include "bench/hidden_effects/walk.h"
 #include "data/files/csv.h"

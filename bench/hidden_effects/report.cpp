@@ -11,7 +11,7 @@
 
 #include "bench/hidden_effects/judgement.h"
 #include "data/files/write_whole.h"
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
 #include "reports/draw_figure.h"
 #include "reports/figure.h"
 #include "sim/lab/virtual_recording.h"

@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 #include "data/files/write_whole.h"
-#include "data/recordings/replicate_groups.h"
+#include "data/recordings/reading_groups.h"
 #include "sim/lab/virtual_study.h"
-#include "sim/runs/seeds.h"
+#include "sim/runs/run_settings.h"
 #include "workflow/session.h"
 
 namespace pendular::bench {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "sim/dem/simd.h"
+#include "sim/dem/vector.h"
 
 namespace pendular {
 namespace {

@@ -14,8 +14,8 @@ constexpr double coefficient_scale = 5;
 /// since weak capillarity already closes contacts that hardly touched.
 constexpr double weak_capillarity = 0.1;
 
-double inverse_square(double length) {
-    return 1 / (length * length);
+double inverse_square(double value) {
+    return 1 / (value * value);
 }
 
 BellSums::Place bell_place(const std::array<double, coordinate_count>& coordinates) {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "calib/emulator/emulated_observables.h"
-#include "calib/emulator/fit_hyperparameters.h"
+#include "calib/emulator/gaussian_process.h"
 
 namespace pendular {
 

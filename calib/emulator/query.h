@@ -8,6 +8,12 @@
 
 namespace pendular {
 
+/// Number with its standard error; both have the same unit.
+struct Estimate {
+    double value = 0;
+    double standard_error = 0;
+};
+
 /// Variable of a derivative: friction coefficient, ln I, 1/P*, or V0/a^3.
 enum class Input { friction, log_inertial_number, inverse_pressure, bridge_volume };
 

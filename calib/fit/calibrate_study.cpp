@@ -10,15 +10,14 @@
 #include <utility>
 
 #include "calib/fit/calibration_notes.h"
-#include "calib/fit/common_inertial_number.h"
+#include "calib/fit/predicted_readings.h"
 #include "calib/fit/inexactness.h"
-#include "calib/fit/instrument_budget.h"
-#include "calib/fit/profile.h"
+#include "calib/fit/parameter_errors.h"
+#include "calib/fit/predicted_readings.h"
 #include "calib/fit/reading_order.h"
 #include "calib/fit/study_model.h"
 #include "calib/model/run_planner.h"
 #include "data/input_error.h"
-#include "data/remarks/lost_readings.h"
 #include "data/remarks/wording.h"
 #include "sim/runs/run_request.h"
 

@@ -12,7 +12,7 @@
 #include "calib/model/run_planner.h"
 #include "data/reading.h"
 #include "data/study/study.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular {
 

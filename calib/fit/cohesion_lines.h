@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "calib/emulator/estimate.h"
+#include "calib/emulator/query.h"
 #include "calib/fit/fit.h"
 #include "calib/model/model.h"
 #include "calib/model/mohr_coulomb.h"

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "calib/fit/fit_effort.h"
-#include "calib/fit/measured.h"
+#include "calib/fit/least_squares.h"
 #include "calib/model/model.h"
 
 namespace pendular {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "calib/fit/measured.h"
+#include "calib/fit/least_squares.h"
 #include "calib/model/model.h"
 
 // How inexact a model is, from the residuals that it leaves. Replicates share an error of the model

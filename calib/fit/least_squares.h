@@ -4,14 +4,45 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "calib/fit/fit_effort.h"
-#include "calib/fit/measured.h"
 #include "calib/model/model.h"
+#include "data/reading.h"
+#include "sim/catalogue/resolved_study.h"
 
 // Search for the least chi2 with constant weights, on which fits, refits and profiles rest: Ceres
 // comes near the minimum, and Gauss-Newton steps locate it where chi2 is too flat for Ceres.
+
 namespace pendular {
+
+/// Accuracy and limits of the search for the minimum of chi2. With the default values, fits
+/// reproduce certified regression results to ten digits, far more than readings need.
+struct FitEffort {
+    int most_steps = 1000;  ///< of one search
+    /// Relative change of chi2 in one step [1] at or below which a search ends.
+    double tolerance = 1e-14;
+    /// A fit has converged when the length of the last step, in standard errors of the parameters,
+    /// is at most this number [1] times sqrt(chi2).
+    double settled = 1e-10;
+    /// Whether to repeat the search from the start with other settings of the solver if the search
+    /// leaves a parameter undetermined. If false, the solver also spends less effort on each step
+    /// at the bounds of the parameters.
+    bool elsewhere = true;
+};
+
+/// Measured values with the covariance of their errors: shear stress [Pa] and solid fraction [1] of
+/// each reading in turn, then direct measurements, each in the unit of its parameter.
+struct Measured {
+    Eigen::VectorXd value;
+    /// Covariance of the errors, with the estimated scatter of replicates as if it were exact.
+    Eigen::MatrixXd covariance;
+    /// Addition to `covariance` if few replicates determine the scatter; may be empty.
+    Eigen::MatrixXd widening = {};
+};
+/// Returns the values of readings, followed by direct measurements, with the covariance of all
+/// errors, including those that several readings share, such as the error of a filling.
+Measured stack(const std::vector<Reading>& readings,
+               const std::vector<DirectMeasurement>& direct = {});
 
 /// Whitening of residuals and derivatives: multiplication by the inverse Cholesky factor of a
 /// covariance.

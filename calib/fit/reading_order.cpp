@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "data/recordings/binned_readings.h"
+#include "data/recordings/reading_groups.h"
 
 namespace pendular {
 

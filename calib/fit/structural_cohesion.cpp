@@ -6,7 +6,7 @@
 
 #include "calib/fit/reading_order.h"
 #include "calib/model/closure_model.h"
-#include "sim/closures/strength.h"
+#include "sim/closures/closure_values.h"
 
 namespace pendular {
 namespace {

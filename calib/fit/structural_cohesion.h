@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "calib/emulator/estimate.h"
+#include "calib/emulator/query.h"
 #include "calib/fit/calibration.h"
 #include "calib/fit/cohesion_lines.h"
 #include "calib/fit/study_model.h"

@@ -2,8 +2,8 @@
 
 #include "calib/model/study_state.h"
 #include "sim/catalogue/effect.h"
-#include "sim/closures/capillary_stress.h"
-#include "sim/closures/strength.h"
+#include "sim/closures/closure_values.h"
+#include "sim/closures/state.h"
 
 namespace pendular {
 

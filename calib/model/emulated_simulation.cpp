@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "calib/emulator/emulated_observables.h"
-#include "calib/emulator/emulated_structure.h"
+#include "calib/emulator/emulated_state.h"
 #include "calib/model/study_state.h"
 #include "sim/catalogue/effect.h"
-#include "sim/closures/capillary_stress.h"
+#include "sim/closures/state.h"
 
 namespace pendular {
 namespace {

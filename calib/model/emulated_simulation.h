@@ -5,11 +5,11 @@
 #include <unordered_map>
 #include <vector>
 
-#include "calib/emulator/emulated_structure.h"
+#include "calib/emulator/emulated_state.h"
 #include "calib/emulator/emulator.h"
 #include "calib/model/predictor.h"
 #include "data/study/study.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular {
 

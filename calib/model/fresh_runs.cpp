@@ -7,9 +7,9 @@
 
 #include "calib/emulator/emulated_observables.h"
 #include "calib/model/study_state.h"
-#include "data/quantities/distributions.h"
+#include "data/quantities/statistics.h"
 #include "sim/runs/run_request.h"
-#include "sim/runs/seeds.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular {
 namespace {

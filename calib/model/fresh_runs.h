@@ -6,7 +6,7 @@
 
 #include "calib/emulator/emulator.h"
 #include "data/study/study.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular {
 

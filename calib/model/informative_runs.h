@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "calib/emulator/emulator.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular {
 

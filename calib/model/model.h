@@ -9,7 +9,7 @@
 
 #include "data/effect_parameter.h"
 #include "data/reading.h"
-#include "sim/catalogue/direct_measurement.h"
+#include "sim/catalogue/resolved_study.h"
 
 namespace pendular {
 

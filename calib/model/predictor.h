@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "calib/model/model.h"
-#include "sim/catalogue/effective_condition.h"
+#include "sim/catalogue/effect.h"
 #include "sim/catalogue/shared_uncertainty.h"
 
 namespace pendular {

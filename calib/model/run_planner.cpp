@@ -10,7 +10,7 @@
 #include "calib/model/fresh_runs.h"
 #include "calib/model/informative_runs.h"
 #include "sim/dem/simulation_error.h"
-#include "sim/runs/seeds.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular {
 namespace {

@@ -12,7 +12,7 @@
 #include "calib/model/run_design.h"
 #include "data/study/study.h"
 #include "sim/runs/ensemble.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular {
 

@@ -2,9 +2,9 @@
 
 #include "calib/emulator/basis.h"
 #include "data/study/study.h"
-#include "sim/catalogue/effective_condition.h"
+#include "sim/catalogue/effect.h"
 #include "sim/dem/run.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular {
 

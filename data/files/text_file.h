@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "data/files/file_bytes.h"
+#include "data/files/file_access.h"
 
 namespace pendular {
 
@@ -48,5 +48,10 @@ DecodedText decode_bytes(const std::string& bytes, const std::filesystem::path& 
 /// Returns the lines of a text without line ends (LF, CRLF or CR, also mixed) and byte-order mark,
 /// as views of the text, which must outlive them.
 std::vector<std::string_view> split_lines(std::string_view text);
+
+/// Returns a text from a file in a form that is safe to show on a terminal: control characters
+/// other than LF and tab, characters that change the direction of writing, and bytes that are not
+/// UTF-8 are replaced by visible codes such as "\x1b".
+std::string printable(std::string_view text);
 
 }  // namespace pendular

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "data/files/file_bytes.h"
+#include "data/files/file_access.h"
 #include "data/input_error.h"
 
 namespace pendular {

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string>
 
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
 
 namespace pendular {
 namespace {

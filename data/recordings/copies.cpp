@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
 
 namespace pendular {
 namespace {

@@ -1,4 +1,4 @@
-#include "data/recordings/far_replicates.h"
+#include "data/recordings/replicate_table.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "data/quantities/distributions.h"
+#include "data/quantities/statistics.h"
 
 namespace pendular {
 namespace {

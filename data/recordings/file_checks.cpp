@@ -1,4 +1,4 @@
-#include "data/recordings/file_checks.h"
+#include "data/recordings/file_view.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <limits>
 #include <utility>
 
+#include "data/quantities/statistics.h"
 #include "data/recordings/checks.h"
 #include "data/recordings/interval_roles.h"
-#include "data/recordings/robust.h"
 #include "data/recordings/stated_cell.h"
 
 namespace pendular {

@@ -1,16 +1,48 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "data/annular_cell.h"
 #include "data/files/formats/layouts.h"
-#include "data/recordings/file_checks.h"
 #include "data/recordings/interval_roles.h"
+#include "data/recordings/interval_series.h"
 #include "data/recordings/stated_cell.h"
 #include "data/recordings/yield_locus.h"
 
 namespace pendular {
+
+/// Constants with which an instrument converts torque and normal force to stresses, deduced from
+/// the columns of a file.
+struct CellFromColumns {
+    double stress_per_torque = 0;  ///< [Pa/(N m)]; 0: unknown
+    double stress_per_force = 0;   ///< [1/m^2]; 0: unknown
+    /// Radii [m] of the commercial cup that has these ratios; empty if no known cup has them.
+    std::optional<double> inner_radius, outer_radius;
+};
+
+/// Returns the constants of the cell: the most frequent ratios in the rows of a file. If the ratio
+/// for normal stress is that of a commercial cup, and at least one row has the cup's ratio for
+/// shear stress, the result has the radii of the cup and its ratio for shear stress. If the file
+/// has only one of the two ratios, it must be that of the cup.
+CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series);
+
+/// Checks a file for contradictions within itself, and returns faults:
+/// - ratio of shear stress to torque, or of normal stress to normal force, not constant to 5 %
+/// - headers of two columns exchanged
+/// - number of rows of an interval not as declared
+/// - time that goes back within an interval
+/// - normal force or stress negative in more than 90 % of the rows
+/// - rows that repeat the preceding row
+/// - several tests in one file
+/// - constants or radii in the header that contradict the columns
+/// - measured values that do not follow their set points
+/// @param series in the order of the file's blocks
+/// @param cell from `cell_from_columns`; not used for a file with several tests
+std::vector<Remark> check_file(const BlockFile& file, const std::vector<IntervalSeries>& series,
+                               const CellFromColumns& cell);
 
 /// Content of one file of measurements, with everything that is found in it without a study. One
 /// element of `series` and `roles` belongs to each block of the file, an interval.

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "data/recordings/replicate_groups.h"
+#include "data/recordings/reading_groups.h"
 
 namespace pendular {
 namespace {

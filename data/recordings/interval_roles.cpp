@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "data/files/formats/layouts.h"
+#include "data/quantities/statistics.h"
 #include "data/recordings/plausibility.h"
-#include "data/recordings/robust.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/time_series.h"
 

@@ -1,4 +1,4 @@
-#include "data/recordings/mark.h"
+#include "data/recordings/checks.h"
 
 #include <set>
 #include <string>

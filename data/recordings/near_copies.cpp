@@ -1,4 +1,4 @@
-#include "data/recordings/near_copies.h"
+#include "data/recordings/copies.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "data/quantities/distributions.h"
-#include "data/recordings/replicate_groups.h"
+#include "data/quantities/statistics.h"
+#include "data/recordings/reading_groups.h"
 #include "data/recordings/replicate_table.h"
 #include "data/recordings/scatter.h"
 

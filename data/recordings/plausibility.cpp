@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "data/grains.h"
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
 
 namespace pendular {
 namespace {

@@ -1,4 +1,4 @@
-#include "data/recordings/quick_recording.h"
+#include "data/recordings/recording.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,11 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "data/files/column_names.h"
 #include "data/files/columns.h"
-#include "data/files/file_bytes.h"
-#include "data/files/formats/column_names.h"
+#include "data/files/file_access.h"
 #include "data/files/formats/layouts.h"
-#include "data/files/printable.h"
 #include "data/files/text_file.h"
 #include "data/quantities/number.h"
 #include "data/recordings/recording_rows.h"

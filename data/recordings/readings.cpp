@@ -1,4 +1,4 @@
-#include "data/recordings/readings.h"
+#include "data/recordings/measurements.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "data/files/column_names.h"
 #include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
-#include "data/files/header_cell.h"
-#include "data/quantities/nearest.h"
+#include "data/input_error.h"
 #include "data/quantities/number.h"
 
 namespace pendular {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "data/quantities/unit_factors.h"
+#include "data/quantities/units.h"
 
 namespace pendular {
 namespace {

@@ -8,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "data/recordings/replicate_groups.h"
+#include "data/recordings/reading_groups.h"
 
 namespace pendular {
 namespace {

@@ -1,13 +1,11 @@
-#include "data/recordings/replicates.h"
+#include "data/recordings/measurements.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "data/quantities/distributions.h"
-#include "data/recordings/far_replicates.h"
+#include "data/quantities/statistics.h"
 #include "data/recordings/replicate_table.h"
-#include "data/recordings/rounding.h"
 
 namespace pendular {
 namespace {

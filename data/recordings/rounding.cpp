@@ -1,4 +1,4 @@
-#include "data/recordings/rounding.h"
+#include "data/recordings/replicate_table.h"
 
 #include <algorithm>
 #include <cmath>

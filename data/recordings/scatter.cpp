@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "data/quantities/distributions.h"
+#include "data/quantities/statistics.h"
 
 namespace pendular {
 namespace {

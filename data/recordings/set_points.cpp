@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "data/quantities/number.h"
+#include "data/quantities/statistics.h"
 #include "data/quantities/units.h"
-#include "data/recordings/robust.h"
 
 namespace pendular {
 namespace {

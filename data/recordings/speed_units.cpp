@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "data/quantities/unit_factors.h"
+#include "data/quantities/units.h"
 
 namespace pendular {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/time_series.h"
 

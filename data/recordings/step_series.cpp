@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
 #include "data/recordings/time_series.h"
 
 namespace pendular {

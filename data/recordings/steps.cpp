@@ -2,8 +2,8 @@
 #include <cmath>
 #include <span>
 
+#include "data/quantities/statistics.h"
 #include "data/recordings/recording.h"
-#include "data/recordings/robust.h"
 
 namespace pendular {
 namespace {

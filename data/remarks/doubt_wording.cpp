@@ -1,4 +1,4 @@
-#include "data/remarks/doubt_wording.h"
+#include "data/remarks/wording.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,10 +9,9 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "data/quantities/unit_factors.h"
+#include "data/quantities/units.h"
 #include "data/reading.h"
 #include "data/recordings/plausibility.h"
-#include "data/remarks/fault_wording.h"
 
 namespace pendular {
 namespace {

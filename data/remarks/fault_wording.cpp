@@ -1,4 +1,4 @@
-#include "data/remarks/fault_wording.h"
+#include "data/remarks/wording.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,8 +12,8 @@
 
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
-#include "data/quantities/unit_factors.h"
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
+#include "data/quantities/units.h"
 
 namespace pendular {
 

@@ -1,4 +1,4 @@
-#include "data/remarks/lost_readings.h"
+#include "data/remarks/wording.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "data/recordings/step_series.h"
-#include "data/remarks/wording.h"
 
 namespace pendular {
 namespace {

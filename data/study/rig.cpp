@@ -1,6 +1,7 @@
 #include "data/study/rig.h"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -116,6 +117,24 @@ std::optional<Rig> read_rig(const StudyTable& root, const GrainProperties& grain
     rig.hour_cost = cost(*table, "hour_cost", rig.hour_cost);
     rig.direct = read_direct_of_rig(*table);
     return rig;
+}
+
+InstrumentTable read_instrument(const StudyTable& root) {
+    InstrumentTable instrument;
+    const auto table = root.open_table("instrument");
+    if (!table) return instrument;
+    for (const std::string& name : table->keys()) {
+        if (name == "class") {
+            instrument.kind = table->choice("class", {"rheometer", "table"}) == "table"
+                                  ? InstrumentTable::Class::table
+                                  : InstrumentTable::Class::rheometer;
+            instrument.class_position = table->at("class");
+            continue;
+        }
+        const Word value = table->stated(name).value();
+        instrument.stated.push_back({name, value.text, value.position});
+    }
+    return instrument;
 }
 
 }  // namespace pendular

@@ -6,10 +6,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "data/files/file_bytes.h"
+#include "data/files/file_access.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/text_file.h"
-#include "data/study/files.h"
 #include "data/study/study_table.h"
 
 namespace pendular {

@@ -14,7 +14,6 @@
 #include "data/reading.h"
 #include "data/study/effect_tables.h"
 #include "data/study/rig.h"
-#include "data/study/stated_uncertainty.h"
 
 namespace pendular {
 
@@ -69,7 +68,8 @@ struct ModelSettings {
 /// Relative standard errors [1] of stress ratio and solid fraction that a model is expected to
 /// have: about what independent codes differ by at equal states. The means of five sets of states
 /// differ by up to 0.40 +- 0.26 % and 0.024 +- 0.059 % between LAMMPS and the solver, and five
-/// states by 0.2 +- 0.2 % and up to 0.15 % between YADE and the solver (docs/validation.md).
+/// states by 0.2 +- 0.2 % and up to 0.15 % between YADE and the solver (docs/validation.md). Half
+/// of the variance is smooth (`discrepancy_correlation`).
 inline constexpr std::array<double, 2> usual_discrepancy = {0.004, 0.0006};
 
 /// Settings for the conversion of recordings to readings: table [import] of study.toml.

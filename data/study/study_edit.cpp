@@ -11,7 +11,7 @@
 #include "data/files/text_file.h"
 #include "data/files/toml_text.h"
 #include "data/files/write_whole.h"
-#include "data/quantities/nearest.h"
+#include "data/input_error.h"
 
 namespace pendular {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "data/files/text_file.h"
 #include "data/files/toml_text.h"
-#include "data/quantities/nearest.h"
+#include "data/input_error.h"
 #include "data/quantities/number.h"
 #include "data/quantities/units.h"
 

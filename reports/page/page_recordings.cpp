@@ -1,4 +1,4 @@
-#include "reports/page/page_recordings.h"
+#include "reports/page/page_data.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
-
-#include "reports/page/page_bytes.h"
 
 namespace pendular {
 namespace {

@@ -16,11 +16,9 @@
 #include "reports/impact_report.h"
 #include "reports/next_steps.h"
 #include "reports/other_causes.h"
-#include "reports/page/page_bytes.h"
 #include "reports/page/page_data.h"
 #include "reports/page/page_files.h"
 #include "reports/proposal_report.h"
-#include "reports/suspect_report.h"
 #include "reports/with_error.h"
 #include "workflow/rivals.h"
 

@@ -10,7 +10,7 @@
 #include "analysis/misfit/checks.h"
 #include "data/reading.h"
 #include "reports/page/page_curves.h"
-#include "reports/page/page_recordings.h"
+#include "reports/page/page_data.h"
 #include "workflow/study_diagnosis.h"
 #include "workflow/switched_models.h"
 

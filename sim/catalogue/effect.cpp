@@ -1,15 +1,26 @@
 #include "sim/catalogue/effect.h"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
 #include <fmt/format.h>
 
-#include "data/printed_unit.h"
-#include "data/quantities/nearest.h"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "data/effect_parameter.h"
+#include "data/grains.h"
+#include "data/input_error.h"
 
 namespace pendular {
+
+double CellState::area() const {
+    return std::numbers::pi * (outer_radius * outer_radius - inner_radius * inner_radius);
+}
+
+double CellState::weight() const {
+    return bead_volume * density * gravity;
+}
+
 namespace {
 
 /// Returns the index of the entry with this name.

@@ -5,7 +5,6 @@
 
 #include "data/annular_cell.h"
 #include "data/reading.h"
-#include "sim/catalogue/cell_state.h"
 #include "sim/catalogue/effect.h"
 
 namespace pendular {

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "data/quantities/nearest.h"
+#include "data/input_error.h"
 #include "data/quantities/units.h"
 
 namespace pendular {

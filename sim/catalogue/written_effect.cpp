@@ -12,7 +12,6 @@
 
 #include "data/quantities/number.h"
 #include "sim/catalogue/formula.h"
-#include "sim/catalogue/homogeneity.h"
 
 namespace pendular {
 namespace {

@@ -22,6 +22,9 @@ enum class Level {
 
 /// Returns the level of a base model, before effects: `mohr_coulomb` for "mohr-coulomb",
 /// `strength3` for "rumpf", and `simulation` for any other name, such as "dem".
-Level level_of_base(std::string_view base);
+inline Level level_of_base(std::string_view base) {
+    if (base == "mohr-coulomb") return Level::mohr_coulomb;
+    return base == "rumpf" ? Level::strength3 : Level::simulation;
+}
 
 }  // namespace pendular::closures

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "data/files/file_bytes.h"
+#include "data/files/file_access.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "data/files/file_lock.h"
+#include "data/files/file_access.h"
 
 namespace pendular::dem {
 

@@ -2,7 +2,7 @@
 
 #include "sim/dem/pair_forces.h"
 #include "sim/dem/pair_lanes.h"
-#include "sim/dem/simd.h"
+#include "sim/dem/vector.h"
 
 namespace pendular::dem {
 namespace {

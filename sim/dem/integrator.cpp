@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/dem/simd.h"
+#include "sim/dem/vector.h"
 
 namespace pendular::dem {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/dem/flow.h"
+#include "sim/dem/cell.h"
 #include "sim/dem/grains.h"
 
 namespace pendular::dem {

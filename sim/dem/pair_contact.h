@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "sim/dem/bridge_law.h"
+#include "sim/dem/cell.h"
 #include "sim/dem/contact_law.h"
-#include "sim/dem/flow.h"
-#include "sim/dem/pair_sizes.h"
+#include "sim/dem/grains.h"
 
 // Laws of contact and bridge for one pair of grains, in reduced units: grain diameter a, grain mass
 // and imposed normal stress s22 are 1, forces are in a^2 s22, energies and torques in a^3 s22. The

@@ -4,7 +4,7 @@
 
 #include "sim/dem/grain_effects.h"
 #include "sim/dem/pair_stages.h"
-#include "sim/dem/simd.h"
+#include "sim/dem/vector.h"
 
 namespace pendular::dem {
 namespace {

@@ -5,7 +5,6 @@
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/cell.h"
 #include "sim/dem/contact_law.h"
-#include "sim/dem/flow.h"
 #include "sim/dem/grains.h"
 #include "sim/dem/pair_list.h"
 

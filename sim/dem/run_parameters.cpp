@@ -1,6 +1,7 @@
 #include "sim/dem/run_parameters.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -10,6 +11,32 @@
 #include "sim/dem/shear_cell.h"
 
 namespace pendular::dem {
+namespace {
+
+/// Kind of grains for which an observable is defined: all grains, or only grains with liquid
+/// bridges.
+enum class Wetness { all, wet };
+
+constexpr Wetness grains_of[] = {
+#define OBSERVABLE(name, symbol, unit, grains, ...) Wetness::grains,
+#include "data/quantities/observables.def"
+};
+
+}  // namespace
+
+bool needs_bridges(Observable which) {
+    return grains_of[static_cast<std::size_t>(which)] == Wetness::wet;
+}
+
+Observable observable_named(std::string_view name) {
+    const auto found = std::ranges::find(observable_names, name);
+    if (found == observable_names.end()) {
+        throw std::invalid_argument(fmt::format("unknown observable '{}'; use one of {}", name,
+                                                fmt::join(observable_names, ", ")));
+    }
+    return static_cast<Observable>(found - observable_names.begin());
+}
+
 namespace {
 
 void demand(bool holds, const std::string& what) {
@@ -25,9 +52,10 @@ void check_wetting(const Wetting& w, double rupture_distance, double edge) {
            fmt::format("bridge volume {} is below 1e-6 grain diameters cubed", w.bridge_volume));
     demand(
         rupture_distance <= edge / 4,
-        fmt::format("a bridge of volume {:.3g} d^3 ruptures at a gap of {:.3g} d, more than a quarter "
-                    "of the box, {:.3g} d (d: grain diameter): use more grains or a smaller bridge volume",
-                    w.bridge_volume, rupture_distance, edge / 4));
+        fmt::format(
+            "a bridge of volume {:.3g} d^3 ruptures at a gap of {:.3g} d, more than a quarter "
+            "of the box, {:.3g} d (d: grain diameter): use more grains or a smaller bridge volume",
+            w.bridge_volume, rupture_distance, edge / 4));
 }
 
 }  // namespace
@@ -46,9 +74,9 @@ void check_run_parameters(const RunParameters& p, const GrainEffects& effects) {
            fmt::format("Poisson ratio {} is not between -1 and 0.5", p.poisson_ratio));
     demand(p.damping >= 0 && p.damping <= 10,
            fmt::format("damping {} is not between 0 and 10", p.damping));
-    demand(
-        p.grains >= ShearCell::fewest_grains && p.grains <= 10'000'000,
-        fmt::format("{} grains: a sample needs {} to 10000000", p.grains, ShearCell::fewest_grains));
+    demand(p.grains >= ShearCell::fewest_grains && p.grains <= 10'000'000,
+           fmt::format("{} grains: a sample needs {} to 10000000", p.grains,
+                       ShearCell::fewest_grains));
     demand(
         p.strain >= 0.5 && p.strain <= 1e4,
         fmt::format(
@@ -66,8 +94,9 @@ void check_run_parameters(const RunParameters& p, const GrainEffects& effects) {
         check_wetting(*p.wetting, effects.changed(BridgeLaw(*p.wetting)).rupture_distance,
                       ShearCell::edge(p.grains));
     }
-    demand(p.start == 0 || effects.diameters(2, 1).empty(),
-           "a run cannot start from the state of another where its grains are to be of other sizes");
+    demand(
+        p.start == 0 || effects.diameters(2, 1).empty(),
+        "a run cannot start from the state of another where its grains are to be of other sizes");
 }
 
 Precision precision_named(std::string_view text) {

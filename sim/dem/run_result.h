@@ -9,7 +9,6 @@
 #include "data/recordings/time_series.h"
 #include "sim/dem/cell.h"
 #include "sim/dem/field.h"
-#include "sim/dem/observables.h"
 #include "sim/dem/run_parameters.h"
 
 namespace pendular::dem {

@@ -1,7 +1,7 @@
 #include "sim/dem/viscous_loss.h"
 
 #include "sim/dem/pair_lanes.h"
-#include "sim/dem/simd.h"
+#include "sim/dem/vector.h"
 
 namespace pendular::dem {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "data/quantities/distributions.h"
+#include "data/quantities/statistics.h"
 #include "sim/catalogue/effect.h"
 #include "sim/dem/bridge_law.h"
 

@@ -10,7 +10,7 @@
 
 #include "data/input_error.h"
 #include "data/recordings/recording.h"
-#include "sim/lab/liquid_volume.h"
+#include "sim/lab/lab_plan.h"
 #include "sim/runs/run_request.h"
 
 namespace pendular {

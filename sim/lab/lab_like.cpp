@@ -7,10 +7,10 @@
 #include <map>
 
 #include "data/input_error.h"
+#include "data/quantities/statistics.h"
 #include "data/recordings/autoregression.h"
 #include "data/recordings/findings/recorded_step.h"
 #include "data/recordings/recording.h"
-#include "data/recordings/robust.h"
 #include "data/recordings/time_series.h"
 
 namespace pendular {

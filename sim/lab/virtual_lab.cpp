@@ -7,11 +7,11 @@
 #include <map>
 
 #include "data/input_error.h"
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
 #include "sim/lab/lab_checks.h"
-#include "sim/lab/liquid_volume.h"
+#include "sim/lab/lab_plan.h"
 #include "sim/runs/run_request.h"
-#include "sim/runs/seeds.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular {
 namespace {

@@ -11,7 +11,7 @@
 #include "data/recordings/recording.h"
 #include "data/recordings/time_series.h"
 #include "data/study/study.h"
-#include "sim/catalogue/cell_state.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular {
 

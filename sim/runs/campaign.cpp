@@ -14,7 +14,7 @@
 #include "sim/catalogue/effect.h"
 #include "sim/runs/ensemble.h"
 #include "sim/runs/run_request.h"
-#include "sim/runs/seeds.h"
+#include "sim/runs/run_settings.h"
 #include "sim/runs/store/run_columns.h"
 
 namespace pendular {

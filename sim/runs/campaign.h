@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/dem/run.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 
 namespace pendular {
 

@@ -1,7 +1,7 @@
 // What the errors of a study's readings rest on, in words.
 
 #include "analysis/misfit/believable.h"
-#include "data/recordings/replicates.h"
+#include "data/recordings/measurements.h"
 #include "tests/support/golden.h"
 
 namespace pendular::error_basis_test {

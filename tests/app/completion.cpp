@@ -7,8 +7,7 @@
 #include <set>
 #include <string>
 
-#include "app/manual/completion.h"
-#include "app/manual/man_page.h"
+#include "app/manual/manual.h"
 #include "tests/support/app_support.h"
 
 namespace app_completion_test {

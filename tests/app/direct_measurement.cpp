@@ -1,7 +1,7 @@
 // Effects measured by themselves: how a study states them, what a model says of them, and what they
 // are worth in a fit and a diagnosis.
-#include "sim/catalogue/direct_measurement.h"
 #include "calib/fit/calibrate_study.h"
+#include "sim/catalogue/resolved_study.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include <regex>
 #include <sstream>
 
-#include "data/printed_unit.h"
+#include "data/effect_parameter.h"
 #include "sim/catalogue/effect.h"
 #include "tests/support/app_support.h"
 

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "data/files/write_whole.h"
+#include "data/quantities/statistics.h"
 #include "data/recordings/measurements.h"
-#include "data/recordings/robust.h"
 #include "sim/catalogue/effect.h"
 #include "sim/lab/lab_checks.h"
 #include "sim/lab/lab_like.h"

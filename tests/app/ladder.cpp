@@ -11,11 +11,11 @@
 
 #include "analysis/ladder.h"
 #include "reports/draw_figure.h"
-#include "reports/ladder_figure.h"
 #include "reports/layout.h"
+#include "reports/misfit_figures.h"
 #include "tests/support/app_support.h"
 #include "tests/support/known_flow.h"
-#include "workflow/json/ladder.h"
+#include "workflow/json/fit.h"
 
 namespace analysis_ladder_test {
 

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "data/printed_unit.h"
+#include "data/effect_parameter.h"
 #include "data/quantities/quantity.h"
 #include "sim/catalogue/effect.h"
 #include "tests/support/app_support.h"

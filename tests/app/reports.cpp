@@ -18,7 +18,7 @@
 #include "sim/runs/run_request.h"
 #include "tests/support/app_support.h"
 #include "tests/support/wet_study_support.h"
-#include "workflow/json/comparison.h"
+#include "workflow/json/diagnosis.h"
 #include "workflow/json/fit.h"
 #include "workflow/json/run.h"
 

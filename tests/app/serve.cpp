@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "app/serve/page_routes.h"
 #include "app/serve/received_recording.h"
-#include "app/serve/request_check.h"
 #include "data/input_error.h"
 #include "sim/dem/run.h"
 #include "tests/support/app_support.h"

@@ -12,8 +12,7 @@
 #include "data/study/study.h"
 #include "reports/draw_figure.h"
 #include "reports/figure.h"
-#include "reports/figure_text.h"
-#include "reports/ladder_figure.h"
+#include "reports/misfit_figures.h"
 #include "tests/support/app_support.h"
 
 namespace reports_user_text_test {

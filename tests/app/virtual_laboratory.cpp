@@ -14,10 +14,10 @@
 
 #include "calib/model/run_planner.h"
 #include "data/files/write_whole.h"
-#include "sim/lab/liquid_volume.h"
-#include "sim/runs/seeds.h"
+#include "sim/lab/lab_plan.h"
+#include "sim/runs/run_settings.h"
 #include "tests/support/app_support.h"
-#include "workflow/json/laboratory.h"
+#include "workflow/json/run.h"
 
 namespace sim_virtual_lab_test {
 

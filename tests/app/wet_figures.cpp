@@ -10,12 +10,11 @@
 
 #include "analysis/misfit/compare.h"
 #include "calib/fit/fit.h"
-#include "calib/fit/profile.h"
+#include "calib/fit/parameter_errors.h"
 #include "calib/fit/structural_cohesion.h"
 #include "data/files/csv.h"
 #include "reports/draw_figure.h"
 #include "reports/misfit_figures.h"
-#include "reports/wet_figures.h"
 #include "tests/support/app_support.h"
 #include "tests/support/wet_study_support.h"
 

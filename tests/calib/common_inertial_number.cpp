@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "calib/fit/calibrate_study.h"
-#include "calib/fit/common_inertial_number.h"
+#include "calib/fit/predicted_readings.h"
 #include "tests/support/golden.h"
 
 namespace calib_common_inertial_number_test {

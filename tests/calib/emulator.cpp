@@ -8,9 +8,8 @@
 #include <chrono>
 
 #include "calib/emulator/emulated_state.h"
-#include "calib/emulator/emulated_structure.h"
-#include "calib/emulator/emulator_hyperparameters.h"
-#include "calib/emulator/fit_hyperparameters.h"
+#include "calib/emulator/gaussian_process.h"
+#include "calib/emulator/known_runs.h"
 #include "tests/support/emulator_support.h"
 #include "tests/support/golden.h"
 

@@ -7,7 +7,7 @@
 
 #include "calib/fit/calibrate.h"
 #include "calib/fit/calibration_notes.h"
-#include "calib/fit/profile.h"
+#include "calib/fit/parameter_errors.h"
 #include "tests/support/golden.h"
 
 namespace calib_fit_test {

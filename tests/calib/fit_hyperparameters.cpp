@@ -1,6 +1,6 @@
 // The likelihood of hyperparameters: its value in closed form, its gradient against differences,
 // its maximum where truth was planted.
-#include "calib/emulator/fit_hyperparameters.h"
+#include "calib/emulator/gaussian_process.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Errors that all readings share, in the errors of fitted parameters.
-#include "calib/fit/instrument_budget.h"
+#include "calib/fit/parameter_errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Profile likelihood of a model that is linear in its parameters: a parabola.
-#include "calib/fit/profile.h"
+#include "calib/fit/parameter_errors.h"
 
 #include <gtest/gtest.h>
 

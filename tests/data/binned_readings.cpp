@@ -1,4 +1,4 @@
-#include "data/recordings/binned_readings.h"
+#include "data/recordings/reading_groups.h"
 
 #include <cmath>
 #include <random>

@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "data/quantities/number.h"
-#include "data/recordings/mark.h"
 #include "data/recordings/measurements.h"
 #include "tests/support/golden.h"
 

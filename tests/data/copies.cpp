@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "data/files/write_tables.h"
 #include "data/recordings/measurements.h"
 #include "tests/support/golden.h"
 

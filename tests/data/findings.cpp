@@ -8,12 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "data/recordings/findings/detectors.h"
 #include "data/recordings/findings/drift.h"
-#include "data/recordings/findings/false_alarms.h"
-#include "data/recordings/findings/level_change.h"
-#include "data/recordings/findings/saturation.h"
-#include "data/recordings/findings/stick_slip.h"
-#include "data/recordings/findings/wobble.h"
 #include "data/recordings/measurements.h"
 #include "tests/support/golden.h"
 #include "tests/support/ordinary_studies.h"

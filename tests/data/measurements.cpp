@@ -5,10 +5,9 @@
 #include <numbers>
 #include <sstream>
 
-#include "data/files/write_tables.h"
 #include "data/recordings/measurements.h"
 #include "data/recordings/step_series.h"
-#include "data/remarks/lost_readings.h"
+#include "data/remarks/wording.h"
 #include "data/study/study.h"
 #include "tests/support/golden.h"
 #include "tests/support/ordinary_studies.h"

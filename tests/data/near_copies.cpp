@@ -1,13 +1,12 @@
 // Recordings that are copies with noise, which are no replicates.
-#include "data/recordings/near_copies.h"
+#include "data/recordings/copies.h"
 
 #include <cmath>
 #include <random>
 
 #include "data/recordings/measurements.h"
-#include "data/recordings/replicates.h"
 #include "tests/support/golden.h"
-#include "tests/support/honest_studies.h"
+#include "tests/support/ordinary_studies.h"
 
 namespace pendular::data_near_copies_test {
 

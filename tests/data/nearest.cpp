@@ -1,11 +1,9 @@
-#include "data/quantities/nearest.h"
+#include "data/input_error.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
-
-#include "data/input_error.h"
 
 namespace pendular::data_nearest_test {
 

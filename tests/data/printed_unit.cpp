@@ -1,5 +1,5 @@
 // Units in which values of effects' parameters are printed.
-#include "data/printed_unit.h"
+#include "data/effect_parameter.h"
 
 #include <gtest/gtest.h>
 

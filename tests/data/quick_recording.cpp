@@ -1,12 +1,12 @@
 // The quick reader of plain recordings reads what the general reader reads.
-#include "data/recordings/quick_recording.h"
+#include "data/recordings/recording.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <random>
 
-#include "data/files/file_bytes.h"
+#include "data/files/file_access.h"
 #include "data/files/formats/layouts.h"
 #include "tests/support/golden.h"
 

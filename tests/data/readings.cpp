@@ -1,4 +1,4 @@
-#include "data/recordings/readings.h"
+#include "data/recordings/measurements.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,7 @@
 
 #include "data/files/csv.h"
 #include "data/files/text_file.h"
-#include "data/files/write_tables.h"
 #include "data/recordings/replicate_table.h"
-#include "data/recordings/replicates.h"
 #include "tests/support/golden.h"
 
 namespace pendular::data_readings_test {

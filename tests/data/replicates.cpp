@@ -1,5 +1,5 @@
-#include "data/recordings/replicates.h"
-#include "data/recordings/replicate_groups.h"
+#include "data/recordings/measurements.h"
+#include "data/recordings/reading_groups.h"
 
 #include <cmath>
 #include <numbers>

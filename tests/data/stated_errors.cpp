@@ -3,7 +3,7 @@
 #include <numbers>
 #include <random>
 
-#include "data/recordings/replicates.h"
+#include "data/recordings/measurements.h"
 #include "tests/support/golden.h"
 #include "tests/support/replicated_readings.h"
 

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "data/files/file_bytes.h"
+#include "data/files/file_access.h"
 #include "data/files/formats/layouts.h"
 #include "data/recordings/interval_series.h"
 #include "data/recordings/recording.h"

@@ -7,8 +7,7 @@
 
 #include <csignal>
 
-#include "data/files/file_lock.h"
-#include "data/files/printable.h"
+#include "data/files/file_access.h"
 #include "data/files/text_file.h"
 #include "tests/support/golden.h"
 

@@ -3,7 +3,6 @@
 #include "calib/fit/reading_order.h"
 #include "sim/catalogue/resolved_study.h"
 #include "tests/fuzz/support.h"
-#include "workflow/json/ladder.h"
 #include "workflow/proposed_effects.h"
 #include "workflow/study_input.h"
 

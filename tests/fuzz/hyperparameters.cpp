@@ -1,5 +1,5 @@
 // Tables of the emulator's hyperparameters.
-#include "calib/emulator/emulator_hyperparameters.h"
+#include "calib/emulator/known_runs.h"
 #include "tests/fuzz/support.h"
 
 using namespace pendular;

@@ -1,7 +1,6 @@
 // Recordings: a table of a rheometer, and its steps.
 #include "data/recordings/recording.h"
 
-#include "data/recordings/quick_recording.h"
 #include "tests/fuzz/support.h"
 
 using namespace pendular;

@@ -7,9 +7,9 @@
 #include <map>
 
 #include "sim/dem/archive.h"
-#include "sim/runs/store/blob.h"
 #include "sim/runs/store/run_columns.h"
 #include "sim/runs/store/run_store.h"
+#include "sim/runs/store/store_file.h"
 #include "tests/fuzz/support.h"
 
 using namespace pendular;

@@ -1,5 +1,5 @@
 // Text for the terminal has no control characters, whatever it was.
-#include "data/files/printable.h"
+#include "data/files/text_file.h"
 #include "tests/fuzz/support.h"
 
 using namespace pendular;

@@ -10,8 +10,8 @@
 
 #include "analysis/diagnosis/diagnosis.h"
 #include "calib/fit/calibrate_study.h"
-#include "data/files/resolution.h"
-#include "data/recordings/replicates.h"
+#include "data/files/columns.h"
+#include "data/recordings/measurements.h"
 #include "tests/physics/planted_readings.h"
 
 namespace pendular::error_models_test {

@@ -1,5 +1,5 @@
-// Ordinary recordings: how often a study of them gives a finding, from seeds that no other test
-// uses.
+// Ordinary recordings, from seeds that no other test uses: how often a study of them gives a
+// finding, and how often independent ones are taken for copies with noise.
 #include <gtest/gtest.h>
 
 #include "tests/support/ordinary_studies.h"
@@ -15,6 +15,14 @@ TEST(OrdinaryRecordings, SeldomGiveAFinding) {
     count += alarms(100, 8, {.filling = 0.04, .step = 0.02}, first + 300);
     fmt::print("{} of 400 studies\n", count);
     EXPECT_LE(count, 31);
+}
+
+// At the stated rate of one study in a thousand, 400 studies would give more than 3 with a
+// probability of 0.08 %.
+TEST(NearCopies, AreSeldomSeenInHonestStudies) {
+    const int count = honest_studies_with_copies(400, 91000);
+    fmt::print("{} of 400 studies\n", count);
+    EXPECT_LE(count, 3);
 }
 
 }  // namespace pendular::ordinary_recordings_test

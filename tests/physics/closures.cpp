@@ -7,8 +7,8 @@
 #include <cmath>
 #include <thread>
 
-#include "sim/closures/capillary_stress.h"
-#include "sim/closures/strength.h"
+#include "sim/closures/closure_values.h"
+#include "sim/closures/state.h"
 #include "sim/runs/ensemble.h"
 
 namespace closures_test {

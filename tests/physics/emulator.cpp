@@ -18,7 +18,7 @@
 #include "calib/emulator/emulated_observables.h"
 #include "calib/emulator/emulated_state.h"
 #include "calib/fit/calibration.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 #include "sim/runs/store/run_table.h"
 
 namespace pendular::emulator_test {

@@ -13,7 +13,7 @@
 #include "analysis/misfit/compare.h"
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/calibration.h"
-#include "calib/fit/common_inertial_number.h"
+#include "calib/fit/predicted_readings.h"
 #include "data/study/effect_tables.h"
 #include "data/study/study_table.h"
 #include "reports/misfit_figures.h"

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "calib/fit/instrument_budget.h"
+#include "calib/fit/parameter_errors.h"
 #include "tests/physics/planted_readings.h"
 
 namespace physics_instrument_coverage_test {

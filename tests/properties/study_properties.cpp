@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "data/quantities/units.h"
-#include "data/recordings/readings.h"
+#include "data/recordings/measurements.h"
 #include "data/study/study.h"
 #include "data/study/study_edit.h"
 #include "sim/runs/run_request.h"

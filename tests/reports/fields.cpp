@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "reports/layout.h"
-#include "reports/run_plots.h"
+#include "reports/simulation_figures.h"
 #include "tests/support/golden.h"
 
 namespace reports_fields_test {

@@ -10,7 +10,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "calib/fit/range_text.h"
+#include "calib/fit/calibration_notes.h"
 #include "reports/draw_figure.h"
 #include "reports/with_error.h"
 #include "tests/support/golden.h"

@@ -1,10 +1,8 @@
 // Marks and keys of figures.
-#include "reports/marks.h"
+#include "reports/layout.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "reports/layout.h"
 
 namespace pendular::reports_marks_test {
 

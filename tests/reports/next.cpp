@@ -13,7 +13,7 @@
 
 #include "data/input_error.h"
 #include "data/study/study.h"
-#include "reports/next_report.h"
+#include "reports/next_steps.h"
 #include "tests/support/golden.h"
 #include "tests/support/known_flow.h"
 #include "workflow/json/diagnosis.h"

@@ -3,8 +3,8 @@
 
 #include "reports/diagnosis_report.h"
 #include "reports/diagnosis_table.h"
-#include "reports/sensor_checks.h"
-#include "reports/suspect_report.h"
+#include "reports/other_causes.h"
+#include "reports/proposal_report.h"
 #include "tests/support/golden.h"
 #include "workflow/rivals.h"
 #include "workflow/session.h"

@@ -10,8 +10,7 @@
 
 #include "data/annular_cell.h"
 #include "reports/layout.h"
-#include "reports/page/page_recordings.h"
-#include "reports/recording_course.h"
+#include "reports/page/page_data.h"
 #include "tests/support/data_support.h"
 #include "workflow/study_input.h"
 

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <random>
 
-#include "sim/closures/capillary_stress.h"
-#include "sim/closures/strength.h"
+#include "sim/closures/closure_values.h"
+#include "sim/closures/state.h"
 
 namespace sim_closures_test {
 

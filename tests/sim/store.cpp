@@ -18,9 +18,9 @@
 #include "sim/runs/ensemble.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_columns.h"
-#include "sim/runs/store/blob.h"
 #include "sim/runs/store/run_store.h"
 #include "sim/runs/store/run_table.h"
+#include "sim/runs/store/store_file.h"
 #include "tests/support/golden.h"
 
 namespace pendular::sim_store_test {

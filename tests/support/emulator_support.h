@@ -8,7 +8,7 @@
 
 #include "calib/emulator/emulated_observables.h"
 #include "calib/emulator/emulator.h"
-#include "calib/emulator/emulator_hyperparameters.h"
+#include "calib/emulator/known_runs.h"
 #include "data/study/study.h"
 #include "sim/runs/store/run_table.h"
 

@@ -4,7 +4,7 @@
 
 #include "data/grains.h"
 #include "data/study/study.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 
 /// Wet study with beads and liquid of Badetti et al. (2018), and settings with which a simulation
 /// takes about a second.

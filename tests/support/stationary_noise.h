@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "data/recordings/findings/detectors.h"
 #include "data/recordings/findings/look_inside.h"
-#include "data/recordings/findings/saturation.h"
 #include "data/recordings/steady_state.h"
 #include "tests/support/ordinary_recordings.h"
 

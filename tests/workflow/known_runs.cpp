@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "calib/emulator/emulated_observables.h"
-#include "sim/runs/fidelity.h"
+#include "sim/runs/run_settings.h"
 #include "tests/support/emulator_support.h"
-#include "workflow/known_runs.h"
+#include "workflow/study_input.h"
 
 namespace pendular::app_known_runs_test {
 

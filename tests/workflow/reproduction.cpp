@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "sim/runs/store/run_table.h"
-#include "workflow/known_runs.h"
+#include "workflow/study_input.h"
 
 namespace workflow_reproduction_test {
 
@@ -62,8 +62,8 @@ TEST(Reproduction, DisagreesWithOtherSimulations) {
     }
     const auto rows = compare_with_published(PaperStudy(runs, emulator()));
     EXPECT_LE(agreeing(rows) + 15, before);
-    EXPECT_FALSE(
-        agrees(rows, "contact stress ratio: deviation from the dry one, P* >= 2 [%], friction 0.09"));
+    EXPECT_FALSE(agrees(
+        rows, "contact stress ratio: deviation from the dry one, P* >= 2 [%], friction 0.09"));
 }
 
 TEST(Reproduction, FitsTheLineThroughItsStates) {

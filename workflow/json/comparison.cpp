@@ -1,8 +1,8 @@
-#include "workflow/json/comparison.h"
+#include "workflow/json/diagnosis.h"
 
 #include <nlohmann/json.hpp>
 
-#include "workflow/json/ladder.h"
+#include "workflow/json/fit.h"
 #include "workflow/json/parts.h"
 #include "workflow/json/training_runs.h"
 

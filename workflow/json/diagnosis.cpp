@@ -8,7 +8,6 @@
 #include "data/files/json_text.h"
 #include "data/files/text_file.h"
 #include "data/study/study.h"
-#include "workflow/json/comparison.h"
 #include "workflow/json/parts.h"
 #include "workflow/json/training_runs.h"
 #include "workflow/proposed_effects.h"

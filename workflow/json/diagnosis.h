@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "analysis/diagnosis/impact.h"
+#include "analysis/diagnosis/where_it_fails.h"
 #include "analysis/ladder.h"
 #include "analysis/misfit/checks.h"
 #include "workflow/next.h"
+#include "workflow/study_change.h"
 #include "workflow/study_diagnosis.h"
 
 namespace pendular {
@@ -50,5 +52,25 @@ nlohmann::ordered_json to_json(const NextMeasurement& next, const StudyDiagnosis
 /// since the diagnosis.
 EffectNames rivals_in(const std::filesystem::path& file, const Study& study,
                       const std::string& effect);
+
+/// Returns the JSON of tests of a fit's residuals: statistic and p value of each test, and one p
+/// value of all tests together.
+nlohmann::ordered_json to_json(const Checks& checks);
+
+/// Returns the JSON of the tests and of the groups of readings that deviate from the fitted model,
+/// each group with its p value.
+nlohmann::ordered_json to_json(const WhereItFails& where);
+
+/// Returns the JSON of the comparison of readings and predictions.
+nlohmann::ordered_json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
+                               const WhereItFails& where);
+
+/// Returns the JSON of a compared study, as written to compare.json.
+nlohmann::ordered_json to_json(const FittedStudy& compared, const WhereItFails& where);
+
+/// Returns the JSON of a change, as `pendular add --json` and `pendular drop --json` write it: the
+/// effect, the alternatives to an added effect, the parameters and errors of the model before and
+/// after the change, and the judgement on the new fit.
+nlohmann::ordered_json to_json(const ChangedStudy& changed);
 
 }  // namespace pendular

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "calib/fit/calibrate_study.h"
-#include "data/files/file_bytes.h"
+#include "data/files/file_access.h"
 #include "data/files/json_text.h"
 #include "data/formula_variant.h"
 #include "data/input_error.h"

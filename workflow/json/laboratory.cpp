@@ -1,10 +1,9 @@
-#include "workflow/json/laboratory.h"
+#include "workflow/json/run.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "workflow/json/parts.h"
-#include "workflow/json/run.h"
 
 namespace pendular {
 namespace {

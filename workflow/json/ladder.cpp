@@ -1,4 +1,4 @@
-#include "workflow/json/ladder.h"
+#include "workflow/json/fit.h"
 
 #include <fmt/format.h>
 

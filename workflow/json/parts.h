@@ -9,8 +9,8 @@
 #include "analysis/misfit/believable.h"
 #include "analysis/misfit/compare.h"
 #include "calib/fit/cohesion_lines.h"
-#include "sim/catalogue/direct_measurement.h"
 #include "sim/catalogue/effect.h"
+#include "sim/catalogue/resolved_study.h"
 
 namespace pendular {
 

@@ -7,6 +7,7 @@
 #include "sim/catalogue/effect.h"
 #include "sim/closures/closure_values.h"
 #include "sim/dem/run.h"
+#include "sim/lab/virtual_lab.h"
 #include "sim/runs/single_run.h"
 #include "sim/runs/store/run_store.h"
 
@@ -46,5 +47,11 @@ nlohmann::ordered_json closures_json(const closures::ClosureValues& values);
 /// missing from the JSON of an earlier version are zero.
 /// @throws nlohmann::json::exception if a key is missing or its value has a wrong type
 dem::RunResult run_from_json(const nlohmann::ordered_json& json);
+
+/// Returns the true friction coefficient and effects with which a virtual laboratory simulated
+/// recordings, for comparison with a diagnosis: the program never reads this JSON. It also contains
+/// the plan of the experiment and, for each step, the condition and the data that repeat the
+/// simulation.
+nlohmann::ordered_json to_json(const LabResult& result);
 
 }  // namespace pendular

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "data/files/file_bytes.h"
+#include "data/files/file_access.h"
 #include "data/files/json_text.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_table.h"

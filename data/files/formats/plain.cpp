@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "data/files/formats/column_names.h"
+#include "data/files/column_names.h"
 #include "data/files/formats/layouts.h"
-#include "data/files/header_cell.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "data/files/formats/column_names.h"
+#include "data/files/column_names.h"
 #include "data/files/formats/layouts.h"
 #include "data/quantities/number.h"
 

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "data/files/formats/column_names.h"
-#include "data/files/header_cell.h"
+#include "data/files/column_names.h"
 #include "data/quantities/number.h"
 
 namespace pendular {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "data/files/formats/column_names.h"
+#include "data/files/column_names.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/formats/stacked_rows.h"
 #include "data/quantities/number.h"

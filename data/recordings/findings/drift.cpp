@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "data/recordings/findings/false_alarms.h"
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
+#include "data/recordings/findings/detectors.h"
 #include "data/recordings/time_series.h"
 
 namespace pendular {

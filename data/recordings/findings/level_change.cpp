@@ -1,4 +1,4 @@
-#include "data/recordings/findings/level_change.h"
+#include "data/recordings/findings/detectors.h"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -7,9 +7,8 @@
 #include <map>
 #include <numeric>
 
-#include "data/recordings/findings/false_alarms.h"
-#include "data/recordings/replicate_groups.h"
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
+#include "data/recordings/reading_groups.h"
 
 namespace pendular {
 namespace {

@@ -1,9 +1,11 @@
 #include "data/recordings/findings/look_inside.h"
 
-#include "data/recordings/findings/false_alarms.h"
-#include "data/recordings/findings/level_change.h"
-#include "data/recordings/findings/stick_slip.h"
-#include "data/recordings/findings/wobble.h"
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "data/quantities/statistics.h"
+#include "data/recordings/findings/detectors.h"
 #include "data/recordings/step_series.h"
 
 namespace pendular {
@@ -36,6 +38,27 @@ std::vector<Remark> InsideRecordings::findings(const std::vector<Reading>& from_
     add(found, significant_findings(drift_tests(trends_, run_ins)));
     add(found, run_ins);
     return found;
+}
+
+std::vector<Remark> significant_findings(std::vector<Remark> tested) {
+    std::vector<double> p;
+    for (const Remark& each : tested)
+        p.push_back(each.p);
+    std::ranges::sort(p);
+    double limit = -1;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+        const double allowed =
+            finding_significance * static_cast<double>(k + 1) / static_cast<double>(p.size());
+        if (p[k] <= allowed) limit = p[k];
+    }
+    std::erase_if(tested, [&](const Remark& each) { return each.p > limit; });
+    return tested;
+}
+
+double two_sided_p(double z, double freedom) {
+    if (std::isnan(z)) return 1;
+    if (std::isinf(z)) return 0;
+    return 2 * students_t_tail(std::abs(z), std::max(freedom, 1.0));
 }
 
 }  // namespace pendular

@@ -1,4 +1,4 @@
-#include "data/recordings/findings/saturation.h"
+#include "data/recordings/findings/detectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "data/quantities/distributions.h"
-#include "data/recordings/robust.h"
+#include "data/quantities/statistics.h"
 
 namespace pendular {
 namespace {

@@ -12,10 +12,8 @@
 #include <limits>
 
 #include "data/input_error.h"
-#include "data/quantities/nearest.h"
 #include "sim/dem/archive.h"
 #include "sim/runs/run_request.h"
-#include "sim/runs/store/blob.h"
 #include "sim/runs/store/run_columns.h"
 #include "sim/runs/store/store_file.h"
 

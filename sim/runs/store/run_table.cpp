@@ -9,7 +9,7 @@
 
 #include "data/files/csv.h"
 #include "data/files/write_whole.h"
-#include "data/quantities/nearest.h"
+#include "data/input_error.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_columns.h"
 

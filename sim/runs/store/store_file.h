@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace SQLite {
 class Database;
@@ -37,5 +38,12 @@ std::unique_ptr<SQLite::Database> open_store_file(const std::filesystem::path& f
 /// Returns device number and inode number of a file, which change if a new file replaces it; zero
 /// if it does not exist.
 std::array<std::uint64_t, 2> identity_of(const std::filesystem::path& file);
+
+/// Returns bytes compressed by zlib.
+std::string compressed(const std::string& bytes);
+/// Returns the bytes that `compressed` compressed.
+/// @throws std::runtime_error if the bytes are not valid zlib data, or if n compressed bytes expand
+///         to more than 100 n + 65536 bytes
+std::string expanded(const std::string& bytes);
 
 }  // namespace pendular
