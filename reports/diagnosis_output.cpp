@@ -78,7 +78,7 @@ void add_evidence(Output& output, const DiagnosisParts& parts) {
     }
     // A proposed change describes the misfit better than a smooth error of the model.
     if (d.proposals.empty()) {
-        output.line(discrepancy_line(remaining_discrepancy(d, study.study().model.discrepancy[0])));
+        output.line(discrepancy_line(remaining_discrepancy(d), d.discrepancy[1]));
     }
     output.lines(proposal_lines(d.proposals, diagnosis.base.fit.chi2, diagnosis.dof));
     output.line(undetectable_line(diagnosis, models));
@@ -169,6 +169,8 @@ Output diagnosis_output(const DiagnosisParts& parts) {
     if (diagnosis.recordings_first) output.line(shown);
     output.answer(verdict_line(diagnosis, models, checks) + caution(d, measurements));
     if (!diagnosis.recordings_first) output.line(shown);
+    output.line(inexactness_line(d, study.study()));
+    output.line(undetected_shift_line(diagnosis, impacts));
     if (d.confirmed) output.line(confirmation_line(*d.confirmed));
     for (std::size_t k = 0; k < belief.reasons.size(); ++k) {
         // The line on the recordings may give the same reason.

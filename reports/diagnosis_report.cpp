@@ -199,11 +199,12 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
         return "Inconclusive: the errors of the readings are assumed, not measured, so that they "
                "do not tell whether an effect is missing.";
     }
+    const bool one = d.effects.size() == 1;
     return fmt::format(
-        "Inconclusive: the model describes the readings, but {} effect{} could go undetected at {} "
-        "smallest size of interest: {}.",
-        d.effects.size(), d.effects.size() == 1 ? "" : "s", d.effects.size() == 1 ? "its" : "their",
-        some_of(d.effects));
+        "The model describes the readings (chi2/dof {:.2f}). Inconclusive is what they cannot "
+        "exclude: {} effect{} could go undetected at {} smallest size of interest, {}.",
+        chi2_per_dof(d.base.fit.chi2, d.dof), d.effects.size(), one ? "" : "s",
+        one ? "its" : "their", some_of(d.effects));
 }
 
 /// Sentence on how alike the effects of the verdict change the readings, beyond what the calibrated
@@ -335,6 +336,43 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
                        strongest_trend(checks));
 }
 
+std::string undetected_shift_line(const Diagnosis& d, const std::optional<ImpactTable>& impacts) {
+    if (d.verdict != Verdict::inconclusive || !impacts) return "";
+    const Impact* largest = nullptr;
+    for (const Impact& each : impacts->impacts) {
+        if (each.measurement || std::ranges::find(d.effects, each.name) == d.effects.end())
+            continue;
+        const auto shift = [](const Impact& one) { return std::abs(one.at_interest.best()(0)); };
+        if (!largest || shift(each) > shift(*largest)) largest = &each;
+    }
+    if (!largest) return "";
+    const Parameter& friction = impacts->parameters.front();
+    return fmt::format("Of these, {} matters most: of that size, it would change the {} by {}.",
+                       largest->name, parameter_in_words(friction.name),
+                       with_unit(largest->at_interest.best()(0), friction.unit));
+}
+
+std::string inexactness_line(const StudyDiagnosis& study, const Study& stated) {
+    const Diagnosis& d = study.diagnosis;
+    const double ratio = study.discrepancy[0];
+    std::string line;
+    if (study.discrepancy != stated.model.discrepancy)
+        line = fmt::format(
+            "The best explanation leaves differences between conditions: the model counts as "
+            "inexact "
+            "by {:.2g} % of the stress ratio and {:.2g} % of the solid fraction.",
+            100 * ratio, 100 * study.discrepancy[1]);
+    const bool named = d.verdict == Verdict::missing || d.verdict == Verdict::indistinguishable ||
+                       d.verdict == Verdict::unknown;
+    if (named && d.holds_up_to > 0 && ratio > 0)
+        line += fmt::format("{}That something is missing holds {} {:.2g} % of the stress ratio.",
+                            line.empty() ? "" : " ",
+                            d.holds_up_to == most_inexact ? "even for a model that is inexact by"
+                                                          : "for a model that is inexact by up to",
+                            100 * ratio * d.holds_up_to);
+    return line;
+}
+
 std::vector<std::string> incomplete_lines(const Diagnosis& d, const std::array<double, 2>& before,
                                           const std::array<double, 2>& after,
                                           const Checks& remaining) {
@@ -356,14 +394,17 @@ std::vector<std::string> incomplete_lines(const Diagnosis& d, const std::array<d
     return lines;
 }
 
-std::string discrepancy_line(double size) {
+std::string discrepancy_line(double size, double of_fraction) {
     if (size == 0) return "";
     return fmt::format(
-        "If the model stays as it is, a systematic error of about {:.1f} % of its shear stress "
-        "would explain the misfit. Look for the cause before you accept this error. To accept it, "
-        "write discrepancy = {:.2g} into section [model] of study.toml; this enlarges the "
-        "standard errors but corrects no value.",
-        100 * size, size);
+        "If the model stays as it is, an error of about {:.1f} % of its shear stress would explain "
+        "the "
+        "misfit. Look for the cause before you accept this error. To accept it, write discrepancy "
+        "= "
+        "[{:.2g}, {:.2g}] into section [model] of study.toml; this enlarges the standard errors "
+        "but "
+        "corrects no value.",
+        100 * size, size, of_fraction);
 }
 
 std::string suspects_line(const Diagnosis& d, const Evidence& evidence) {

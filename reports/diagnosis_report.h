@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,10 +31,20 @@ std::vector<std::string> incomplete_lines(const Diagnosis& diagnosis,
                                           const std::array<double, 2>& after,
                                           const Checks& remaining);
 
-/// Returns a sentence on the smooth systematic error of the model that would explain a misfit
-/// without a known cause, with the setting in study.toml that accepts it. Empty if `size` is 0.
-/// @param size standard deviation of this error over the shear stress of the model [1]
-std::string discrepancy_line(double size);
+/// Returns a sentence on the effect that could go undetected and would shift the friction
+/// coefficient most. Empty unless the verdict is `inconclusive` and names effects.
+std::string undetected_shift_line(const Diagnosis& diagnosis,
+                                  const std::optional<ImpactTable>& impacts);
+
+/// Returns sentences on a model that counts as more inexact than expected, and up to what
+/// inexactness something is missing. Empty if neither is to be said.
+std::string inexactness_line(const StudyDiagnosis& diagnosis, const Study& stated);
+
+/// Returns a sentence on the error of the model that would explain a misfit without a known cause,
+/// with the setting in study.toml that accepts it. Empty if `size` is 0.
+/// @param size relative standard error of the predicted shear stress [1]
+/// @param of_fraction that of the solid fraction [1], which the setting repeats
+std::string discrepancy_line(double size, double of_fraction);
 
 /// Returns a sentence that names up to three suspect measurements with p < 0.05, the smallest p
 /// first. Empty if none has p < 0.05, or more than eight: the model then fails as a whole.

@@ -152,10 +152,12 @@ std::string agreement_text(const Calibration& c, const Belief& belief) {
             " The model describes the readings but for {}, which the error contains.",
             discrepancy_text(fitted.discrepancy));
     if (fitted.discrepancy == std::array{0.0, 0.0}) return "";
-    return fmt::format(" The model describes the readings within {}, {}.",
-                       discrepancy_text(fitted.discrepancy),
-                       c.model.discrepancy_stated ? "as study.toml allows"
-                                                  : "about what independent codes differ by");
+    return fmt::format(
+        " The model describes the readings within their errors and an error of the model of {}, "
+        "{}.",
+        discrepancy_text(fitted.discrepancy),
+        c.model.discrepancy_stated ? "as study.toml allows"
+                                   : "about what independent codes differ by");
 }
 
 /// First sentences on a fit: its friction, and what it may be used for.
@@ -239,8 +241,11 @@ Output comparison_output(const FittedStudy& compared, const WhereItFails& where,
         "{} {:.2f} % in shear stress and {:.2f} % in solid fraction; for all readings, {}. {}",
         with_effects(c.model), comparison.rms_percent[0], comparison.rms_percent[1],
         misfit_text(comparison.total),
-        belief.believable() ? error_basis(measurements)
-                            : warning_on(belief, "the fitted friction coefficient")));
+        belief.believable()      ? error_basis(measurements)
+        : belief.for_fitted_only ? as_sentence(belief.reasons.front())
+                                 : warning_on(belief, "the fitted friction coefficient")));
+    if (belief.fitted.degree() == Agreement::Degree::nearly)
+        output.line(agreement_text(c, belief).substr(1));
     add_doubts(output, belief, 1);
     if (c.fitted < c.readings.size()) {
         output.line(fmt::format("Readings that were predicted, not fitted: {}.",

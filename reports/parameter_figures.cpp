@@ -52,7 +52,9 @@ std::string label_of(const Parameter& parameter) {
 Panel profile_panel(const Model& model, const Measured& measured, const Fit& best,
                     const Calibration& c, Eigen::Index k) {
     const Parameter& parameter = c.parameters[static_cast<std::size_t>(k)];
-    const double fitted = c.fit.parameters(k), error = std::sqrt(c.fit.covariance(k, k));
+    const double fitted = c.fit.parameters(k), error = c.fit.standard_error(k);
+    // chi2 lacks what widens the standard error: few replicates, and a larger discrepancy.
+    const double share = c.fit.covariance(k, k) / (error * error);
     Panel panel{.x_label = label_of(parameter), .y_label = "rise of χ^2"};
     Curve profile{.label = "others refitted", .style = Curve::Style::line, .colour = model_colour},
         parabola{.label = "by the standard error",
@@ -62,7 +64,7 @@ Panel profile_panel(const Model& model, const Measured& measured, const Fit& bes
         refits_of_profile, std::max(parameter.lower, fitted - profile_reach * error),
         std::min(parameter.upper, fitted + profile_reach * error));
     const auto parabola_at = [&](double value) { return std::pow((value - fitted) / error, 2); };
-    const Eigen::VectorXd rises = profile_rise(model, measured, best, k, values);
+    const Eigen::VectorXd rises = share * profile_rise(model, measured, best, k, values);
     // The difference from the parabola is interpolated, which is smoother than the rise itself.
     std::vector<double> at, beyond;
     for (Eigen::Index n = 0; n < values.size(); ++n) {
@@ -122,8 +124,9 @@ Figure profile_figure(const StudyModel& study_model, const Calibration& c) {
 Curve ellipse(const Calibration& c, Eigen::Index a, Eigen::Index b, double rise) {
     constexpr int points = 73;  // one every 5 degrees, and the first again
     Curve curve{.style = Curve::Style::line, .colour = model_colour};
-    const double sa = std::sqrt(c.fit.covariance(a, a)), sb = std::sqrt(c.fit.covariance(b, b)),
-                 correlation = std::clamp(c.fit.covariance(a, b) / (sa * sb), -1.0, 1.0);
+    const Eigen::MatrixXd covariance = c.fit.total_covariance();
+    const double sa = std::sqrt(covariance(a, a)), sb = std::sqrt(covariance(b, b)),
+                 correlation = std::clamp(covariance(a, b) / (sa * sb), -1.0, 1.0);
     for (int n = 0; n < points; ++n) {
         const double angle = 2 * std::numbers::pi * n / (points - 1), r = std::sqrt(rise);
         curve.x.push_back(c.fit.parameters(a) + r * sa * std::cos(angle));
@@ -145,7 +148,7 @@ Panel pair_panel(const Calibration& c, Eigen::Index a, Eigen::Index b) {
     Curve best{.label = "fit, ± 1 standard error",
                .x = {c.fit.parameters(a)},
                .y = {c.fit.parameters(b)},
-               .y_error = {std::sqrt(c.fit.covariance(b, b))},
+               .y_error = {c.fit.standard_error(b)},
                .colour = calibrated_colour};
     panel.curves = {inner, outer, best};
     return panel;

@@ -49,11 +49,11 @@ Belief belief_in(const FittedStudy& fitted, const ResolvedStudy& study,
     const auto seen = part(c.readings, 0, c.fitted);
     const Agreement of_fitted =
         agreement_of(seen, c.direct, fitted.model->at(seen).predict(c.fit.parameters),
-                     fitted.comparison.fitted, c.model);
+                     c.fit.at_bound, fitted.comparison.fitted, c.model);
     std::optional<Agreement> of_predicted;
     if (c.fitted < c.readings.size())
         of_predicted = agreement_of(part(c.readings, c.fitted, c.readings.size()), {},
-                                    predicted_part(c), fitted.comparison.predicted, c.model);
+                                    predicted_part(c), {}, fitted.comparison.predicted, c.model);
     return belief_in(c.fit, c.parameters, of_fitted, of_predicted, measurements, mistake);
 }
 

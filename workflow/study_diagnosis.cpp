@@ -59,7 +59,12 @@ std::vector<RecordingEvidence> recordings_beside(const StudyDiagnosis& d, bool m
     double by_effects = 0;
     for (const Finding& effect : d.diagnosis.scan)
         by_effects = std::max(by_effects, effect.test.predicted_reduction);
-    const double excess = misfit ? std::max(0.0, d.diagnosis.excess()) : 0;
+    // Where errors are large, chi2 may be below its degrees of freedom although an explanation
+    // reduces it significantly: what the best one reduces is then the misfit to explain.
+    double excess = misfit ? std::max(0.0, d.diagnosis.excess()) : 0;
+    if (misfit)
+        for (const FittedModel& each : d.diagnosis.tried)
+            excess = std::max(excess, d.diagnosis.base.fit.chi2 - each.fit.chi2);
     return recording_evidence(findings, d.readings, d.diagnosis.residuals(d.evidence), excess,
                               by_effects);
 }
@@ -76,16 +81,21 @@ std::function<void(std::string_view, std::size_t, std::size_t)> progress_of(
 }
 
 /// Diagnoses again with a larger discrepancy where the best explanation of a misfit leaves one, and
-/// study.toml states none.
+/// study.toml states none. The first diagnosis stands where no model fits even so.
 void diagnose_as_inexact(StudyDiagnosis& result, const Study& study,
                          const DiagnosisOptions& options) {
     if (result.diagnosis.base.accepted || study.model.discrepancy_stated) return;
     const double factor = inexactness_left(result.diagnosis, result.evidence);
     if (factor == 1) return;
-    for (double& each : result.discrepancy)
+    std::array<double, 2> larger = result.discrepancy;
+    for (double& each : larger)
         each *= factor;
-    *result.models = result.models->with_discrepancy(result.discrepancy);
-    result.diagnosis = diagnose(*result.models, result.evidence, options);
+    StudyModelSpace models = result.models->with_discrepancy(larger);
+    Diagnosis diagnosis = diagnose(models, result.evidence, options);
+    if (!diagnosis.complete) return;
+    *result.models = std::move(models);
+    result.diagnosis = std::move(diagnosis);
+    result.discrepancy = larger;
 }
 
 /// Checks that the readings suffice for a diagnosis.
@@ -135,6 +145,11 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     options.progress = progress_of(session);
     options.threads = static_cast<std::size_t>(session.threads);
     result.diagnosis = diagnose(*result.models, result.evidence, options);
+    // With the expected discrepancy, as `calibrate` and `compare` judge.
+    const Fit first = result.diagnosis.base.fit;
+    const Agreement agreement = agreement_of(
+        result.readings, result.models->direct(), first.prediction, first.at_bound,
+        {first.chi2, result.diagnosis.dof, freedom_behind(result.readings)}, study.study().model);
     diagnose_as_inexact(result, study, options);
     const std::shared_ptr<const Predictor> model = result.models->predictor({});
     const Fit& fit = result.diagnosis.base.fit;
@@ -158,14 +173,8 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     // Proposals and faults of the recordings have a say in the verdict, which is drawn again.
     conclude_anew(result.diagnosis, *result.models, options, beside);
     if (!result.diagnosis.proposals_stand) result.proposals.clear();
-    const Misfit misfit{result.diagnosis.base.fit.chi2, result.diagnosis.dof,
-                        freedom_behind(result.readings)};
-    ModelSettings settings = study.study().model;
-    settings.discrepancy = result.discrepancy;
-    result.belief = belief_in(
-        fit, model->parameters(),
-        agreement_of(result.readings, result.models->direct(), fit.prediction, misfit, settings),
-        {}, measurements, result.mistake);
+    result.belief =
+        belief_in(fit, model->parameters(), agreement, {}, measurements, result.mistake);
     return result;
 }
 
@@ -204,7 +213,7 @@ std::optional<ImpactTable> impacts_of(const StudyDiagnosis& d, std::size_t threa
 /// describe the misfit. Chosen: a discrepancy that describes a misfit is about as large as it.
 constexpr double rougher = 3;
 
-double remaining_discrepancy(const StudyDiagnosis& d, double stated) {
+double remaining_discrepancy(const StudyDiagnosis& d) {
     const Diagnosis& diagnosis = d.diagnosis;
     if (diagnosis.complete) return 0;
     const auto best = std::ranges::min_element(
@@ -215,7 +224,7 @@ double remaining_discrepancy(const StudyDiagnosis& d, double stated) {
     const double further =
         likely_discrepancy(d.evidence.measured, fit.prediction, conditions_of(d.readings));
     const double misfit = rms_percent(d.readings, fit.prediction.value)[0] / 100;
-    return further > 0 && further < rougher * misfit ? std::hypot(stated, further) : 0;
+    return further > 0 && further < rougher * misfit ? std::hypot(d.discrepancy[0], further) : 0;
 }
 
 }  // namespace pendular

@@ -100,14 +100,11 @@ std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uin
 /// (`StudyDiagnosis::mistake`), since the fitted parameters are then meaningless.
 std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size_t threads);
 
-/// Returns the discrepancy that study.toml would have to state so that no misfit remains: the
-/// standard deviation [1] of an error of the predicted shear stress, relative to the shear stress,
-/// that varies smoothly between conditions. The misfit is that of the model with the leading
-/// effects or, without leading effects, of the refitted model with the smallest chi2. Returns 0 if
-/// a model fits, if no discrepancy is significant, or if the misfit varies too quickly with the
-/// conditions.
-/// @param stated discrepancy that study.toml already states [1]; the result includes it (root of
-///        the sum of squares)
-double remaining_discrepancy(const StudyDiagnosis& diagnosis, double stated);
+/// Returns the discrepancy that study.toml would have to state so that no misfit remains: relative
+/// standard error [1] of the predicted shear stress, with that of `StudyDiagnosis::discrepancy`.
+/// The misfit is that of the model with the leading effects or, without leading effects, of the
+/// refitted model with the smallest chi2. Returns 0 if a model fits, if no discrepancy is
+/// significant, or if the misfit varies too quickly with the conditions.
+double remaining_discrepancy(const StudyDiagnosis& diagnosis);
 
 }  // namespace pendular

@@ -10,6 +10,7 @@
 #include "analysis/diagnosis/side_by_side.h"
 #include "analysis/misfit/live_misfit.h"
 #include "calib/fit/calibrate_study.h"
+#include "calib/fit/inexactness.h"
 #include "calib/fit/nearby_fit.h"
 #include "calib/fit/reading_order.h"
 #include "data/input_error.h"
@@ -169,12 +170,15 @@ ResolvedStudy with_common_readings(const ResolvedStudy& study, const Effects& sw
     return all ? fitting_all(study) : study;
 }
 
-/// Fits the study with exactly these effects. `fewer`: fit with fewer effects; null: none.
+/// Fits the study with exactly these effects, with the discrepancy that the study expects, as
+/// `calibrate` does. `fewer`: fit with fewer effects; null: none.
 SwitchedModel fitted_with(const Effects& effects, const ResolvedStudy& study,
                           const StudyDiagnosis& d, const SessionOptions& session,
                           const std::vector<Condition>& along, const Calibration* fewer) {
     const ResolvedStudy with = study_with(effects, study);
-    SwitchedModel result{.predictor = d.models->with_only(effects)};
+    SwitchedModel result{
+        .predictor =
+            d.models->with_discrepancy(study.study().model.discrepancy).with_only(effects)};
     Calibration& c = result.calibration;
     c.readings = d.readings;
     c.fitted = fitted_count(with, c.readings);
@@ -188,6 +192,10 @@ SwitchedModel fitted_with(const Effects& effects, const ResolvedStudy& study,
     c.seed = session.seed;
     c.parameters = result.predictor->parameters();
     c.fit = fit_as_added(result, with, fewer);
+    if (!c.model.discrepancy_stated)
+        c.fit.inexactness = likely_inexactness(stack(part(c.readings, 0, c.fitted), c.direct),
+                                               c.fit.prediction, c.fit.at_bound)
+                                .factor;
     c.prediction = c.fitted == c.readings.size() && c.direct.empty()
                        ? c.fit.prediction
                        : predict_readings(*result.predictor, c);

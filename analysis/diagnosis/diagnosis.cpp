@@ -47,7 +47,10 @@ class Diagnostician {
         scan();
         result_.base.accepted = std::min(result_.base.lack_of_fit_p, result_.base.further_p) >=
                                 explanations_.half_significance();
-        if (!result_.base.accepted) search();
+        if (!result_.base.accepted) {
+            search();
+            result_.holds_up_to = largest_rejected();
+        }
         order_scan();
         conclude_anew(result_, space_, options_, {});
         result_.change_errors = std::move(explanations_.errors);
@@ -69,6 +72,8 @@ class Diagnostician {
     Finding finding_of(std::size_t k, const ScoreTest& test) const;
     void judge_power(const FamilyOfTests& family);
     void search();
+    bool rejected_at(double factor) const;
+    double largest_rejected() const;
     void order_scan();
 
     const ModelSpace& space_;
@@ -234,6 +239,36 @@ void Diagnostician::search() {
     }
 }
 
+/// Whether the study's model is rejected with its discrepancy larger by a factor.
+bool Diagnostician::rejected_at(double factor) const {
+    FittedModel inexact = result_.base;
+    Prediction& prediction = inexact.fit.prediction;
+    prediction.covariance += (factor * factor - 1) * prediction.discrepancy;
+    const WeightedResiduals residuals = explanations_.residuals_of(inexact);
+    const double half = explanations_.half_significance();
+    if (explanations_.lack_of_fit_p(residuals, true) < half) return true;
+    std::vector<ScoreTest> tests = explanations_.suspect_tests(residuals);
+    for (std::size_t k = 0; k < signatures_.size(); ++k)
+        tests.push_back(score_test(residuals, signatures_[k], is_switch(k)));
+    double smallest = 1;
+    for (const ScoreTest& test : tests) {
+        smallest = std::min(smallest, test.p());
+    }
+    return FamilyOfTests(tests, residuals, explanations_.draws()).p(smallest) < half;
+}
+
+double Diagnostician::largest_rejected() const {
+    if (result_.base.fit.prediction.discrepancy.size() == 0) return 0;
+    if (rejected_at(most_inexact)) return most_inexact;
+    constexpr double close = 1.1;  // chosen: a tenth more or less decides nothing
+    double below = 1, above = most_inexact;
+    while (above / below > close) {
+        const double middle = std::sqrt(below * above);
+        (rejected_at(middle) ? below : above) = middle;
+    }
+    return below;
+}
+
 void Diagnostician::order_scan() {
     std::ranges::stable_sort(result_.scan, std::greater<>(), [](const Finding& finding) {
         return finding.refitted_reduction.value_or(finding.test.predicted_reduction);
@@ -265,21 +300,25 @@ void conclude_anew(Diagnosis& diagnosis, const ModelSpace& space, const Diagnosi
 }
 
 double inexactness_left(const Diagnosis& diagnosis, const Evidence& evidence) {
-    const auto offered = static_cast<double>(diagnosis.scan.size());
-    const auto suspects = static_cast<double>(evidence.suspects.size());
+    const auto price_of_one_among = [](std::size_t offered) {
+        return 2 * std::log(static_cast<double>(std::max<std::size_t>(offered, 1)));
+    };
     const auto price = [&](const FittedModel& model) {
-        double sum = 2 * static_cast<double>(model.chosen.size()) * (1 + std::log(offered));
-        if (model.suspect) {
-            const auto columns = evidence.suspects[*model.suspect].columns.cols();
-            sum += 2 * static_cast<double>(columns) + 2 * std::log(suspects);
-        }
+        double sum = static_cast<double>(model.chosen.size()) *
+                     (2 + price_of_one_among(diagnosis.scan.size()));
+        if (model.suspect)
+            sum += 2 * static_cast<double>(evidence.suspects[*model.suspect].columns.cols()) +
+                   price_of_one_among(evidence.suspects.size());
         return sum;
     };
-    Inexactness best = likely_inexactness(evidence.measured, diagnosis.base.fit.prediction);
+    const auto likely = [&](const Fit& fit) {
+        return likely_inexactness(evidence.measured, fit.prediction, fit.at_bound);
+    };
+    Inexactness best = likely(diagnosis.base.fit);
     double least = best.criterion();
     for (const FittedModel& each : diagnosis.tried) {
         if (!each.fit.converged) continue;
-        const Inexactness with = likely_inexactness(evidence.measured, each.fit.prediction);
+        const Inexactness with = likely(each.fit);
         if (const double value = with.criterion() + price(each); value < least)
             best = with, least = value;
     }

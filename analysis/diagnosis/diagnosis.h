@@ -15,6 +15,9 @@ struct Diagnosis : TestResults, Conclusion {
     /// Covariances of the errors of the predicted change of the readings per unit of each
     /// candidate's amplitude, in products of the units of the readings.
     std::vector<ModelSpace::ChangeErrors> change_errors;
+    /// Largest factor [1] on the discrepancy of the models at which the study's model is rejected
+    /// still, up to `most_inexact`; 0 if it is accepted, or if its discrepancy is 0.
+    double holds_up_to = 0;
 
     /// Returns the residuals of the study's model without further effects.
     WeightedResiduals residuals(const Evidence& evidence) const {
@@ -35,14 +38,19 @@ struct Diagnosis : TestResults, Conclusion {
 Diagnosis diagnose(const ModelSpace& space, const Evidence& evidence,
                    const DiagnosisOptions& options = {});
 
+/// Largest factor [1] at which `Diagnosis::holds_up_to` is tested: chosen, since what errs by 4 %
+/// of the stress ratio or more is no model of the grains.
+inline constexpr double most_inexact = 10;
+
 /// Returns the factor [1] on the expected discrepancy of the model with which the likeliest of all
 /// explanations describes the readings: the study's model, or one that was refitted with an effect,
 /// a pair or an error of measurement. Explanations are compared by
 ///     chi2 + ln det Sigma + ((ln factor)/(ln 2))^2 + 2 k (1 + ln m)
-/// at their likeliest factor (`likely_inexactness`), with k further parameters among m that were
-/// offered. An effect thus has to explain more than the differences between conditions that an
-/// inexact model leaves, and a pair more than an effect with such differences.
-/// Source: Foster and George, Ann. Stat. 22 (1994) 1947, for the price of the search.
+/// at their likeliest factor (`likely_inexactness`), with k effects among m candidates, or else
+/// with the k columns of one of m suspect measurements (2 k + 2 ln m). An effect thus has to
+/// explain more than the differences between conditions that an inexact model leaves, and a pair
+/// more than an effect with such differences. Source: Foster and George, Ann. Stat. 22 (1994) 1947,
+/// for the price of the search.
 double inexactness_left(const Diagnosis& diagnosis, const Evidence& evidence);
 
 /// Concludes anew from the tests of a diagnosis, with more that has a say in the verdict.

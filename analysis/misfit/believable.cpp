@@ -84,8 +84,7 @@ void add_doubts(Belief& belief, const Measurements& measurements) {
 
 Agreement::Degree Agreement::degree() const {
     if (as_inexact.p() < incredible_p) return Degree::fails;
-    const bool more = as_inexact.chi2 != misfit.chi2 && misfit.p() < significant_p;
-    return more ? Degree::nearly : Degree::describes;
+    return as_inexact.chi2 != misfit.chi2 ? Degree::nearly : Degree::describes;
 }
 
 double Agreement::in_errors() const {
@@ -106,14 +105,15 @@ std::string_view to_string(Agreement::Degree degree) {
 
 Agreement agreement_of(const std::vector<Reading>& readings,
                        const std::vector<DirectMeasurement>& direct, const Prediction& prediction,
-                       const Misfit& misfit, const ModelSettings& model) {
+                       const std::vector<bool>& at_bound, const Misfit& misfit,
+                       const ModelSettings& model) {
     Agreement agreement{.misfit = misfit,
                         .readings = readings.size(),
                         .rms_percent = rms_percent(readings, prediction.value),
                         .discrepancy = model.discrepancy,
                         .as_inexact = misfit};
     if (model.discrepancy_stated) return agreement;
-    const Inexactness likely = likely_inexactness(stack(readings, direct), prediction);
+    const Inexactness likely = likely_inexactness(stack(readings, direct), prediction, at_bound);
     if (likely.factor > 1) {
         agreement.as_inexact.chi2 = likely.chi2;
         for (double& each : agreement.discrepancy)

@@ -37,11 +37,13 @@ std::string_view to_string(Agreement::Degree degree);
 
 /// Returns the agreement of readings with their prediction.
 /// @param direct direct measurements that were fitted together with the readings
+/// @param at_bound as for `likely_inexactness`
 /// @param misfit of the readings and the direct measurements
 /// @param model states the discrepancy, which is enlarged unless study.toml states it
 Agreement agreement_of(const std::vector<Reading>& readings,
                        const std::vector<DirectMeasurement>& direct, const Prediction& prediction,
-                       const Misfit& misfit, const ModelSettings& model);
+                       const std::vector<bool>& at_bound, const Misfit& misfit,
+                       const ModelSettings& model);
 
 /// Judgement on whether the fit of a study's model can be believed.
 struct Belief {

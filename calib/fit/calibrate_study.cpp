@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "calib/fit/calibration_notes.h"
-#include "calib/fit/predicted_readings.h"
 #include "calib/fit/inexactness.h"
 #include "calib/fit/parameter_errors.h"
 #include "calib/fit/predicted_readings.h"
@@ -313,9 +312,10 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
         // The emulator learns about dry flow from wet runs too, which also changes the friction.
         c.fit = model.fit_again(fitted, c.fit.parameters);
     }
-    add_instrument(c.fit, model.whole().model(), fitted, stack(fitted, c.direct));
     if (!study.model.discrepancy_stated)
-        c.fit.inexactness = likely_inexactness(stack(fitted, c.direct), c.fit.prediction).factor;
+        c.fit.inexactness =
+            likely_inexactness(stack(fitted, c.direct), c.fit.prediction, c.fit.at_bound).factor;
+    add_instrument(c.fit, model.whole().model(), fitted, stack(fitted, c.direct));
     c.prediction = predict_readings(model.whole().model(), c);
     const Emulator& emulator = planner.simulation()->emulator();
     c.runs = emulator.runs();
@@ -328,8 +328,9 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
     c.cohesion = request.cohesion;
     add_cohesion_lines(model.whole().model(), c);
     if (request.profile) {
-        // The covariance of a fit lacks the widening for few replicates; with it, chi2 of a
-        // parabola rises by this much over one standard error.
+        // The covariance of a fit lacks the widening for few replicates and for more than the
+        // expected discrepancy; with them, chi2 of a parabola rises by this much over one standard
+        // error.
         const double rise = std::pow(c.fit.standard_error(0), 2) / c.fit.covariance(0, 0);
         c.profile =
             profile_interval(model.whole().at(fitted), stack(fitted, c.direct), c.fit, 0, rise);

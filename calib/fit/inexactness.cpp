@@ -7,9 +7,9 @@
 namespace pendular {
 namespace {
 
-/// Number of steps from an exact model to `largest_inexactness`, each 1.27 times the one before:
-/// chosen, since no reading tells smaller steps apart.
-constexpr int steps = 5;
+/// Number of steps from the expected discrepancy to `largest_inexactness` times as much, each 1.26
+/// times the one before: chosen, since no reading tells smaller steps apart.
+constexpr int steps = 4;
 
 /// Smallest gain of the logarithm of likelihood and prior at which more than the expected
 /// discrepancy is seen: p = 0.05 with the size at the bound of its range (half of chi2 with one
@@ -49,10 +49,14 @@ double restricted_log_likelihood(const Eigen::MatrixXd& covariance,
     return Whitened(covariance, residuals, derivatives).restricted();
 }
 
-Inexactness likely_inexactness(const Measured& measured, const Prediction& prediction) {
+Inexactness likely_inexactness(const Measured& measured, const Prediction& prediction,
+                               const std::vector<bool>& at_bound) {
     const Eigen::MatrixXd exact = measured.covariance + prediction.covariance;
     const Eigen::VectorXd residuals = measured.value - prediction.value;
     const bool inexact = prediction.discrepancy.size() > 0;
+    Eigen::MatrixXd slopes = prediction.jacobian;
+    for (std::size_t k = 0; k < at_bound.size(); ++k)
+        if (at_bound[k]) slopes.col(static_cast<Eigen::Index>(k)).setZero();
     Inexactness best;
     double to_beat = -INFINITY;
     for (int step = 0; step <= (inexact ? steps : 0); ++step) {
@@ -60,7 +64,7 @@ Inexactness likely_inexactness(const Measured& measured, const Prediction& predi
         const double more = factor * factor - 1;
         const Whitened whitened(
             more > 0 ? Eigen::MatrixXd(exact + more * prediction.discrepancy) : exact, residuals,
-            prediction.jacobian);
+            slopes);
         const double prior = std::pow(std::log(factor) / std::numbers::ln2, 2);
         const double value = whitened.restricted() - prior / 2;
         if (value > to_beat) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "calib/fit/least_squares.h"
 #include "calib/model/model.h"
@@ -13,7 +14,7 @@ namespace pendular {
 /// Largest factor [1] on the expected discrepancy that counts as inexactness: 1 % of the stress
 /// ratio for `usual_discrepancy`. Chosen: more than twice what codes with one contact law were seen
 /// to differ by; a larger misfit is one to explain.
-inline constexpr double largest_inexactness = 10.0 / 3;
+inline constexpr double largest_inexactness = 2.5;
 
 /// Returns the logarithm of the restricted likelihood of residuals with a covariance, up to a
 /// constant.
@@ -42,6 +43,9 @@ struct Inexactness {
 /// The prior is log-normal: a factor of 2 is one standard deviation. Without a discrepancy, the
 /// factor is 1.
 /// @param prediction at the fitted parameters, with derivatives
-Inexactness likely_inexactness(const Measured& measured, const Prediction& prediction);
+/// @param at_bound whether each parameter ended at a bound, and so cannot move to imitate a change;
+///        empty: none did
+Inexactness likely_inexactness(const Measured& measured, const Prediction& prediction,
+                               const std::vector<bool>& at_bound = {});
 
 }  // namespace pendular

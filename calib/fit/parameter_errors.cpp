@@ -112,14 +112,22 @@ void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Read
     const Whitening whitening(measured.covariance + fit.prediction.covariance);
     const Eigen::MatrixXd weighted = whitening.solve(changes);
     const Eigen::MatrixXd shifts = fit.covariance * fit.prediction.jacobian.transpose() * weighted;
-    const Eigen::VectorXd along = weighted.transpose() * (measured.value - fit.prediction.value);
+    // As inexact as the model is, the lack of fit between conditions is no sign of these errors.
+    const double more = fit.inexactness * fit.inexactness - 1;
+    const Eigen::MatrixXd weighted_inexact =
+        more > 0 ? Whitening(measured.covariance + fit.prediction.covariance +
+                             more * fit.prediction.discrepancy)
+                       .solve(changes)
+                 : weighted;
+    const Eigen::VectorXd along =
+        weighted_inexact.transpose() * (measured.value - fit.prediction.value);
     // What is left of each change after the parameters imitated it.
     const Eigen::MatrixXd left = changes - fit.prediction.jacobian * shifts;
     for (std::size_t k = 0; k < uncertainties.size(); ++k) {
         const auto j = static_cast<Eigen::Index>(k);
         // An error that does not count is not among the weights: the readings and its uncertainty
         // together estimate it, as if it were the only one.
-        const double information = weighted.col(j).dot(left.col(j));
+        const double information = weighted_inexact.col(j).dot(left.col(j));
         fit.instrument.push_back(
             {.name = uncertainties[k].name,
              .standard = uncertainties[k].standard,

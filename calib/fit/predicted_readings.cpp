@@ -59,7 +59,10 @@ UnseenAndFitted predict_with_fitted(const Predictor& model, const Calibration& c
 
 Prediction predict_unseen(const Predictor& model, const Calibration& c,
                           const std::vector<Condition>& conditions) {
-    return predict_with_fitted(model, c, conditions).unseen;
+    Prediction unseen = predict_with_fitted(model, c, conditions).unseen;
+    if (unseen.discrepancy.size() > 0)
+        unseen.covariance += (std::pow(c.fit.inexactness, 2) - 1) * unseen.discrepancy;
+    return unseen;
 }
 
 Prediction predict_readings(const Predictor& model, const Calibration& c) {
@@ -71,8 +74,10 @@ Prediction predict_readings(const Predictor& model, const Calibration& c) {
     const Eigen::Index rest = all.value.size() - fitted;
     all.covariance.topRightCorner(fitted, rest).setZero();
     all.covariance.bottomLeftCorner(rest, fitted).setZero();
+    // With the expected discrepancy, as the fitted readings have it.
     const Prediction unseen =
-        predict_unseen(model, c, conditions_of(part(c.readings, c.fitted, c.readings.size())));
+        predict_with_fitted(model, c, conditions_of(part(c.readings, c.fitted, c.readings.size())))
+            .unseen;
     all.covariance.bottomRightCorner(rest, rest) = unseen.covariance;
     if (all.discrepancy.size() > 0) {
         all.discrepancy.topRightCorner(fitted, rest).setZero();

@@ -85,7 +85,7 @@ class Means {
                 .covariance;
         const Eigen::Matrix2Xd by_parameters = derivatives();
         const Eigen::Matrix2d through_fit =
-            by_parameters * c_.fit.covariance * by_parameters.transpose();
+            by_parameters * c_.fit.total_covariance() * by_parameters.transpose();
         const double by_simulation = slopes * simulated * slopes.transpose();
         return (through_fit.diagonal().array() + by_simulation).sqrt();
     }

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <stdexcept>
+#include <type_traits>
 
 #include "data/quantities/number.h"
 #include "sim/catalogue/formula.h"
@@ -204,15 +206,27 @@ class ShownValue {
 
     /// Returns the value of the formula.
     /// @throws InputError where the value is not finite, or so large that its square overflows soon
+    /// @throws std::domain_error where the state is to blame: no true state of the cell gives it
     double checked(const State& state, double parameter) const {
         const double value = of(state, parameter);
         if (!(std::abs(value) <= largest_magnitude)) {
+            if (std::is_same_v<State, CellState> && !knows(state, parameter))
+                throw std::domain_error(
+                    "no true state of the cell gives what the instrument shows");
             refuse(
                 fmt::format("gives {} at {}; guard it with CONDITION ? A : B, or correct the "
                             "bounds",
                             value, mentioned(state, parameter)));
         }
         return value;
+    }
+
+    /// Whether the formula's variables have finite values.
+    bool knows(const State& state, double parameter) const {
+        const auto all = values(state, parameter);
+        for (std::size_t k = 0; k < names_.size(); ++k)
+            if (compiled_.uses(names_[k]) && !std::isfinite(all[k])) return false;
+        return true;
     }
 
     /// Returns the values of the formula's variables as text, as in "torque = 0.1, drag = 3".

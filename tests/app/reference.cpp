@@ -78,7 +78,7 @@ TEST(ReferencePages, OfEffectsHoldTheRegistry) {
 }
 
 /// Terms of statistics and of the method, which are no quantities.
-constexpr std::array<std::array<const char*, 2>, 23> other_terms = {{
+constexpr std::array<std::array<const char*, 2>, 24> other_terms = {{
     {"atlas", "the simulations that come with Pendular"},
     {"between-run scatter",
      "difference between simulations of equal parameters and different seeds beyond their standard "
@@ -91,6 +91,8 @@ constexpr std::array<std::array<const char*, 2>, 23> other_terms = {{
     {"direct measurement",
      "a measurement of an effect's parameter without shearing grains, such as the torque of the "
      "empty cell"},
+    {"discrepancy",
+     "relative error that is expected of a model's predictions, other than that of its simulations"},
     {"effect", "a physical property of instrument, beads, liquid or grains that a model may lack"},
     {"effect set", "the effects that one model contains"},
     {"emulator", "Gaussian processes that predict simulations, trained on simulations"},

@@ -189,7 +189,10 @@ TEST_F(ReadStudy, TakesTheExpectedErrorOfTheModel) {
     EXPECT_EQ(read(start + "discrepancy = 0.005\n").model.discrepancy, (Pair{0.005, 0}));
     EXPECT_EQ(read(start + "discrepancy = [0.005, 0.001]\n").model.discrepancy,
               (Pair{0.005, 0.001}));
-    EXPECT_EQ(read(start).model.discrepancy, (Pair{0, 0}));
+    EXPECT_EQ(read(start).model.discrepancy, usual_discrepancy);
+    EXPECT_FALSE(read(start).model.discrepancy_stated);
+    EXPECT_EQ(read(start + "discrepancy = 0\n").model.discrepancy, (Pair{0, 0}));
+    EXPECT_TRUE(read(start + "discrepancy = 0\n").model.discrepancy_stated);
 }
 
 TEST(StudyTest, RefusesBeadsThatDoNotFitIntoTheCell) {

@@ -237,6 +237,9 @@ Json to_json(const StudyDiagnosis& d, const Checks& checks,
              const DiagnosisTexts& texts) {
     Json json = verdict_json(d.diagnosis, *d.models, d.evidence, checks);
     json["sentence"] = texts.verdict;
+    json["discrepancy"] = d.discrepancy;
+    json["holds_up_to"] =
+        d.diagnosis.holds_up_to > 0 ? Json(d.discrepancy[0] * d.diagnosis.holds_up_to) : Json();
     json["readings"] = {{"measured", d.measured}, {"tested", d.readings.size()}};
     json["recordings"] = recordings_json(d.recordings);
     json["model_effects"] = names_of(study.model.effects);

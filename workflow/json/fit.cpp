@@ -49,6 +49,7 @@ Json model_json(const ModelSettings& m) {
         json["effects"].push_back(effect.name);
     }
     if (m.discrepancy != std::array{0.0, 0.0}) json["discrepancy"] = m.discrepancy;
+    if (m.discrepancy_stated) json["discrepancy_stated"] = true;
     return json;
 }
 

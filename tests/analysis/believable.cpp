@@ -1,0 +1,108 @@
+// What a fit may be used for: the table of docs/explanation/diagnosis.md, without a simulation.
+#include "analysis/misfit/believable.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace analysis_believable_test {
+
+using namespace pendular;
+using testing::HasSubstr;
+using Degree = Agreement::Degree;
+
+Agreement agreement(double chi2, double chi2_as_inexact) {
+    return {.misfit = {chi2, 20},
+            .readings = 10,
+            .discrepancy = usual_discrepancy,
+            .as_inexact = {chi2_as_inexact, 20}};
+}
+
+const std::vector<Parameter> friction = {
+    {.name = "friction", .unit = "1", .lower = 0, .upper = 0.6, .start = 0.1}};
+
+Fit fit_at(double value) {
+    Fit fit;
+    fit.parameters = Eigen::VectorXd::Constant(1, value);
+    fit.covariance = Eigen::MatrixXd::Constant(1, 1, 1e-4);
+    fit.at_bound = {value >= 0.6};
+    return fit;
+}
+
+Belief belief(const Agreement& fitted, const Fit& fit = fit_at(0.1),
+              const Measurements& measurements = {},
+              const std::optional<Agreement>& predicted = {}) {
+    Measurements some = measurements;
+    if (some.readings.empty()) some.readings.resize(10);
+    return belief_in(fit, friction, fitted, predicted, some, {});
+}
+
+TEST(Agreement, HasThreeDegrees) {
+    EXPECT_EQ(agreement(22, 22).degree(), Degree::describes);
+    EXPECT_EQ(agreement(38, 38).degree(), Degree::describes);  // p = 0.009, but no sign of more
+    EXPECT_EQ(agreement(60, 25).degree(), Degree::nearly);
+    EXPECT_EQ(agreement(60, 60).degree(), Degree::fails);
+    EXPECT_EQ(agreement(900, 80).degree(), Degree::fails);
+}
+
+TEST(Belief, EndsWhereALargerDiscrepancyDoesNotHelp) {
+    EXPECT_TRUE(belief(agreement(22, 22)).believable());
+    EXPECT_TRUE(belief(agreement(60, 25)).believable());
+    const Belief none = belief(agreement(900, 80));
+    ASSERT_FALSE(none.believable());
+    EXPECT_EQ(none.misfit_reason, 0U);
+    EXPECT_THAT(none.reasons.front(), HasSubstr("6.7 times the errors"));
+    EXPECT_FALSE(none.meaningless);
+    EXPECT_TRUE(belief(agreement(900, 80), fit_at(0.6)).meaningless);
+}
+
+TEST(Belief, IsForTheFittedReadingsAloneWherePredictionsFail) {
+    const Belief fitted_only = belief(agreement(22, 22), fit_at(0.1), {}, agreement(900, 900));
+    EXPECT_FALSE(fitted_only.believable());
+    EXPECT_TRUE(fitted_only.for_fitted_only);
+    EXPECT_FALSE(belief(agreement(900, 900), fit_at(0.1), {}, agreement(900, 900)).for_fitted_only);
+}
+
+TEST(Belief, EndsWhereASharedErrorWouldBeFarAway) {
+    Fit fit = fit_at(0.1);
+    fit.instrument = {{.name = "torque-gain", .standard = 0.02, .needed = 1.9}};
+    EXPECT_TRUE(belief(agreement(22, 22), fit).believable());
+    fit.instrument.front().needed = -2.1;
+    const Belief far = belief(agreement(22, 22), fit);
+    ASSERT_EQ(far.reasons.size(), 1U);
+    EXPECT_THAT(far.reasons.front(), HasSubstr("torque-gain that is 2.1 times"));
+}
+
+TEST(Belief, EndsWhereMostStepsNeverBecameSteady) {
+    Measurements few;
+    few.readings.resize(2);
+    few.remarks.assign(2, {.kind = Remark::Kind::never_steady,
+                           .outcome = Remark::Outcome::left_out,
+                           .files = {"a.csv"},
+                           .lines = {{1, 2}}});
+    EXPECT_TRUE(belief(agreement(22, 22), fit_at(0.1), few).believable());
+    few.remarks.resize(41, few.remarks.front());
+    const Belief lost = belief(agreement(22, 22), fit_at(0.1), few);
+    ASSERT_EQ(lost.reasons.size(), 1U);
+    EXPECT_THAT(lost.reasons.front(), HasSubstr("41 of 43 steps never became steady"));
+}
+
+TEST(Belief, EndsWhereRecordingsDrift) {
+    Measurements drifting;
+    drifting.readings.resize(10);
+    drifting.remarks = {{.kind = Remark::Kind::drift,
+                         .outcome = Remark::Outcome::found,
+                         .quantity = "torque",
+                         .files = {"a.csv"},
+                         .lines = {{1, 200}},
+                         .count = 4,
+                         .of = 10,
+                         .size = 0.001,
+                         .relative = 0.14,
+                         .p = 1e-5}};
+    EXPECT_FALSE(belief(agreement(22, 22), fit_at(0.1), drifting).believable());
+    drifting.remarks.front().kind = Remark::Kind::wobble;  // averages out
+    drifting.remarks.front().period = 1;
+    EXPECT_TRUE(belief(agreement(22, 22), fit_at(0.1), drifting).believable());
+}
+
+}  // namespace analysis_believable_test
