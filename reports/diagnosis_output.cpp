@@ -54,7 +54,8 @@ void add_evidence(Output& output, const DiagnosisParts& parts) {
     const auto& [d, checks, remaining, impacts, steps, study, measurements, name, all] = parts;
     const Diagnosis& diagnosis = d.diagnosis;
     const StudyModelSpace& models = *d.models;
-    output.line(fit_line(diagnosis));
+    const std::string inexact = inexactness_line(d, study.study());
+    output.line(fit_line(diagnosis) + (inexact.empty() ? "" : " " + inexact));
     output.table(checks_table(checks), 3);
     const std::vector<std::string> undetected = undetected_table(d, impacts, study.catalogue());
     output.table(undetected, shown_undetected);
@@ -169,7 +170,6 @@ Output diagnosis_output(const DiagnosisParts& parts) {
     if (diagnosis.recordings_first) output.line(shown);
     output.answer(verdict_line(diagnosis, models, checks) + caution(d, measurements));
     if (!diagnosis.recordings_first) output.line(shown);
-    output.line(inexactness_line(d, study.study()));
     output.line(undetected_shift_line(diagnosis, impacts));
     if (d.confirmed) output.line(confirmation_line(*d.confirmed));
     for (std::size_t k = 0; k < belief.reasons.size(); ++k) {

@@ -201,8 +201,9 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
     }
     const bool one = d.effects.size() == 1;
     return fmt::format(
-        "The model describes the readings (chi2/dof {:.2f}). Inconclusive is what they cannot "
-        "exclude: {} effect{} could go undetected at {} smallest size of interest, {}.",
+        "The model describes the readings (chi2/dof {:.2f}), which are inconclusive about {} "
+        "effect{} "
+        "that could go undetected at {} smallest size of interest: {}.",
         chi2_per_dof(d.base.fit.chi2, d.dof), d.effects.size(), one ? "" : "s",
         one ? "its" : "their", some_of(d.effects));
 }
@@ -347,9 +348,11 @@ std::string undetected_shift_line(const Diagnosis& d, const std::optional<Impact
     }
     if (!largest) return "";
     const Parameter& friction = impacts->parameters.front();
-    return fmt::format("Of these, {} matters most: of that size, it would change the {} by {}.",
-                       largest->name, parameter_in_words(friction.name),
-                       with_unit(largest->at_interest.best()(0), friction.unit));
+    const double shift = largest->at_interest.best()(0);
+    return fmt::format(
+        "Of these, {} would change the {} most: by {}{} at its smallest size of interest.",
+        largest->name, parameter_in_words(friction.name), shift > 0 ? "+" : "",
+        with_unit(shift, friction.unit));
 }
 
 std::string inexactness_line(const StudyDiagnosis& study, const Study& stated) {
@@ -365,11 +368,13 @@ std::string inexactness_line(const StudyDiagnosis& study, const Study& stated) {
     const bool named = d.verdict == Verdict::missing || d.verdict == Verdict::indistinguishable ||
                        d.verdict == Verdict::unknown;
     if (named && d.holds_up_to > 0 && ratio > 0)
-        line += fmt::format("{}That something is missing holds {} {:.2g} % of the stress ratio.",
-                            line.empty() ? "" : " ",
-                            d.holds_up_to == most_inexact ? "even for a model that is inexact by"
-                                                          : "for a model that is inexact by up to",
-                            100 * ratio * d.holds_up_to);
+        line +=
+            fmt::format("{}That something is missing holds {} {:.2g} % of the stress ratio.",
+                        line.empty() ? "" : " ",
+                        d.holds_up_to == most_inexact ? "even for a model that errs by"
+                                                      : "for a model that errs by up to",
+                        100 * ratio * d.holds_up_to,
+                        d.holds_up_to == most_inexact ? ", the largest error that is tested" : "");
     return line;
 }
 

@@ -76,6 +76,13 @@ std::string source_of_wet(const Calibration& c) {
                : "by the formula of the base model and the simulated dry law";
 }
 
+/// "an inexact model", with its error where that is larger than expected.
+std::string inexact_model(const Calibration& c) {
+    return c.fit.inexactness > 1 ? fmt::format("a model that errs by {:.2g} % of the stress ratio",
+                                               100 * c.fit.inexactness * c.model.discrepancy[0])
+                                 : "an inexact model";
+}
+
 /// Text of a fitted parameter after its name: "0.1204 +- 0.0019 (0.0017 from the readings, 0.00084
 /// from the simulations)".
 std::string estimate_text(const Calibration& c, std::size_t k) {
@@ -83,13 +90,13 @@ std::string estimate_text(const Calibration& c, std::size_t k) {
     const std::string& unit = c.parameters[k].unit;
     const std::string value = estimate_text(c.fit, i, unit);
     if (!(c.fit.standard_error(i) > 0) || !c.fit.determines(i)) return value;
-    const auto part = [&](double error, const char* cause) {
+    const auto part = [&](double error, const std::string& cause) {
         return error > 0 ? fmt::format(", {} from {}", with_unit(error, unit), cause) : "";
     };
     return fmt::format("{} ({} from the readings, {} from the simulations{}{})", value,
                        with_unit(c.fit.measurement_error(i), unit),
                        with_unit(c.fit.simulation_error(i), unit),
-                       part(c.fit.discrepancy_error(i), "an inexact model"),
+                       part(c.fit.discrepancy_error(i), inexact_model(c)),
                        part(c.fit.instrument_error(i), "what all readings share"));
 }
 
@@ -147,17 +154,31 @@ std::string discrepancy_text(const std::array<double, 2>& discrepancy) {
 /// How well the model describes the fitted readings, as the end of an answer that states the fit.
 std::string agreement_text(const Calibration& c, const Belief& belief) {
     const Agreement& fitted = belief.fitted;
-    if (fitted.degree() == Agreement::Degree::nearly)
-        return fmt::format(
-            " The model describes the readings but for {}, which the error contains.",
-            discrepancy_text(fitted.discrepancy));
-    if (fitted.discrepancy == std::array{0.0, 0.0}) return "";
-    return fmt::format(
-        " The model describes the readings within their errors and an error of the model of {}, "
-        "{}.",
-        discrepancy_text(fitted.discrepancy),
-        c.model.discrepancy_stated ? "as study.toml allows"
-                                   : "about what independent codes differ by");
+    if (replicate_groups(c.readings).size() < 2) return "";  // nothing tests the model
+    const bool nearly = fitted.degree() == Agreement::Degree::nearly;
+    std::string text;
+    if (nearly)
+        text = fmt::format(
+            " The model describes the fitted readings only with an error of {}, more than "
+            "independent "
+            "codes differ by, which the standard error contains; it misses the shear stress by "
+            "{:.2g} "
+            "% and the solid fraction by {:.2g} %.",
+            discrepancy_text(fitted.discrepancy), fitted.rms_percent[0], fitted.rms_percent[1]);
+    else if (fitted.discrepancy != std::array{0.0, 0.0})
+        text = fmt::format(
+            " The model describes the fitted readings within their errors and an error of the "
+            "model of "
+            "{}, {}.",
+            discrepancy_text(fitted.discrepancy),
+            c.model.discrepancy_stated ? "as study.toml allows"
+                                       : "about what independent codes differ by");
+    if (belief.predicted && belief.predicted->degree() == Agreement::Degree::nearly)
+        text += fmt::format(
+            " It describes the {} readings that were predicted, not fitted, only with an error of "
+            "{}.",
+            belief.predicted->readings, discrepancy_text(belief.predicted->discrepancy));
+    return text;
 }
 
 /// First sentences on a fit: its friction, and what it may be used for.
@@ -244,8 +265,9 @@ Output comparison_output(const FittedStudy& compared, const WhereItFails& where,
         belief.believable()      ? error_basis(measurements)
         : belief.for_fitted_only ? as_sentence(belief.reasons.front())
                                  : warning_on(belief, "the fitted friction coefficient")));
-    if (belief.fitted.degree() == Agreement::Degree::nearly)
-        output.line(agreement_text(c, belief).substr(1));
+    const std::string text = agreement_text(c, belief);
+    if (belief.believable() && comparison.total.p() < significant_p && !text.empty())
+        output.line(text.substr(1));
     add_doubts(output, belief, 1);
     if (c.fitted < c.readings.size()) {
         output.line(fmt::format("Readings that were predicted, not fitted: {}.",

@@ -181,6 +181,8 @@ Figure error_budget(const Calibration& c) {
     if (!c.fit.determines(0) || !(c.fit.instrument_error(0) > 0)) return figure;
     std::vector<std::pair<double, std::string>> parts = {
         {c.fit.measurement_error(0), "readings"}, {c.fit.simulation_error(0), "simulations"}};
+    if (c.fit.discrepancy_error(0) > 0)
+        parts.emplace_back(c.fit.discrepancy_error(0), "inexact model");
     for (const InstrumentError& each : largest_errors(c.fit, 0, true, most_parts))
         parts.emplace_back(std::abs(each.shift(0)), each.name);
     std::ranges::sort(parts);

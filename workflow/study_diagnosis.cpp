@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/diagnosis/explanations.h"
+#include "analysis/diagnosis/inexact_diagnosis.h"
 #include "analysis/diagnosis/likely_discrepancy.h"
 #include "analysis/diagnosis/study_evidence.h"
 #include "analysis/misfit/compare.h"
@@ -80,22 +82,28 @@ std::function<void(std::string_view, std::size_t, std::size_t)> progress_of(
     };
 }
 
-/// Diagnoses again with a larger discrepancy where the best explanation of a misfit leaves one, and
-/// study.toml states none. The first diagnosis stands where no model fits even so.
-void diagnose_as_inexact(StudyDiagnosis& result, const Study& study,
-                         const DiagnosisOptions& options) {
-    if (result.diagnosis.base.accepted || study.model.discrepancy_stated) return;
-    const double factor = inexactness_left(result.diagnosis, result.evidence);
-    if (factor == 1) return;
-    std::array<double, 2> larger = result.discrepancy;
-    for (double& each : larger)
-        each *= factor;
-    StudyModelSpace models = result.models->with_discrepancy(larger);
-    Diagnosis diagnosis = diagnose(models, result.evidence, options);
-    if (!diagnosis.complete) return;
-    *result.models = std::move(models);
-    result.diagnosis = std::move(diagnosis);
-    result.discrepancy = larger;
+/// Diagnoses a study whose models and evidence are set. Returns how well its model describes the
+/// readings with the expected discrepancy, as `calibrate` and `compare` judge.
+Agreement diagnose_into(StudyDiagnosis& result, const Study& study,
+                        const DiagnosisOptions& options) {
+    const std::array<double, 2>& expected = study.model.discrepancy;
+    InexactDiagnosis found =
+        study.model.discrepancy_stated
+            ? InexactDiagnosis{diagnose(*result.models, result.evidence, options), *result.models,
+                               expected}
+            : diagnose_inexact(*result.models, expected, result.evidence, options);
+    const std::shared_ptr<const Model> model = result.models->with({});
+    const Fit first = found.discrepancy == expected
+                          ? found.diagnosis.base.fit
+                          : fit(*model, result.evidence.measured,
+                                found.diagnosis.base.fit.parameters, refit_effort);
+    const Agreement agreement = agreement_of(
+        result.readings, result.models->direct(), first.prediction, first.at_bound,
+        {first.chi2, found.diagnosis.dof, freedom_behind(result.readings)}, study.model);
+    result.diagnosis = std::move(found.diagnosis);
+    *result.models = std::move(found.models);
+    result.discrepancy = found.discrepancy;
+    return agreement;
 }
 
 /// Checks that the readings suffice for a diagnosis.
@@ -137,20 +145,14 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     StudyDiagnosis result{.readings = readings_to_fit(measurements),
                           .measured = measurements.readings.size()};
     check_readings(result.readings, study, session.fidelity);
-    result.discrepancy = study.study().model.discrepancy;
     result.models = std::make_unique<StudyModelSpace>(study, conditions_of(result.readings),
                                                       session.fidelity, std::move(known));
     result.evidence = evidence_of(result.readings, measurements.scatter, result.models->direct());
     DiagnosisOptions options{.seed = session.seed};
     options.progress = progress_of(session);
+    options.may_err_more = !study.study().model.discrepancy_stated;
     options.threads = static_cast<std::size_t>(session.threads);
-    result.diagnosis = diagnose(*result.models, result.evidence, options);
-    // With the expected discrepancy, as `calibrate` and `compare` judge.
-    const Fit first = result.diagnosis.base.fit;
-    const Agreement agreement = agreement_of(
-        result.readings, result.models->direct(), first.prediction, first.at_bound,
-        {first.chi2, result.diagnosis.dof, freedom_behind(result.readings)}, study.study().model);
-    diagnose_as_inexact(result, study, options);
+    const Agreement agreement = diagnose_into(result, study, options);
     const std::shared_ptr<const Predictor> model = result.models->predictor({});
     const Fit& fit = result.diagnosis.base.fit;
     result.mistake = find_unit_mistake(*model, result.readings, study, fit.parameters);

@@ -9,7 +9,6 @@
 
 #include "analysis/diagnosis/explanation_search.h"
 #include "analysis/diagnosis/side_by_side.h"
-#include "calib/fit/inexactness.h"
 #include "data/input_error.h"
 
 namespace pendular {
@@ -297,32 +296,6 @@ void conclude_anew(Diagnosis& diagnosis, const ModelSpace& space, const Diagnosi
     if (diagnosis.verdict == Verdict::indistinguishable) {
         diagnosis.cosines = cosines_between(diagnosis, space.candidates());
     }
-}
-
-double inexactness_left(const Diagnosis& diagnosis, const Evidence& evidence) {
-    const auto price_of_one_among = [](std::size_t offered) {
-        return 2 * std::log(static_cast<double>(std::max<std::size_t>(offered, 1)));
-    };
-    const auto price = [&](const FittedModel& model) {
-        double sum = static_cast<double>(model.chosen.size()) *
-                     (2 + price_of_one_among(diagnosis.scan.size()));
-        if (model.suspect)
-            sum += 2 * static_cast<double>(evidence.suspects[*model.suspect].columns.cols()) +
-                   price_of_one_among(evidence.suspects.size());
-        return sum;
-    };
-    const auto likely = [&](const Fit& fit) {
-        return likely_inexactness(evidence.measured, fit.prediction, fit.at_bound);
-    };
-    Inexactness best = likely(diagnosis.base.fit);
-    double least = best.criterion();
-    for (const FittedModel& each : diagnosis.tried) {
-        if (!each.fit.converged) continue;
-        const Inexactness with = likely(each.fit);
-        if (const double value = with.criterion() + price(each); value < least)
-            best = with, least = value;
-    }
-    return best.factor;
 }
 
 Diagnosis diagnose(const ModelSpace& space, const Evidence& evidence,

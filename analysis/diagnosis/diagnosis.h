@@ -42,17 +42,6 @@ Diagnosis diagnose(const ModelSpace& space, const Evidence& evidence,
 /// of the stress ratio or more is no model of the grains.
 inline constexpr double most_inexact = 10;
 
-/// Returns the factor [1] on the expected discrepancy of the model with which the likeliest of all
-/// explanations describes the readings: the study's model, or one that was refitted with an effect,
-/// a pair or an error of measurement. Explanations are compared by
-///     chi2 + ln det Sigma + ((ln factor)/(ln 2))^2 + 2 k (1 + ln m)
-/// at their likeliest factor (`likely_inexactness`), with k effects among m candidates, or else
-/// with the k columns of one of m suspect measurements (2 k + 2 ln m). An effect thus has to
-/// explain more than the differences between conditions that an inexact model leaves, and a pair
-/// more than an effect with such differences. Source: Foster and George, Ann. Stat. 22 (1994) 1947,
-/// for the price of the search.
-double inexactness_left(const Diagnosis& diagnosis, const Evidence& evidence);
-
 /// Concludes anew from the tests of a diagnosis, with more that has a say in the verdict.
 void conclude_anew(Diagnosis& diagnosis, const ModelSpace& space, const DiagnosisOptions& options,
                    const Circumstances& circumstances);

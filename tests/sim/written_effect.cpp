@@ -230,6 +230,20 @@ TEST(WrittenEffect, RefusesWhatIsNoNumberAtABound) {
                 testing::HasSubstr("nan at torque = 0.012, x = -2"));
 }
 
+TEST(WrittenEffect, IsNotBlamedForAStateThatDoesNotExist) {
+    const Effect drift = effect("torque = \"torque + x*0.06*time\"");
+    CellState nowhere = cell_state();
+    nowhere.torque = NAN;
+    EXPECT_THROW(shown(drift, 1, nowhere), std::domain_error);
+    nowhere = cell_state();
+    nowhere.height = NAN;  // which the formula does not read
+    EXPECT_NO_THROW(shown(drift, 1, nowhere));
+    const Effect wrong = effect("torque = \"torque + x/(height - 0.03)\"");
+    CellState there = cell_state();
+    there.height = 0.03;
+    EXPECT_THROW(shown(wrong, 1, there), InputError);
+}
+
 TEST(WrittenEffect, RefusesAParameterThatHidesSomething) {
     std::vector<std::string> told;
     for (const char* name : {"torque", "stress_ratio", "time", "sin", "pi", "_e"})
