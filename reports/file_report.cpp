@@ -263,6 +263,10 @@ std::string missing_sentence(const FileView& view) {
         text += " Its points of failure need only the stresses.";
     else
         text += " Export these columns too.";
+    for (const BlockColumn& column : view.candidates)
+        text += fmt::format(
+            " Column '{0} [{1}]' is not used; if it is the {2}, name it '{3} [{1}]' in the file.",
+            column.name, column.unit, quantity(column.quantity).meaning, column.quantity);
     return text;
 }
 

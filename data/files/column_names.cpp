@@ -59,6 +59,56 @@ ErrorMark take_mark(std::string_view& name) {
     return ErrorMark::none;
 }
 
+/// Whether a text, not empty, is a unit.
+bool is_unit(std::string_view text) {
+    if (text.empty()) return false;
+    try {
+        const Unit unit(text);
+        return true;
+    } catch (const std::invalid_argument&) {
+        return false;
+    }
+}
+
+/// Whether a name, with or without a mark of errors, is that of a quantity in this unit; any unit
+/// fits if it is empty.
+bool is_quantity(std::string_view name, std::string_view unit = "") {
+    take_mark(name);
+    return !meaning_of_column(trimmed(name), unit).quantity.empty();
+}
+
+/// Parts of a header cell before and after a separator; both are empty if it has none.
+struct Halves {
+    std::string_view name, unit;
+};
+
+Halves divided(std::string_view text, std::string_view separator, std::size_t at) {
+    if (at == std::string_view::npos) return {};
+    return {trimmed(text.substr(0, at)), trimmed(text.substr(at + separator.size()))};
+}
+
+/// Name and unit of a header cell without brackets: "Torque in mNm", "Torque / mNm" (ISO 80000),
+/// "Torque/mNm", "Couple, mNm". Only " in " and " / " are taken for certain. Other separators occur
+/// in names ("phi_L/phi_S", "Time, sequence"), so that they count only where the unit is one of the
+/// named quantity.
+Halves name_and_unit(std::string_view text) {
+    if (const std::size_t in = text.rfind(" in "); in != std::string_view::npos)
+        return divided(text, " in ", in);
+    if (find_quantity(text)) return {text, ""};
+    const Halves apart = divided(text, " / ", text.find(" / "));
+    if (!apart.unit.empty() &&
+        (is_quantity(apart.name, apart.unit) ||
+         (!find_quantity(apart.unit) && (is_quantity(apart.name) || is_unit(apart.unit)))))
+        return apart;
+    for (const std::string_view separator : {"/", ", ", " en "}) {
+        const bool first = separator == "/";  // "Angular velocity/rad/s"
+        const Halves parts =
+            divided(text, separator, first ? text.find(separator) : text.rfind(separator));
+        if (!parts.unit.empty() && is_quantity(parts.name, parts.unit)) return parts;
+    }
+    return {text, ""};
+}
+
 }  // namespace
 
 HeaderCell parse_header_cell(std::string_view text) {
@@ -68,9 +118,10 @@ HeaderCell parse_header_cell(std::string_view text) {
     if (const std::size_t bracket = opening_bracket(text); bracket != std::string_view::npos) {
         name = text.substr(0, bracket);
         cell.unit = trimmed(text.substr(bracket + 1, text.size() - bracket - 2));
-    } else if (const std::size_t in = text.rfind(" in "); in != std::string_view::npos) {
-        name = text.substr(0, in);
-        cell.unit = trimmed(text.substr(in + 4));
+    } else {
+        const Halves parts = name_and_unit(text);
+        name = parts.name;
+        cell.unit = parts.unit;
     }
     name = trimmed(name);
     cell.mark = take_mark(name);
@@ -84,28 +135,53 @@ struct VendorName {
     std::string_view quantity;
     /// Names in the order of preference where a file has several.
     std::vector<std::string_view> names;
+    /// Names that a table of someone's own may give to another quantity, so that they are read in
+    /// exports of instruments only.
+    std::vector<std::string_view> shared = {};
 };
 
-/// Names in rheometers' exports that a header of the program's own layout does not use. Those that
-/// are shared with other quantities there ("Stress", "Velocity") are read only in these files.
+/// Names in rheometers' exports and in tables of people's own, in English, French, German, Spanish
+/// and Italian. A name of several quantities is that of the first whose unit fits.
 const std::vector<VendorName>& vendor_names() {
     static const std::vector<VendorName> all = {
         {"time",
          {"Time", "t", "Temps", "Zeit", "Step time", "t_seg", "Time (action)", "Interval Time",
-          "Intervalle Temps", "Abschnittszeit", "Run time", "Time (sequence)"}},
-        {"torque", {"Torque", "M", "Couple", "Moment de torsion", "Drehmoment"}},
-        {"normal_force", {"Normal Force", "Fn", "Axial force", "Force Normale", "Normalkraft"}},
-        {"height", {"Gap", "h", "Entrefer", "Position", "Spalt", "Spaltweite", "Messspalt"}},
+          "Intervalle Temps", "Abschnittszeit", "Run time", "Time (sequence)", "Messzeit",
+          "Versuchszeit", "Tiempo", "Tempo"}},
+        {"torque",
+         {"Torque", "M", "Couple", "Moment de torsion", "Drehmoment", "Moment", "Torsionsmoment",
+          "Par de torsión", "Momento de torsión", "Momento torcente", "Coppia", "Md"}},
+        {"normal_force",
+         {"Normal Force", "Fn", "FN", "Axial force", "Force Normale", "Normalkraft", "Axialkraft",
+          "Force axiale", "Normal load", "Fuerza normal", "Fuerza axial", "Forza normale",
+          "Forza assiale"}},
+        {"height",
+         {"Gap", "h", "Entrefer", "Spalt", "Spaltweite", "Messspalt", "Measuring gap", "Gap width",
+          "Spalthöhe", "Probenhöhe", "Höhe", "Plattenabstand", "Hauteur", "Entrehierro",
+          "Separación", "Altura", "Traferro", "Altezza"},
+         {"Position"}},
         {"rotational_speed",
-         {"Rotational Speed", "Speed", "n", "Vitesse de rotation", "Vitesse", "Drehzahl"}},
+         {"Rotational Speed", "Speed", "n", "Vitesse de rotation", "Vitesse", "Drehzahl",
+          "Umdrehungszahl", "Velocidad de giro", "Velocidad de rotación", "Numero di giri",
+          "Velocità di rotazione"}},
         {"angular_velocity",
-         {"Angular velocity", "Velocity", "Ω", "Vitesse angulaire", "Winkelgeschwindigkeit"}},
+         {"Angular velocity", "Velocity", "Ω", "Vitesse angulaire", "Winkelgeschwindigkeit",
+          "Drehgeschwindigkeit", "Rotationsgeschwindigkeit", "Velocidad angular",
+          "Velocità angolare"}},
         {"shear_stress",
-         {"Shear Stress", "Stress", "τ", "Contrainte de Cisaillement", "Schubspannung"}},
-        {"normal_stress", {"Normal Stress", "Contrainte Normale", "Normalspannung"}},
+         {"Shear Stress", "τ", "Contrainte de Cisaillement", "Schubspannung", "Scherspannung",
+          "Esfuerzo cortante", "Tensión de cizalla", "Sforzo di taglio", "Tensione di taglio"},
+         {"Stress"}},
+        {"normal_stress",
+         {"Normal Stress", "Contrainte Normale", "Normalspannung", "Esfuerzo normal",
+          "Tensión normal", "Sforzo normale", "Tensione normale"}},
         {"shear_rate",
          {"Shear Rate", "ɣ̇", "γ̇", "Gradient de Cisaillement", "Vitesse de Cisaillement",
-          "Scherrate"}},
+          "Scherrate", "Schergeschwindigkeit", "Schergefälle", "Taux de cisaillement",
+          "Velocidad de cizalla", "Velocidad de cizallamiento", "Velocità di taglio"}},
+        {"shear_velocity",
+         {"Shear velocity", "Shear speed", "Vitesse de Cisaillement", "Schergeschwindigkeit",
+          "Velocidad de cizalla", "Velocidad de cizallamiento", "Velocità di taglio"}},
     };
     return all;
 }
@@ -123,20 +199,19 @@ std::string compared(std::string_view name) {
     return result;
 }
 
-/// Whether a unit can be that of a quantity; a missing unit can.
-bool unit_fits(std::string_view unit, std::string_view name) {
+}  // namespace
+
+bool unit_fits(std::string_view unit, std::string_view quantity_name) {
     if (unit.empty()) return true;
-    const bool angular = name == "rotational_speed" || name == "angular_velocity";
+    const bool angular = quantity_name == "rotational_speed" || quantity_name == "angular_velocity";
     try {
         const Unit stated(unit);
-        return stated.same_dimension(Unit(quantity(name).unit)) ||
+        return stated.same_dimension(Unit(quantity(quantity_name).unit)) ||
                (angular && stated.same_dimension(Unit("1/s")));
     } catch (const std::invalid_argument&) {
         return false;
     }
 }
-
-}  // namespace
 
 ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit) {
     const std::string wanted = compared(name);
@@ -144,16 +219,20 @@ ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit) {
     static const std::multimap<std::string, ColumnMeaning> by_name = [] {
         std::multimap<std::string, ColumnMeaning> all;
         for (const VendorName& each : vendor_names())
-            for (std::size_t i = 0; i < each.names.size(); ++i)
-                all.emplace(compared(each.names[i]),
-                            ColumnMeaning{each.quantity, static_cast<int>(i)});
+            for (const auto* names : {&each.names, &each.shared})
+                for (std::size_t i = 0; i < names->size(); ++i)
+                    all.emplace(
+                        compared((*names)[i]),
+                        ColumnMeaning{each.quantity,
+                                      static_cast<int>(i) + (names == &each.shared ? 50 : 0),
+                                      names == &each.shared});
         return all;
     }();
     for (auto [each, end] = by_name.equal_range(wanted); each != end; ++each)
         if (unit_fits(unit, each->second.quantity)) return each->second;
     const Quantity* const known = find_quantity(name);
     if (!known || known->unit.empty() || !unit_fits(unit, known->name)) return {};
-    return {known->name, 100};  // after all names of instruments
+    return {known->name, 100, false};  // after all names of instruments
 }
 
 std::string_view set_point_of(std::string_view name, std::string_view unit) {

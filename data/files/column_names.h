@@ -22,7 +22,9 @@ struct HeaderCell {
     bool deviation() const { return mark != ErrorMark::none; }
 };
 
-/// Splits a header cell, which reads `name [unit]`, `name (unit)`, `name in unit` or `name`.
+/// Splits a header cell, which reads `name [unit]`, `name (unit)`, `name in unit`, `name / unit` or
+/// `name`; where the unit is one of the named quantity, also `name/unit`, `name, unit` or
+/// `name en unit`.
 HeaderCell parse_header_cell(std::string_view text);
 
 /// Quantity that a column of a rheometer's export contains.
@@ -30,12 +32,18 @@ struct ColumnMeaning {
     std::string_view quantity;  ///< `Quantity::name`; empty: the column is not used
     /// Order of preference among columns of one quantity, 0 for the most specific name.
     int rank = 0;
+    /// Whether a table that is no export of an instrument may give the name to another quantity, as
+    /// "Stress".
+    bool shared = false;
 };
 
+/// Whether a unit can be that of a quantity; a missing unit can.
+bool unit_fits(std::string_view unit, std::string_view quantity_name);
+
 /// Returns the quantity that a column of a rheometer's export contains, by the names that
-/// RheoCompass, Rheoplus, TRIOS, rSpace and RheoWin use in English, French and German, and by those
-/// that `find_quantity` knows. There is none if the name is unknown or the unit does not fit; an
-/// empty unit fits every quantity.
+/// RheoCompass, Rheoplus, TRIOS, rSpace and RheoWin use in English, French and German, by their
+/// Spanish and Italian names, and by those that `find_quantity` knows. There is none if the name is
+/// unknown or the unit does not fit; an empty unit fits every quantity.
 ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit);
 
 /// Returns the quantity whose set points a column contains: "normal_force" for "Normal Force set"

@@ -6,7 +6,9 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 
 #include "data/quantities/number.h"
@@ -87,6 +89,10 @@ double further_factor(const Quantity& quantity, const Unit& unit) {
     const bool angular = quantity.unit == "rad/s" || quantity.unit == "turn/s";
     if (angular && unit.same_dimension(Unit("1/s"))) return angle_left_out(quantity, unit);
     const Unit expected(quantity.unit);
+    if (angular && unit.same_dimension(Unit("m/s")))
+        throw std::invalid_argument(
+            fmt::format("{}; write 'shear_velocity [{}]' if it is the speed at the mean radius",
+                        wrong_dimension(unit, expected), unit.spelling()));
     if (!unit.same_dimension(expected))
         throw std::invalid_argument(wrong_dimension(unit, expected));
     return quantity.name == "inertial_number_diameter_density" ? 1 / diameter_density_convention
@@ -114,13 +120,47 @@ std::string_view read_as(const Quantity& quantity) {
 
 }  // namespace
 
+void use_names_of_quantities(Row& header) {
+    struct Best {
+        std::size_t column = 0;
+        int rank = 0;
+        std::string text;
+    };
+    std::vector<HeaderCell> cells;
+    std::set<std::string_view> known;  // by the program's own names
+    for (const Cell& cell : header.cells) {
+        const HeaderCell& parts = cells.emplace_back(parse_header_cell(cell.text));
+        const Quantity* const quantity = find_quantity(parts.name);
+        if (quantity && !parts.deviation()) known.insert(read_as(*quantity));
+    }
+    std::map<std::string_view, Best> best;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const HeaderCell& cell = cells[i];
+        if (cell.deviation() || find_quantity(cell.name)) continue;
+        const ColumnMeaning meaning = meaning_of_column(cell.name, cell.unit);
+        // "n" without a unit may be anything.
+        const bool symbol = cell.name.size() <= 2 && cell.unit.empty();
+        if (meaning.quantity.empty() || meaning.shared || symbol) continue;
+        const std::string_view as = read_as(quantity(meaning.quantity));
+        if (known.contains(as)) continue;
+        const auto [place, added] = best.try_emplace(as);
+        if (!added && place->second.rank <= meaning.rank) continue;
+        place->second = {i, meaning.rank, std::string(meaning.quantity)};
+        if (!cell.unit.empty()) place->second.text += fmt::format(" [{}]", cell.unit);
+    }
+    for (const auto& [quantity, named] : best)
+        header.cells[named.column].text = named.text;
+}
+
 Columns::Columns(const Table& table) : table_(table) {
-    for (std::size_t i = 0; i < table.header.cells.size(); ++i)
+    for (const Cell& cell : table.header.cells)
+        cells_.push_back(parse_header_cell(cell.text));
+    for (std::size_t i = 0; i < cells_.size(); ++i)
         add(i);
 }
 
 void Columns::add(std::size_t index) {
-    const HeaderCell cell = parse_header_cell(table_.header.cells[index].text);
+    const HeaderCell& cell = cells_[index];
     const Quantity* const quantity = find_quantity(cell.name);
     if (!quantity) {
         const Quantity* const counted = quantity_with_number(cell.name);
@@ -145,10 +185,8 @@ void Columns::add(std::size_t index) {
 std::string Columns::unit_of(const HeaderCell& cell, const Quantity& quantity) const {
     if (!cell.unit.empty() || quantity.unit == "1") return cell.unit;
     if (cell.deviation()) {
-        for (const Cell& other : table_.header.cells) {
-            const HeaderCell value = parse_header_cell(other.text);
+        for (const HeaderCell& value : cells_)
             if (!value.deviation() && find_quantity(value.name) == &quantity) return value.unit;
-        }
     }
     throw std::invalid_argument(
         fmt::format("has no unit; write '{} [{}]'", cell.name, quantity.unit));

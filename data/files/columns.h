@@ -26,9 +26,15 @@ Digits digits_of(const std::vector<std::string_view>& cells);
 /// column without digits. Rounding to the step causes an error with the variance step^2/12.
 double resolution_of(double value, const Digits& digits);
 
+/// Replaces names that instruments and people use, such as "Drehmoment [mNm]", by the names of
+/// quantities (`meaning_of_column`): "torque [mNm]". A quantity that the header names by itself
+/// (`find_quantity`) is left alone, and of several names of one quantity only the first in the
+/// order of preference is replaced.
+void use_names_of_quantities(Row& header);
+
 /// Values of a table in SI units, found by the name of a quantity such as "torque", in any order of
 /// the columns.
-/// - Header cells read `name [unit]`, `name (unit)` or `name in unit`.
+/// - Header cells read as in `parse_header_cell`.
 /// - One column states the error of a quantity: `name_se` its standard error, `name_u95` the half
 ///   width of an interval that covers 95 %, and `name_sd` beside `name_n` the standard deviation of
 ///   n single values, of which `name` is the mean. Without `name_n`, `name_sd` is a standard error.
@@ -127,6 +133,7 @@ class Columns {
     [[noreturn]] void refuse_missing(std::string_view wanted) const;
 
     const Table& table_;
+    std::vector<HeaderCell> cells_;  ///< of the header
     std::vector<Column> columns_;
     std::vector<NumberOfValues> numbers_;
     std::vector<std::size_t> unknown_;

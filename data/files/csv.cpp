@@ -104,16 +104,21 @@ class LineSplitter {
 char header_delimiter(std::string_view header) {
     constexpr std::array<char, 3> candidates = {'\t', ';', ','};
     std::array<int, 3> counts = {};
-    bool quoted = false;
+    bool quoted = false, commas_of_units = true;
     int brackets = 0;
-    for (const char c : header) {
+    for (std::size_t at = 0; at < header.size(); ++at) {
+        const char c = header[at];
         if (c == '"') quoted = !quoted;
         if (c == '[' || c == '(') ++brackets;
         if (c == ']' || c == ')') --brackets;
         if (quoted || brackets > 0) continue;
         for (std::size_t i = 0; i < candidates.size(); ++i)
             counts[i] += c == candidates[i];
+        if (c == ',') commas_of_units &= header.substr(at + 1).starts_with(' ');
     }
+    // "Drehmoment, mNm;Zeit, s": a comma between name and unit divides no cells.
+    const int others = std::max(counts[0], counts[1]);
+    if (commas_of_units && others > 1 && counts[2] <= others + 1) counts[2] = 0;
     const auto most = std::max_element(counts.begin(), counts.end());
     return *most == 0 ? ',' : candidates[static_cast<std::size_t>(most - counts.begin())];
 }

@@ -51,11 +51,19 @@ constexpr std::pair<std::string_view, std::string_view> characters[] = {
 
 /// Spellings of units that UDUNITS does not know or misreads, with the spelling that UDUNITS reads.
 const std::map<std::string, std::string, std::less<>> words = {
-    {"deg", "arc_degree"}, {"rev", "turn"},       {"revs", "turn"},    {"tr", "turn"},
-    {"RPM", "rpm"},        {"rps", "turn/s"},     {"U", "turn"},       {"gf", "gram_force"},
-    {"dyn", "dyne"},       {"cP", "cpoise"},      {"mcm", "um"},       {"pct", "%"},
-    {"percent", "%"},      {"Pas", "Pa.s"},       {"mPas", "mPa.s"},   {"cc", "cm3"},
-    {"ccm", "cm3"},        {"radians", "radian"}, {"kgfcm", "kgf.cm"}, {"gfcm", "gram_force.cm"}};
+    {"deg", "arc_degree"}, {"rev", "turn"},
+    {"revs", "turn"},      {"tr", "turn"},
+    {"r", "turn"},         {"Upm", "turn/min"},
+    {"tour", "turn"},      {"tours", "turn"},
+    {"giri", "turn"},      {"Umdr", "turn"},
+    {"RPM", "rpm"},        {"rps", "turn/s"},
+    {"U", "turn"},         {"gf", "gram_force"},
+    {"dyn", "dyne"},       {"cP", "cpoise"},
+    {"mcm", "um"},         {"pct", "%"},
+    {"percent", "%"},      {"Pas", "Pa.s"},
+    {"mPas", "mPa.s"},     {"cc", "cm3"},
+    {"ccm", "cm3"},        {"radians", "radian"},
+    {"kgfcm", "kgf.cm"},   {"gfcm", "gram_force.cm"}};
 
 /// Spellings in the wrong case that UDUNITS reads as another unit, with the unit that is meant.
 const std::map<std::string, std::string, std::less<>> case_traps = {

@@ -1,26 +1,60 @@
 #include "data/recordings/file_view.h"
 
 #include <algorithm>
+#include <string_view>
 
+#include "data/files/column_names.h"
 #include "data/files/columns.h"
 
 namespace pendular {
 namespace {
 
-/// Quantities of steady shear that no interval of a file has.
+/// Quantities of steady shear of which one of a group is needed, with the group's name.
+struct Needed {
+    const char* name;
+    std::vector<std::string_view> quantities;
+};
+
+const std::vector<Needed>& needed_quantities() {
+    static const std::vector<Needed> all = {
+        {"time", {"time"}},
+        {"torque or shear stress", {"torque", "shear_stress"}},
+        {"normal force or normal stress", {"normal_force", "normal_stress"}},
+        {"gap", {"height"}},
+        {"speed of the lid", {"rotational_speed", "angular_velocity", "shear_velocity"}}};
+    return all;
+}
+
+/// Names of what steady shear needs but no interval of a file has.
 std::vector<std::string> missing_quantities(const std::vector<IntervalSeries>& series) {
-    const auto has = [&](const char* name) {
+    const auto has = [&](std::string_view name) {
         return std::ranges::any_of(
             series, [&](const IntervalSeries& each) { return !each.column(name).empty(); });
     };
     std::vector<std::string> missing;
-    if (!has("time")) missing.emplace_back("time");
-    if (!has("torque") && !has("shear_stress")) missing.emplace_back("torque or shear stress");
-    if (!has("normal_force") && !has("normal_stress"))
-        missing.emplace_back("normal force or normal stress");
-    if (!has("height")) missing.emplace_back("gap");
-    if (!has("angular_velocity")) missing.emplace_back("speed of the lid");
+    for (const Needed& needed : needed_quantities())
+        if (std::ranges::none_of(needed.quantities, has)) missing.emplace_back(needed.name);
     return missing;
+}
+
+/// Unused columns in the unit of a missing quantity.
+std::vector<BlockColumn> candidates(const FileView& view) {
+    std::vector<BlockColumn> found;
+    if (view.file.layout != "plain" && view.file.layout != "unit-row") return found;
+    for (const BlockColumn& column : view.file.blocks.front().columns) {
+        if (!column.quantity.empty() || !column.set_point_of.empty() || column.unit.empty())
+            continue;
+        for (const Needed& needed : needed_quantities()) {
+            if (std::ranges::find(view.missing, needed.name) == view.missing.end()) continue;
+            const auto fits = std::ranges::find_if(needed.quantities, [&](std::string_view name) {
+                return unit_fits(column.unit, name);
+            });
+            if (fits == needed.quantities.end()) continue;
+            found.push_back({column.name, column.unit, std::string(*fits)});
+            break;
+        }
+    }
+    return found;
 }
 
 /// Divides a table with a column of intervals into one block per interval.
@@ -66,6 +100,7 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
     if (study_cell) append(view.findings, header_against_study(view.file, *study_cell));
     view.loci = yield_loci(view.file, view.series, view.roles);
     view.missing = missing_quantities(view.series);
+    view.candidates = candidates(view);
     return view;
 }
 

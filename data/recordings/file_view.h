@@ -56,6 +56,10 @@ struct FileView {
     std::vector<YieldLocus> loci;
     /// Quantities that steady shear needs but no interval has, such as "torque or shear stress".
     std::vector<std::string> missing;
+    /// Columns that are not used although their unit is that of a missing quantity, each with that
+    /// quantity in place of the one that the file names. Only of tables of people's own: exports of
+    /// instruments name what they have.
+    std::vector<BlockColumn> candidates;
 };
 
 /// Reads and examines a file of measurements. A table with a column of interval numbers is divided

@@ -16,7 +16,8 @@ std::span<const SeriesColumn> series_columns() {
         {"interval", &IntervalSeries::interval},
         {"shear_stress", &IntervalSeries::shear_stress},
         {"normal_stress", &IntervalSeries::normal_stress},
-        {"shear_rate", &IntervalSeries::shear_rate}};
+        {"shear_rate", &IntervalSeries::shear_rate},
+        {"shear_velocity", &IntervalSeries::shear_velocity}};
     return columns;
 }
 

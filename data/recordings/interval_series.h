@@ -12,16 +12,17 @@ namespace pendular {
 /// column that the file lacks is empty. The instrument computed stresses and shear rate, which are
 /// NaN where a cell is empty or no number.
 struct IntervalSeries {
-    std::vector<int> line;                   ///< in the file, from 1
-    std::vector<double> time;                ///< as recorded [s]
-    std::vector<double> torque;              ///< [N m]
-    std::vector<double> normal_force;        ///< [N], compression positive
-    std::vector<double> height;              ///< gap [m]
-    std::vector<double> angular_velocity;    ///< [rad/s]
-    std::vector<double> interval = {};       ///< number of the interval
-    std::vector<double> shear_stress = {};   ///< [Pa]
-    std::vector<double> normal_stress = {};  ///< [Pa]
-    std::vector<double> shear_rate = {};     ///< [1/s]
+    std::vector<int> line;                    ///< in the file, from 1
+    std::vector<double> time;                 ///< as recorded [s]
+    std::vector<double> torque;               ///< [N m]
+    std::vector<double> normal_force;         ///< [N], compression positive
+    std::vector<double> height;               ///< gap [m]
+    std::vector<double> angular_velocity;     ///< [rad/s]
+    std::vector<double> interval = {};        ///< number of the interval
+    std::vector<double> shear_stress = {};    ///< [Pa]
+    std::vector<double> normal_stress = {};   ///< [Pa]
+    std::vector<double> shear_rate = {};      ///< [1/s]
+    std::vector<double> shear_velocity = {};  ///< of the lid at the mean radius [m/s]
 
     std::size_t size() const { return line.size(); }
     /// Returns the column of a quantity, such as "torque"; empty if there is none.

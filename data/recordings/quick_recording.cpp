@@ -82,6 +82,7 @@ class QuickReader {
         if (row == lines.end()) return false;
         try {
             table_ = table_of(file_, {lines[0], *row});
+            use_names_of_quantities(table_.header);
             rows_.emplace(columns_.emplace(table_), most_rows_);
         } catch (const InputError&) {
             if (too_large_) throw;

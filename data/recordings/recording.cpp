@@ -133,10 +133,12 @@ Recording recording_of(const BlockFile& file, const FileFormat& format) {
                          "normal stress, gap, and the lid's speed in one interval. 'pendular "
                          "import FILE' shows what the file has");
     if (whole.size() > 0 && ((whole.torque.empty() && whole.shear_stress.empty()) ||
-                             (whole.normal_force.empty() && whole.normal_stress.empty())))
+                             (whole.normal_force.empty() && whole.normal_stress.empty()) ||
+                             (whole.angular_velocity.empty() && whole.shear_velocity.empty())))
         throw InputError({file.file},
-                         "some intervals have torque or normal force and others only stresses; "
-                         "export all intervals with the same columns");
+                         "some intervals have torque, normal force or angular velocity and others "
+                         "only stresses or the speed at the mean radius; export all intervals with "
+                         "the same columns");
     for (const Remark& rows : file.skipped)
         leave_out(whole.left_out, rows);
     return whole;
@@ -153,6 +155,10 @@ void fill_from_stresses(Recording& recording, const AnnularCell& cell) {
     if (recording.normal_force.empty())
         for (const double stress : recording.normal_stress)
             recording.normal_force.push_back(normal_force(stress, cell));
+    if (recording.angular_velocity.empty())
+        for (const double velocity : recording.shear_velocity)
+            recording.angular_velocity.push_back(2 * velocity /
+                                                 (cell.inner_radius + cell.outer_radius));
 }
 
 }  // namespace pendular

@@ -31,11 +31,11 @@ struct Step {
 
 /// Returns the recording in a file of any layout that `read_blocks` knows. The columns may have any
 /// common spelling, order and unit. Required are time, torque or shear stress, normal force or
-/// normal stress, gap, and angular velocity.
+/// normal stress, gap, and angular velocity or the lid's speed at the mean radius.
 ///
-/// If the file lacks torques or normal forces, the column stays empty until `fill_from_stresses`.
-/// `Recording::left_out` lists the intervals that lack a column, the rows that lack a value, and
-/// the intervals for which `format` states a role other than steady.
+/// If the file lacks torques, normal forces or angular velocities, the column stays empty until
+/// `fill_from_stresses`. `Recording::left_out` lists the intervals that lack a column, the rows
+/// that lack a value, and the intervals for which `format` states a role other than steady.
 /// @throws InputError at file:line:column if a required column is missing, a unit or number is
 ///         invalid, a gap is not positive, an interval is not a whole number, time goes back within
 ///         an interval, or the layout cannot be read
@@ -45,8 +45,8 @@ Recording read_recording(const std::filesystem::path& path, const FileFormat& fo
 /// `read_recording`.
 Recording recording_of(const BlockFile& file, const FileFormat& format);
 
-/// Computes torques from shear stresses, and normal forces from normal stresses, where a recording
-/// lacks them.
+/// Computes torques from shear stresses, normal forces from normal stresses, and angular velocities
+/// from speeds at the mean radius (Ri + Re)/2, where a recording lacks them.
 void fill_from_stresses(Recording& recording, const AnnularCell& cell);
 
 /// Splits a recording into steps, in the order of the rows. A step begins at each new value in the

@@ -23,8 +23,8 @@ Value or_else(Function function, Value otherwise) {
     }
 }
 
-/// Columns in which a recording needs a value in every row: torque and normal force, or the
-/// stresses that stand in for them.
+/// Columns in which a recording needs a value in every row: torque, normal force and angular
+/// velocity, or the stresses and the speed at the mean radius that stand in for them.
 /// @throws InputError at the header if a column is missing
 std::vector<std::string_view> needed_columns(const Columns& columns) {
     constexpr std::pair<std::string_view, std::string_view> all[] = {
@@ -32,10 +32,11 @@ std::vector<std::string_view> needed_columns(const Columns& columns) {
         {"torque", "shear_stress"},
         {"normal_force", "normal_stress"},
         {"height", ""},
-        {"angular_velocity", ""}};
+        {"angular_velocity", "shear_velocity"}};
     std::vector<std::string_view> names;
     for (const auto& [name, stand_in] : all) {
-        names.push_back(!columns.has(name) && columns.has(stand_in) ? stand_in : name);
+        names.push_back(!columns.has(name) && !stand_in.empty() && columns.has(stand_in) ? stand_in
+                                                                                         : name);
         columns.require(names.back());
     }
     return names;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "data/files/column_names.h"
+#include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
@@ -59,9 +60,12 @@ Layout plain_layout() {
                 Block block;
                 block.table = table_of(source.file, source.lines);
                 refuse_lists(block.table);
-                for (const Cell& cell : block.table.header.cells) {
-                    const HeaderCell parts = parse_header_cell(cell.text);
-                    const Quantity* const quantity = find_quantity(parts.name);
+                const Row written = block.table.header;
+                use_names_of_quantities(block.table.header);
+                for (std::size_t i = 0; i < written.cells.size(); ++i) {
+                    const HeaderCell parts = parse_header_cell(written.cells[i].text);
+                    const Quantity* const quantity =
+                        find_quantity(parse_header_cell(block.table.header.cells[i].text).name);
                     block.columns.push_back({parts.name, parts.unit,
                                              quantity ? std::string(quantity->name) : "",
                                              std::string(set_point_of(parts.name, parts.unit))});

@@ -1,0 +1,134 @@
+// Names and units of columns as people and instruments write them.
+#include "data/files/column_names.h"
+
+#include <gmock/gmock.h>
+
+#include "data/annular_cell.h"
+#include "data/recordings/file_view.h"
+#include "data/recordings/recording.h"
+#include "tests/support/golden.h"
+
+namespace pendular::data_column_names_test {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+std::string parts(std::string_view text) {
+    const HeaderCell cell = parse_header_cell(text);
+    return cell.name + "|" + cell.unit;
+}
+
+TEST(HeaderCellWithoutBrackets, HasItsUnitBehindASlashACommaOrAWord) {
+    EXPECT_EQ(parts("Torque / mNm"), "Torque|mNm");
+    EXPECT_EQ(parts("Torque/mNm"), "Torque|mNm");
+    EXPECT_EQ(parts("Angular velocity / rad/s"), "Angular velocity|rad/s");
+    EXPECT_EQ(parts("Angular velocity/rad/s"), "Angular velocity|rad/s");
+    EXPECT_EQ(parts("Drehmoment, mNm"), "Drehmoment|mNm");
+    EXPECT_EQ(parts("Drehmoment in mNm"), "Drehmoment|mNm");
+    EXPECT_EQ(parts("Couple en mNm"), "Couple|mNm");
+    EXPECT_EQ(parts("Load cell / N"), "Load cell|N");  // an unknown name
+    EXPECT_EQ(parts("Time / h"), "Time|h");            // an hour, not the height
+    EXPECT_EQ(parse_header_cell("Torque_sd / mNm").mark, ErrorMark::standard_deviation);
+}
+
+TEST(HeaderCellWithoutBrackets, KeepsSlashesAndCommasOfNames) {
+    for (const char* const name : {"phi_L/phi_S", "shear_stress/normal_stress", "Time, sequence",
+                                   "Torque / normal force", "Date/Time", "a, b", "G'/G''"})
+        EXPECT_EQ(parts(name), std::string(name) + "|");
+}
+
+TEST(ColumnMeaningTest, HoldsInFiveLanguages) {
+    const auto meaning = [](const char* name, const char* unit) {
+        return meaning_of_column(name, unit).quantity;
+    };
+    for (const char* const name : {"Torque", "Drehmoment", "Couple", "Par de torsión", "Coppia"})
+        EXPECT_EQ(meaning(name, "mNm"), "torque") << name;
+    EXPECT_EQ(meaning("Drehzahl", "U/min"), "rotational_speed");
+    EXPECT_EQ(meaning("Vitesse de rotation", "tr/min"), "rotational_speed");
+    EXPECT_EQ(meaning("Numero di giri", "giri/min"), "rotational_speed");
+    EXPECT_EQ(meaning("Schergeschwindigkeit", "1/s"), "shear_rate");
+    EXPECT_EQ(meaning("Schergeschwindigkeit", "mm/min"), "shear_velocity");
+    EXPECT_EQ(meaning("Drehmoment", "N"), "");
+}
+
+class TableOfOnesOwn : public testing::Test {
+  protected:
+    std::filesystem::path write(const std::string& header, const std::string& rows) {
+        return folder_.write("t.csv", header + "\n" + rows);
+    }
+    TemporaryFolder folder_;
+};
+
+constexpr const char* semicolons =
+    "0;20,1;5,0;6,20;2,0\n1;20,2;5,0;6,21;2,0\n2;20,3;5,0;6,20;2,0\n";
+
+TEST_F(TableOfOnesOwn, IsReadInAnyLanguageAndWritingOfUnits) {
+    for (const char* const header :
+         {"Zeit [s];Drehmoment [mNm];Normalkraft [N];Spalt [mm];Drehzahl [1/min]",
+          "Zeit in s;Drehmoment in mNm;Normalkraft in N;Spalt in mm;Drehzahl in U/min",
+          "Temps (s);Couple (mN.m);Force normale (N);Entrefer (mm);Vitesse de rotation (tr/min)",
+          "Zeit, s;Drehmoment, mNm;Normalkraft, N;Spalt, mm;Drehzahl, U/min",
+          "Time / s;Torque / mNm;Normal force / N;Gap / mm;Speed / rpm",
+          "Zeit/s;Drehmoment/mNm;Normalkraft/N;Spaltweite/mm;Drehzahl/U/min",
+          "Tiempo [s];Par de torsión [mNm];Fuerza normal [N];Altura [mm];Velocidad de giro [rpm]",
+          "Tempo [s];Coppia [mNm];Forza normale [N];Traferro [mm];Numero di giri [giri/min]"}) {
+        const FileView view = view_of_file(write(header, semicolons));
+        EXPECT_THAT(view.missing, IsEmpty()) << header;
+        const Recording recording = read_recording(write(header, semicolons));
+        ASSERT_EQ(recording.size(), 3u) << header;
+        EXPECT_NEAR(recording.torque[1], 20.2e-3, 1e-12) << header;
+        EXPECT_NEAR(recording.height[1], 6.21e-3, 1e-12) << header;
+        EXPECT_NEAR(recording.angular_velocity[1], 2 * 2 * M_PI / 60, 1e-12) << header;
+    }
+}
+
+TEST_F(TableOfOnesOwn, IsReadRowByRowToo) {
+    const auto path = write("Zeit [s],Drehmoment / mNm,Normalkraft [N],Spalt [mm],Drehzahl [U/min]",
+                            "0,20.1,5.0,6.20,2.0\n1,20.2,5.0,6.21,2.0\n2,20.3,5.0,6.20,2.0\n");
+    const auto recording = quick_recording(path, {}, 1000);
+    ASSERT_TRUE(recording);
+    EXPECT_NEAR(recording->torque[2], 20.3e-3, 1e-12);
+    EXPECT_THAT(recording->unused_columns, IsEmpty());
+}
+
+TEST_F(TableOfOnesOwn, KeepsTheColumnThatItNamesInTheProgramsWords) {
+    const auto path = write(
+        "Time [s],Zeit [s],Torque [mN m],Stress [Pa],Normal force [N],Gap [mm],"
+        "Speed [rpm]",
+        "0,9,20.1,1,5.0,6.20,2.0\n1,8,20.2,2,5.0,6.21,2.0\n");
+    const Recording recording = read_recording(path);
+    EXPECT_THAT(recording.time, ElementsAre(0, 1));
+    EXPECT_THAT(recording.shear_stress, IsEmpty());  // "Stress" may be the normal stress
+}
+
+/// The speed v at the mean radius (Ri + Re)/2 is that of omega = 2 v/(Ri + Re).
+TEST_F(TableOfOnesOwn, MayHaveTheSpeedAtTheMeanRadius) {
+    const auto path =
+        write("Time [s],Torque [mN m],Normal force [N],Gap [mm],Shear velocity [mm/min]",
+              "0,20.1,5.0,6.20,3.0\n1,20.2,5.0,6.21,3.0\n2,20.3,5.0,6.20,3.0\n");
+    EXPECT_THAT(view_of_file(path).missing, IsEmpty());
+    Recording recording = read_recording(path);
+    EXPECT_THAT(recording.angular_velocity, IsEmpty());
+    AnnularCell cell;
+    cell.inner_radius = 0.02, cell.outer_radius = 0.04;
+    fill_from_stresses(recording, cell);
+    ASSERT_THAT(recording.angular_velocity, SizeIs(3));
+    EXPECT_NEAR(recording.angular_velocity[0], 3e-3 / 60 / 0.03, 1e-12);
+}
+
+TEST_F(TableOfOnesOwn, IsToldOfColumnsInTheUnitOfAMissingQuantity) {
+    const FileView view = view_of_file(write(
+        "Time [s],Reading [mN m],Normal force [N],Gap [mm],Velocity [mm/min],Stroke [mm],Room [K]",
+        "0,20.1,5.0,6.20,3.0,1,300\n1,20.2,5.0,6.21,3.0,1,300\n"));
+    EXPECT_THAT(view.missing, ElementsAre("torque or shear stress", "speed of the lid"));
+    std::vector<std::string> found;  // the gap is not missing, so that a stroke is left alone
+    for (const BlockColumn& column : view.candidates)
+        found.push_back(column.name + " [" + column.unit + "] " + column.quantity);
+    EXPECT_THAT(found, ElementsAre("Reading [mN m] torque", "Velocity [mm/min] shear_velocity"));
+    const auto speed =
+        write("Time [s],Torque [mN m],Normal force [N],Gap [mm],Speed [mm/min]", "0,1,1,1,1\n");
+    expect_told({input_error([&] { view_of_file(speed); })});
+}
+
+}  // namespace pendular::data_column_names_test
