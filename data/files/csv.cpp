@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "data/files/markup.h"
 #include "data/files/text_file.h"
 #include "data/quantities/number.h"
 
@@ -194,6 +195,7 @@ Row split_cells(std::string_view line, char delimiter, const Position& at, Inner
 
 Table read_table(const std::filesystem::path& path) {
     const std::string text = read_text(path);
+    refuse_markup(path, text);
     return table_of(path.string(), split_lines(text));
 }
 

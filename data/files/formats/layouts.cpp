@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "data/files/markup.h"
 #include "data/files/text_file.h"
 #include "data/files/workbook.h"
 
@@ -35,7 +36,9 @@ DecodedText text_of_file(const std::filesystem::path& path, const FileFormat& fo
         throw InputError({path.string()},
                          "is no workbook (.xlsx), so that 'sheet' cannot name a "
                          "part of it; leave 'sheet' out");
-    return decode_bytes(bytes, path, format.encoding);
+    DecodedText decoded = decode_bytes(bytes, path, format.encoding);
+    refuse_markup(path, decoded.text);
+    return decoded;
 }
 
 }  // namespace
