@@ -1,5 +1,8 @@
 #include "data/recordings/file_view.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <string_view>
 
@@ -57,6 +60,28 @@ std::vector<BlockColumn> candidates(const FileView& view) {
     return found;
 }
 
+/// @throws InputError if no column of a file is read
+void refuse_unused_file(const BlockFile& file) {
+    std::vector<std::string> names;
+    for (const Block& block : file.blocks) {
+        for (const BlockColumn& column : block.columns) {
+            if (!column.quantity.empty()) return;
+            if (&block != &file.blocks.front() || column.name.empty()) continue;
+            names.push_back(column.unit.empty() ? column.name
+                                                : fmt::format("{} [{}]", column.name, column.unit));
+        }
+    }
+    constexpr std::size_t most = 8;
+    const bool more = names.size() > most;
+    if (more) names.resize(most);
+    throw InputError(
+        {file.file, file.blocks.front().table.header.line},
+        fmt::format("no column is read, since none has the name and the unit of a quantity: "
+                    "'{}'{}; write names and units like 'Time [s]', 'Torque [mN m]' into this "
+                    "line, or remove it if the names are in another",
+                    fmt::join(names, "', '"), more ? ", ..." : ""));
+}
+
 /// Divides a table with a column of intervals into one block per interval.
 void split_by_interval(BlockFile& file) {
     if (file.blocks.size() != 1) return;
@@ -90,6 +115,7 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
                       const std::optional<AnnularCell>& study_cell) {
     FileView view;
     view.file = read_blocks(path, format);
+    refuse_unused_file(view.file);
     split_by_interval(view.file);
     for (const Block& block : view.file.blocks)
         view.series.push_back(series_of(block));

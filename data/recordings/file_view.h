@@ -65,8 +65,8 @@ struct FileView {
 /// Reads and examines a file of measurements. A table with a column of interval numbers is divided
 /// into intervals.
 /// @param study_cell cell of a study, compared with the header of the file; empty: no comparison
-/// @throws InputError if the file cannot be read, its layout or a value is malformed, or a unit is
-///         missing or wrong
+/// @throws InputError if the file cannot be read, its layout or a value is malformed, a unit is
+///         missing or wrong, or no column is read
 FileView view_of_file(const std::filesystem::path& path, const FileFormat& format = {},
                       const std::optional<AnnularCell>& study_cell = std::nullopt);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "data/files/formats/preamble.h"
 #include "data/files/markup.h"
 #include "data/files/text_file.h"
 #include "data/files/workbook.h"
@@ -67,10 +68,12 @@ const std::vector<std::string>& interval_roles() {
 
 BlockFile read_blocks(const std::filesystem::path& path, const FileFormat& format) {
     const DecodedText decoded = text_of_file(path, format);
-    const SourceLines source{path.string(), split_lines(decoded.text)};
+    SourceLines source{path.string(), split_lines(decoded.text)};
     BlockFile file;
     file.file = source.file;
     file.encoding = decoded.encoding;
+    const std::string first = layout_of(source, format).name;
+    if (first == "plain" || first == "unit-row") take_preamble(source, file);
     const Layout& layout = layout_of(source, format);
     file.layout = layout.name;
     layout.read(source, format, file);

@@ -1,0 +1,129 @@
+#include "data/files/formats/preamble.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "data/files/column_names.h"
+#include "data/quantities/number.h"
+
+namespace pendular {
+namespace {
+
+/// Lines among which the names are sought, more than the headers of instruments have, and their
+/// cells, as many as a table has columns: a name takes some microseconds to look up.
+constexpr std::size_t most_lines = 200, most_cells_examined = 1000;
+
+/// A line above the rows of numbers, with the kinds of its cells.
+struct ExaminedLine {
+    std::size_t index = 0;
+    std::size_t cells = 0;
+    std::size_t numbers = 0, units = 0, texts = 0;
+    bool comment = false;
+
+    std::size_t filled() const { return numbers + units + texts; }
+    /// Whether the line may be a row of the table, which may also have a status or a date.
+    bool is_row() const { return numbers >= 2 && numbers >= texts && units == 0; }
+};
+
+ExaminedLine examined(const Row& row, std::size_t index) {
+    ExaminedLine line{.index = index, .cells = row.cells.size()};
+    line.comment = row.cells[0].text.starts_with('#');
+    for (const auto& [text, column] : row.cells) {
+        if (text.empty()) continue;
+        if (parse_number(text) || has_decimal_comma(text))
+            ++line.numbers;
+        else if (text.starts_with('[') && text.ends_with(']'))
+            ++line.units;
+        else
+            ++line.texts;
+    }
+    return line;
+}
+
+/// Lines that are not blank up to the first row of the table, which is the last of them. That is
+/// the first of two rows in succession with as many cells. Empty if there is none.
+std::vector<ExaminedLine> lines_above_rows(const SourceLines& source, char delimiter) {
+    std::vector<ExaminedLine> lines;
+    for (std::size_t i = 0; i < std::min(source.lines.size(), most_lines); ++i) {
+        if (source.lines[i].find_first_not_of(" \t,;\r") == std::string_view::npos) continue;
+        const ExaminedLine line = examined(source.row(i, delimiter), i);
+        if (line.cells > most_cells_examined) return {};
+        const bool follows = !lines.empty() && lines.back().is_row() && line.is_row() &&
+                             lines.back().cells == line.cells;
+        if (follows) return lines;
+        lines.push_back(line);
+    }
+    const bool single =
+        source.lines.size() <= most_lines && !lines.empty() && lines.back().is_row();
+    if (!single) lines.clear();
+    return lines;
+}
+
+/// Number of the cells of a line that name quantities.
+std::ptrdiff_t named_quantities(const Row& row) {
+    return std::ranges::count_if(row.cells, [](const Cell& cell) {
+        const HeaderCell parts = parse_header_cell(cell.text);
+        return !meaning_of_column(parts.name, parts.unit).quantity.empty();
+    });
+}
+
+/// Index in `lines` of the names of the columns.
+std::optional<std::size_t> place_of_names(const SourceLines& source, char delimiter,
+                                          const std::vector<ExaminedLine>& lines) {
+    std::optional<std::size_t> place;
+    std::ptrdiff_t most = -1;
+    for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
+        const ExaminedLine& line = lines[k];
+        const bool as_many = line.texts >= 2 && line.texts + 1 >= lines.back().filled();
+        if (line.comment || line.numbers > 0 || !as_many) continue;
+        const std::ptrdiff_t named = named_quantities(source.row(line.index, delimiter));
+        if (named > most) place = k, most = named;
+    }
+    return place;
+}
+
+/// Adds what a line of a preamble states. Commas and the like after the value are empty cells.
+void add_stated(const Row& row, BlockFile& file) {
+    std::vector<std::string_view> filled;
+    for (const Cell& cell : row.cells)
+        if (!cell.text.empty()) filled.emplace_back(cell.text);
+    if (filled.empty()) return;
+    std::string_view key = filled[0];
+    while (key.starts_with('#'))
+        key = trimmed(key.substr(1));
+    std::string value;
+    if (const std::size_t mark = key.find_first_of(":="); mark != std::string_view::npos) {
+        value = trimmed(key.substr(mark + 1));
+        key = trimmed(key.substr(0, mark));
+    }
+    for (std::size_t i = 1; i < filled.size(); ++i) {
+        if (!value.empty()) value += ' ';
+        value += filled[i];
+    }
+    if (!key.empty() && !value.empty()) file.add_fact({std::string(key), value, row.line});
+}
+
+}  // namespace
+
+void take_preamble(SourceLines& source, BlockFile& file) {
+    const char delimiter = consistent_delimiter(source, 0, source.lines.size());
+    std::vector<ExaminedLine> lines;
+    try {
+        lines = lines_above_rows(source, delimiter);
+    } catch (const InputError&) {  // a quote, on which the layout has its say
+        return;
+    }
+    const auto names = place_of_names(source, delimiter, lines);
+    if (!names || *names == 0) return;
+    // The layout "plain" passes over comments, but that with a row of units does not.
+    const auto above = std::span(lines).first(*names);
+    const bool comments = std::ranges::all_of(above, &ExaminedLine::comment);
+    const ExaminedLine& next = lines[*names + 1];
+    if (comments && (next.units == 0 || next.texts > 0)) return;
+    for (const ExaminedLine& line : above) {
+        add_stated(source.row(line.index, delimiter), file);
+        source.lines[line.index] = {};
+    }
+}
+
+}  // namespace pendular
