@@ -81,4 +81,30 @@ TEST_F(Preamble, OfAFileWithoutNamesIsRefused) {
                  input_error([&] { view_of_file(write("a,b [mm],c\n0,1,2\n1,2,3\n")); })});
 }
 
+TEST_F(Preamble, MayContinueBetweenNamesAndUnits) {
+    const auto path = write(
+        "Point No.\tTime\tTorque\tNormal Force\tGap\tSpeed\n\tWaveform\tWaveform\t\t\t\n"
+        "\t[s]\t[N·m]\t[N]\t[mm]\t[1/min]\n"
+        "1\t0\t0.0201\t5.0\t6.20\t2.0\n2\t1\t0.0202\t5.0\t6.21\t2.0\n");
+    EXPECT_THAT(view_of_file(path).missing, IsEmpty());
+    const Recording recording = read_recording(path);
+    ASSERT_EQ(recording.size(), 2u);
+    EXPECT_NEAR(recording.torque[0], 0.0201, 1e-12);
+    EXPECT_EQ(recording.line[0], 4);
+}
+
+TEST_F(Preamble, LeavesUnitsInTheHeaderOfCountedPoints) {
+    const std::string rows = "1\t0\t0.0201\t5.0\t6.20\t2.0\n2\t1\t0.0202\t5.0\t6.21\t2.0\n";
+    const Recording recording = read_recording(
+        write("Point No.\tZeit [s]\tDrehmoment / N m\tNormalkraft [N]\tSpalt [mm]\tDrehzahl "
+              "[U/min]\n" +
+              rows));
+    EXPECT_THAT(recording.torque, SizeIs(2));
+    EXPECT_NEAR(recording.torque[0], 0.0201, 1e-12);
+    // The line to paste keeps the unit that the file states.
+    expect_told({input_error([&] {
+        read_blocks(write("Point No.\tTime\tTorque [N m]\tNormal force\tGap [mm]\tSpeed\n" + rows));
+    })});
+}
+
 }  // namespace pendular::data_preamble_test

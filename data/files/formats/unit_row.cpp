@@ -22,19 +22,43 @@ bool is_unit_row(const Row& row) {
     return units > 0;
 }
 
+/// Index of the line of units below the names of the line `header`; the number of lines if there is
+/// none. Up to two lines of remarks, such as "Waveform", may stand between.
+std::size_t line_of_units(const SourceLines& source, std::size_t header, char delimiter) {
+    std::size_t line = header;
+    for (int between = 0; between < 3; ++between) {
+        line = first_filled_line(source, line + 1);
+        if (line >= source.lines.size()) break;
+        const Row row = source.row(line, delimiter);
+        if (is_unit_row(row)) return line;
+        const bool numbers = std::ranges::any_of(row.cells, [](const Cell& cell) {
+            return parse_number(cell.text) || has_decimal_comma(cell.text);
+        });
+        if (numbers) break;
+    }
+    return source.lines.size();
+}
+
 bool is_unit_row_table(const SourceLines& source) {
     const std::size_t header = first_filled_line(source, 0);
     const std::size_t next = first_filled_line(source, header + 1);
     if (next >= source.lines.size()) return false;
     const char delimiter = consistent_delimiter(source, next, source.lines.size());
     const Row names = source.row(header, delimiter);
-    return is_unit_row(source.row(next, delimiter)) || counts_points(names.cells[0].text);
+    return counts_points(names.cells[0].text) ||
+           line_of_units(source, header, delimiter) < source.lines.size();
 }
 
-/// A line such as `Point [1]`, `Time [s]` that a user may paste to state units.
-std::string suggested_columns(const std::vector<std::string>& names) {
+/// A line such as `Point [1]`, `Time [s]` that a user may paste to state units. Units that the file
+/// states are kept.
+std::string suggested_columns(const NamesAndUnits& columns) {
     std::vector<std::string> cells;
-    for (const std::string& name : names) {
+    for (std::size_t i = 0; i < columns.names.size(); ++i) {
+        const std::string& name = columns.names[i];
+        if (!columns.units[i].empty()) {
+            cells.push_back(fmt::format("\"{} [{}]\"", name, columns.units[i]));
+            continue;
+        }
         const std::string_view quantity = meaning_of_column(name, "").quantity;
         const char* const unit = quantity == "time"               ? "s"
                                  : quantity == "height"           ? "mm"
@@ -50,38 +74,65 @@ std::string suggested_columns(const std::vector<std::string>& names) {
     return fmt::format("columns = [{}]", fmt::join(cells, ", "));
 }
 
+/// Names and units in the header cells, such as "Torque [mN m]".
+NamesAndUnits columns_of(const Row& header) {
+    NamesAndUnits columns;
+    for (const Cell& cell : header.cells) {
+        HeaderCell parts = parse_header_cell(cell.text);
+        // Only where the cell states a unit is the end of its text no part of the name.
+        columns.names.push_back(parts.unit.empty() ? cell.text : std::move(parts.name));
+        columns.units.push_back(std::move(parts.unit));
+    }
+    return columns;
+}
+
+/// Names in the header cells with the units of a row below.
+NamesAndUnits columns_of(const Row& header, const Row& units) {
+    NamesAndUnits columns;
+    for (const Cell& cell : header.cells)
+        columns.names.push_back(cell.text);
+    for (const Cell& cell : units.cells)
+        columns.units.push_back(bare_unit(cell.text));
+    return columns;
+}
+
+/// Whether a column that names a quantity has no unit.
+bool lacks_unit(const NamesAndUnits& columns) {
+    for (std::size_t i = 0; i < columns.names.size(); ++i)
+        if (columns.units[i].empty() && !counts_points(columns.names[i]) &&
+            !meaning_of_column(columns.names[i], "").quantity.empty())
+            return true;
+    return std::ranges::all_of(columns.units, &std::string::empty);
+}
+
 void read_unit_row_table(const SourceLines& source, const FileFormat& format, BlockFile& file) {
     const std::size_t first = first_filled_line(source, 0);
     if (first == source.lines.size()) throw InputError({source.file}, "is empty");
     std::size_t next = first_filled_line(source, first + 1);
     file.delimiter = consistent_delimiter(source, next, source.lines.size());
     const Row header = source.row(first, file.delimiter);
-    std::vector<std::string> names, units;
-    for (const Cell& cell : header.cells)
-        names.push_back(cell.text);
-    const Row second = source.row(std::min(next, source.lines.size() - 1), file.delimiter);
-    if (is_unit_row(second)) {
-        ++next;
-        for (const Cell& cell : second.cells)
-            units.push_back(bare_unit(cell.text));
-    }
+    const std::size_t units = line_of_units(source, first, file.delimiter);
+    const bool has_units = units < source.lines.size();
+    NamesAndUnits columns =
+        has_units ? columns_of(header, source.row(units, file.delimiter)) : columns_of(header);
+    if (has_units) next = units + 1;
     if (!format.columns.empty()) {
-        if (format.columns.size() != names.size())
+        if (format.columns.size() != columns.names.size())
             throw InputError(
                 {source.file, header.line},
                 fmt::format("the header has {} columns, 'columns' states {}; state all",
-                            names.size(), format.columns.size()));
-        const NamesAndUnits stated = stated_columns(format);
-        names = stated.names;
-        units = stated.units;
+                            columns.names.size(), format.columns.size()));
+        columns = stated_columns(format);
+    } else if (!has_units && lacks_unit(columns)) {
+        const bool none = std::ranges::all_of(columns.units, &std::string::empty);
+        throw InputError(
+            {source.file, header.line},
+            fmt::format("has names {}; state them in [[recording]], or for "
+                        "one file by --columns, "
+                        "corrected where these guesses are wrong: {}",
+                        none ? "but no units" : "without units", suggested_columns(columns)));
     }
-    if (units.empty())
-        throw InputError({source.file, header.line},
-                         fmt::format("has names but no units; state them in [[recording]], or for "
-                                     "one file by --columns, "
-                                     "corrected where these guesses are wrong: {}",
-                                     suggested_columns(names)));
-    read_stacked_rows(source, next, header, {names, units}, file);
+    read_stacked_rows(source, next, header, columns, file);
 }
 
 }  // namespace
