@@ -226,8 +226,7 @@ std::string without_prefixes(const std::string& spelling, const Unit& unit, std:
             if (!begins_word || spelling.compare(at, prefix.size(), prefix) != 0) continue;
             const std::string shorter =
                 spelling.substr(0, at) + spelling.substr(at + prefix.size());
-            if (const auto found = without_prefixes(shorter, unit, at + 1); !found.empty())
-                return found;
+            if (auto found = without_prefixes(shorter, unit, at + 1); !found.empty()) return found;
         }
     }
     return "";

@@ -80,7 +80,7 @@ NamesAndUnits columns_of(const Row& header) {
     for (const Cell& cell : header.cells) {
         HeaderCell parts = parse_header_cell(cell.text);
         // Only where the cell states a unit is the end of its text no part of the name.
-        columns.names.push_back(parts.unit.empty() ? cell.text : std::move(parts.name));
+        columns.names.push_back(parts.unit.empty() ? cell.text : parts.name);
         columns.units.push_back(std::move(parts.unit));
     }
     return columns;
