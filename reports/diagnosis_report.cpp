@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "reports/failure_report.h"
+#include "reports/fit_report.h"
 #include "reports/tables.h"
 #include "reports/with_error.h"
 #include "reports/words.h"
@@ -360,11 +361,10 @@ std::string inexactness_line(const StudyDiagnosis& study, const Study& stated) {
     const double ratio = study.discrepancy[0];
     std::string line;
     if (study.discrepancy != stated.model.discrepancy)
-        line = fmt::format(
+        line =
             "The best explanation leaves differences between conditions: the model counts as "
-            "inexact "
-            "by {:.2g} % of the stress ratio and {:.2g} % of the solid fraction.",
-            100 * ratio, 100 * study.discrepancy[1]);
+            "inexact by " +
+            discrepancy_text(study.discrepancy) + ".";
     const bool named = d.verdict == Verdict::missing || d.verdict == Verdict::indistinguishable ||
                        d.verdict == Verdict::unknown;
     if (named && d.holds_up_to > 0 && ratio > 0)

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <numbers>
+#include <ranges>
 #include <string_view>
 #include <tuple>
 
@@ -263,10 +264,18 @@ std::string missing_sentence(const FileView& view) {
         text += " Its points of failure need only the stresses.";
     else
         text += " Export these columns too.";
-    for (const BlockColumn& column : view.candidates)
-        text += fmt::format(
-            " Column '{0} [{1}]' is not used; if it is the {2}, name it '{3} [{1}]' in the file.",
-            column.name, column.unit, quantity(column.quantity).meaning, column.quantity);
+    constexpr std::size_t most = 4;  // of many columns in pascals, none is more likely than another
+    for (const BlockColumn& column : view.candidates | std::views::take(most)) {
+        // Units of the other layouts stand in a row of their own.
+        const std::string name = view.file.layout == "plain"
+                                     ? fmt::format("{} [{}]", column.quantity, column.unit)
+                                     : column.quantity;
+        text +=
+            fmt::format(" Column '{} [{}]' is not used; if it is the {}, name it '{}' in the file.",
+                        column.name, column.unit, quantity(column.quantity).meaning, name);
+    }
+    if (view.candidates.size() > most)
+        text += fmt::format(" {} further columns are not used.", view.candidates.size() - most);
     return text;
 }
 

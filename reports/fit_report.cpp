@@ -39,6 +39,13 @@ void add_limits(Output& output, const std::vector<dem::RunResult>& runs,
     }
 }
 
+std::string discrepancy_text(const std::array<double, 2>& discrepancy) {
+    const std::string ratio = fmt::format("{:.2g} % of the stress ratio", 100 * discrepancy[0]);
+    return discrepancy[1] > 0
+               ? fmt::format("{} and {:.2g} % of the solid fraction", ratio, 100 * discrepancy[1])
+               : ratio;
+}
+
 namespace {
 
 /// Sentence on the simulations that a calibration's emulator was trained on.
@@ -83,8 +90,8 @@ std::string inexact_model(const Calibration& c) {
                                  : "an inexact model";
 }
 
-/// Text of a fitted parameter after its name: "0.1204 +- 0.0019 (0.0017 from the readings, 0.00084
-/// from the simulations)".
+/// Text of a fitted parameter after its name: "0.1205 +- 0.0023 (0.0017 from the readings, 0.00081
+/// from the simulations, 0.0012 from an inexact model)".
 std::string estimate_text(const Calibration& c, std::size_t k) {
     const auto i = static_cast<Eigen::Index>(k);
     const std::string& unit = c.parameters[k].unit;
@@ -143,23 +150,16 @@ std::string with_effects(const ModelSettings& model) {
                                                joined(names_of(model.effects), "and"));
 }
 
-/// "0.3 % of the stress ratio and 0.05 % of the solid fraction".
-std::string discrepancy_text(const std::array<double, 2>& discrepancy) {
-    const std::string ratio = fmt::format("{:.2g} % of the stress ratio", 100 * discrepancy[0]);
-    return discrepancy[1] > 0
-               ? fmt::format("{} and {:.2g} % of the solid fraction", ratio, 100 * discrepancy[1])
-               : ratio;
-}
-
-/// How well the model describes the fitted readings, as the end of an answer that states the fit.
+/// How well the model describes the fitted readings, in sentences; empty where nothing tests it.
 std::string agreement_text(const Calibration& c, const Belief& belief) {
     const Agreement& fitted = belief.fitted;
-    if (replicate_groups(c.readings).size() < 2) return "";  // nothing tests the model
+    if (replicate_groups(part(c.readings, 0, c.fitted)).size() < 2)
+        return "";  // nothing tests the model
     const bool nearly = fitted.degree() == Agreement::Degree::nearly;
     std::string text;
     if (nearly)
         text = fmt::format(
-            " The model describes the fitted readings only with an error of {}, more than "
+            "The model describes the fitted readings only with an error of {}, more than "
             "independent "
             "codes differ by, which the standard error contains; it misses the shear stress by "
             "{:.2g} "
@@ -167,7 +167,7 @@ std::string agreement_text(const Calibration& c, const Belief& belief) {
             discrepancy_text(fitted.discrepancy), fitted.rms_percent[0], fitted.rms_percent[1]);
     else if (fitted.discrepancy != std::array{0.0, 0.0})
         text = fmt::format(
-            " The model describes the fitted readings within their errors and an error of the "
+            "The model describes the fitted readings within their errors and an error of the "
             "model of "
             "{}, {}.",
             discrepancy_text(fitted.discrepancy),
@@ -175,17 +175,23 @@ std::string agreement_text(const Calibration& c, const Belief& belief) {
                                        : "about what independent codes differ by");
     if (belief.predicted && belief.predicted->degree() == Agreement::Degree::nearly)
         text += fmt::format(
-            " It describes the {} readings that were predicted, not fitted, only with an error of "
+            "{}It describes the {} readings that were predicted, not fitted, only with an error of "
             "{}.",
-            belief.predicted->readings, discrepancy_text(belief.predicted->discrepancy));
+            text.empty() ? "" : " ", belief.predicted->readings,
+            discrepancy_text(belief.predicted->discrepancy));
     return text;
+}
+
+/// Whether a reason against the fit states chi2 of the readings that were predicted.
+bool states_misfit_of_predicted(const Belief& belief) {
+    return belief.predicted && belief.predicted->degree() == Agreement::Degree::fails;
 }
 
 /// First sentences on a fit: its friction, and what it may be used for.
 std::string answer_of(const Calibration& c, const Belief& belief) {
     const std::string first = estimate_text(c, 0);
     if (belief.believable())
-        return fmt::format("Fitted: {} = {}.{}", c.parameters[0].name, first,
+        return fmt::format("Fitted: {} = {}. {}", c.parameters[0].name, first,
                            agreement_text(c, belief));
     if (belief.for_fitted_only)
         return fmt::format("Fitted to the {} readings, and not to be used for others: {} = {}. {}",
@@ -226,9 +232,9 @@ Output calibration_output(const FittedStudy& result, const Measurements& measure
     add_limits(output, c.runs, c.readings, c.fit.parameters(0));
     output.line(basis_of(c));
     if (c.fitted < c.readings.size()) {
-        output.line(fmt::format("{} wet readings are predicted {}: {}.",
-                                c.readings.size() - c.fitted, source_of_wet(c),
-                                misfit_text(comparison.predicted)));
+        output.line(fmt::format(
+            "{} wet readings are predicted {}{}.", c.readings.size() - c.fitted, source_of_wet(c),
+            states_misfit_of_predicted(belief) ? "" : ": " + misfit_text(comparison.predicted)));
     }
     if (all) output.table(predictions_table(comparison), 0);
     output.table(cohesion_table(c.cohesion_lines), 8);
@@ -267,9 +273,9 @@ Output comparison_output(const FittedStudy& compared, const WhereItFails& where,
                                  : warning_on(belief, "the fitted friction coefficient")));
     const std::string text = agreement_text(c, belief);
     if (belief.believable() && comparison.total.p() < significant_p && !text.empty())
-        output.line(text.substr(1));
+        output.line(text);
     add_doubts(output, belief, 1);
-    if (c.fitted < c.readings.size()) {
+    if (c.fitted < c.readings.size() && !states_misfit_of_predicted(belief)) {
         output.line(fmt::format("Readings that were predicted, not fitted: {}.",
                                 misfit_text(comparison.predicted)));
     }

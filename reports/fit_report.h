@@ -9,6 +9,9 @@
 
 namespace pendular {
 
+/// Returns a discrepancy as text: "0.4 % of the stress ratio and 0.06 % of the solid fraction".
+std::string discrepancy_text(const std::array<double, 2>& discrepancy);
+
 /// Returns a warning against the use of a fit, with the most serious reason in `belief`: "Do not
 /// use the fitted intergranular friction coefficient, 0.196 +- 0.005. The model does not describe
 /// ...". Empty if there is no reason against the fit.

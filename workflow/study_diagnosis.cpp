@@ -10,7 +10,6 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/diagnosis/explanations.h"
 #include "analysis/diagnosis/inexact_diagnosis.h"
 #include "analysis/diagnosis/likely_discrepancy.h"
 #include "analysis/diagnosis/study_evidence.h"
@@ -84,26 +83,24 @@ std::function<void(std::string_view, std::size_t, std::size_t)> progress_of(
 
 /// Diagnoses a study whose models and evidence are set. Returns how well its model describes the
 /// readings with the expected discrepancy, as `calibrate` and `compare` judge.
-Agreement diagnose_into(StudyDiagnosis& result, const Study& study,
+Agreement diagnose_into(StudyDiagnosis& result, const ModelSettings& model,
                         const DiagnosisOptions& options) {
-    const std::array<double, 2>& expected = study.model.discrepancy;
-    InexactDiagnosis found =
-        study.model.discrepancy_stated
-            ? InexactDiagnosis{diagnose(*result.models, result.evidence, options), *result.models,
-                               expected}
-            : diagnose_inexact(*result.models, expected, result.evidence, options);
-    const std::shared_ptr<const Model> model = result.models->with({});
-    const Fit first = found.discrepancy == expected
-                          ? found.diagnosis.base.fit
-                          : fit(*model, result.evidence.measured,
-                                found.diagnosis.base.fit.parameters, refit_effort);
-    const Agreement agreement = agreement_of(
-        result.readings, result.models->direct(), first.prediction, first.at_bound,
-        {first.chi2, found.diagnosis.dof, freedom_behind(result.readings)}, study.model);
-    result.diagnosis = std::move(found.diagnosis);
-    *result.models = std::move(found.models);
-    result.discrepancy = found.discrepancy;
-    return agreement;
+    Fit as_expected;
+    if (model.discrepancy_stated) {
+        result.discrepancy = model.discrepancy;
+        result.diagnosis = diagnose(*result.models, result.evidence, options);
+        as_expected = result.diagnosis.base.fit;
+    } else {
+        InexactDiagnosis found =
+            diagnose_inexact(*result.models, model.discrepancy, result.evidence, options);
+        result.diagnosis = std::move(found.diagnosis);
+        *result.models = std::move(found.models);
+        result.discrepancy = found.discrepancy;
+        as_expected = std::move(found.as_expected);
+    }
+    return agreement_of(
+        result.readings, result.models->direct(), as_expected.prediction, as_expected.at_bound,
+        {as_expected.chi2, result.diagnosis.dof, freedom_behind(result.readings)}, model);
 }
 
 /// Checks that the readings suffice for a diagnosis.
@@ -150,9 +147,8 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     result.evidence = evidence_of(result.readings, measurements.scatter, result.models->direct());
     DiagnosisOptions options{.seed = session.seed};
     options.progress = progress_of(session);
-    options.may_err_more = !study.study().model.discrepancy_stated;
     options.threads = static_cast<std::size_t>(session.threads);
-    const Agreement agreement = diagnose_into(result, study, options);
+    const Agreement agreement = diagnose_into(result, study.study().model, options);
     const std::shared_ptr<const Predictor> model = result.models->predictor({});
     const Fit& fit = result.diagnosis.base.fit;
     result.mistake = find_unit_mistake(*model, result.readings, study, fit.parameters);

@@ -170,11 +170,12 @@ ResolvedStudy with_common_readings(const ResolvedStudy& study, const Effects& sw
     return all ? fitting_all(study) : study;
 }
 
-/// Fits the study with exactly these effects, with the discrepancy that the study expects, as
-/// `calibrate` does. `fewer`: fit with fewer effects; null: none.
+/// Fits the study with exactly these effects, as `calibrate` does. `models`: with the discrepancy
+/// that the study expects. `fewer`: fit with fewer effects; null: none.
 SwitchedModel fitted_with(const Effects& effects, const ResolvedStudy& study,
-                          const StudyDiagnosis& d, const SessionOptions& session,
-                          const std::vector<Condition>& along, const Calibration* fewer) {
+                          const StudyModelSpace& models, const StudyDiagnosis& d,
+                          const SessionOptions& session, const std::vector<Condition>& along,
+                          const Calibration* fewer) {
     const ResolvedStudy with = study_with(effects, study);
     SwitchedModel result{
         .predictor =
@@ -249,6 +250,8 @@ SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis&
     }
     result.switches.resize(std::min(result.switches.size(), most));
     const ResolvedStudy fitted = with_common_readings(study, result.switches, diagnosis.readings);
+    const StudyModelSpace models =
+        diagnosis.models->with_discrepancy(study.study().model.discrepancy);
     // Listed effects come first among the switches, so that the lowest bits stand for the study.
     result.current = (std::size_t(1) << std::min(listed.size(), most)) - 1;
     result.models.resize(std::size_t(1) << result.switches.size());
@@ -269,8 +272,9 @@ SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis&
             if ((index >> k) & 1) effects.push_back(result.switches[k]);
         }
         try {
-            result.models[index] = fitted_with(effects, fitted, diagnosis, session, options.along,
-                                               best_with_fewer(result, index, fewer));
+            result.models[index] =
+                fitted_with(effects, fitted, models, diagnosis, session, options.along,
+                            best_with_fewer(result, index, fewer));
         } catch (const std::domain_error&) {
             result.why_not[index] = "the readings are impossible with these effects";
         } catch (const std::invalid_argument& error) {

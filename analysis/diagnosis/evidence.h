@@ -78,9 +78,6 @@ struct DiagnosisOptions {
     /// Called when `done` of `of` pieces of the work `what`, such as "refits", are finished; may be
     /// empty.
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
-    /// Whether a model may err by more than its discrepancy says, so that standard errors allow for
-    /// `likely_inexactness`: study.toml states none.
-    bool may_err_more = false;
     std::size_t threads = 1;  ///< largest number; no result depends on it
 };
 

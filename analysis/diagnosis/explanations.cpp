@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "analysis/diagnosis/ranking.h"
-#include "calib/fit/inexactness.h"
 
 namespace pendular {
 namespace {
@@ -112,10 +111,6 @@ FittedModel Explanations::refit(const EffectSet& chosen, std::optional<std::size
     result.fit = suspect ? fit(WithSuspect(*model, evidence_.suspects[*suspect]),
                                evidence_.measured, start, refit_effort)
                          : fit(*model, evidence_.measured, start, refit_effort);
-    if (options_.may_err_more)
-        result.fit.inexactness =
-            likely_inexactness(evidence_.measured, result.fit.prediction, result.fit.at_bound)
-                .factor;
     return result;
 }
 

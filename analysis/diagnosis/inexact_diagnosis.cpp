@@ -34,18 +34,38 @@ double inexactness_left(const Diagnosis& diagnosis, const Evidence& evidence) {
     return best.factor;
 }
 
+namespace {
+
+/// Lets the errors of all fits allow for as much as each model leaves.
+void allow_for_inexactness(Diagnosis& diagnosis, const Measured& measured) {
+    const auto allow = [&](FittedModel& model) {
+        Fit& fit = model.fit;
+        fit.inexactness = likely_inexactness(measured, fit.prediction, fit.at_bound).factor;
+    };
+    allow(diagnosis.base);
+    for (auto* models : {&diagnosis.tried, &diagnosis.fitting, &diagnosis.fitting_suspects})
+        std::ranges::for_each(*models, allow);
+    if (diagnosis.leading) allow(diagnosis.leading->model);
+}
+
+}  // namespace
+
 InexactDiagnosis diagnose_inexact(const StudyModelSpace& models,
                                   const std::array<double, 2>& discrepancy,
                                   const Evidence& evidence, const DiagnosisOptions& options) {
-    InexactDiagnosis first{diagnose(models, evidence, options), models, discrepancy};
-    if (first.diagnosis.base.accepted) return first;
-    const double factor = inexactness_left(first.diagnosis, evidence);
-    if (factor == 1) return first;
-    const std::array larger = {factor * discrepancy[0], factor * discrepancy[1]};
-    StudyModelSpace inexact = models.with_discrepancy(larger);
-    Diagnosis again = diagnose(inexact, evidence, options);
-    if (!again.complete) return first;
-    return {std::move(again), std::move(inexact), larger};
+    InexactDiagnosis result{diagnose(models, evidence, options), models, discrepancy, {}};
+    result.as_expected = result.diagnosis.base.fit;
+    const double factor =
+        result.diagnosis.base.accepted ? 1 : inexactness_left(result.diagnosis, evidence);
+    if (factor > 1) {
+        const std::array larger = {factor * discrepancy[0], factor * discrepancy[1]};
+        StudyModelSpace inexact = models.with_discrepancy(larger);
+        Diagnosis again = diagnose(inexact, evidence, options);
+        if (again.complete)
+            return {std::move(again), std::move(inexact), larger, std::move(result.as_expected)};
+    }
+    allow_for_inexactness(result.diagnosis, evidence.measured);
+    return result;
 }
 
 }  // namespace pendular

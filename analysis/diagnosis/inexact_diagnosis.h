@@ -27,11 +27,12 @@ struct InexactDiagnosis {
     /// Relative standard errors [1] of stress ratio and solid fraction that the models are expected
     /// to have.
     std::array<double, 2> discrepancy;
+    Fit as_expected;  ///< of the study's model, with the discrepancy that is expected
 };
 
 /// Diagnoses a study with the discrepancy that it expects and, if its model is rejected and the
 /// best explanation leaves more (`inexactness_left`), again with that. The first diagnosis stands
-/// where no model fits even so.
+/// where no model fits even so; the errors of its fits then allow for their `likely_inexactness`.
 InexactDiagnosis diagnose_inexact(const StudyModelSpace& models,
                                   const std::array<double, 2>& discrepancy,
                                   const Evidence& evidence, const DiagnosisOptions& options);

@@ -25,7 +25,7 @@ struct InexactWorldsOptions {
 };
 
 /// Diagnoses studies whose grains differ from the model by an error of each condition that the
-/// replicates share: in six worlds that differ in its size and kind, none, independent from
+/// replicates share: in five worlds that differ in its size and kind: none, independent from
 /// condition to condition, smooth, both, and as the states of LAMMPS differ from the emulator.
 /// study.toml states no discrepancy. Writes inexact_worlds.txt (rates) and
 /// inexact_worlds_studies.csv (one row for each study).

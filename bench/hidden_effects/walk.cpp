@@ -161,6 +161,7 @@ Outcome walk(const Truth& truth, const LabResult& laboratory, int study,
     StudyInput input = read_input(folder);
     Study stated = input.study;
     stated.model.discrepancy = discrepancy;
+    stated.model.discrepancy_stated = true;
     input.study = input.study.changed_to(stated);
     const Fidelity& fidelity = laboratory.plan.fidelity;
     for (const Remark& finding : input.measurements.faults(true)) {

@@ -35,7 +35,7 @@ struct Calibration {
     std::vector<Parameter> parameters;  ///< the first is the friction coefficient
     Fit fit;
     /// Predictions of all `readings` at the fitted parameters. For readings that were not fitted,
-    /// the covariance includes the error of the fit (`predict_unseen`).
+    /// the covariance includes the error of the fit (`predict_readings`).
     Prediction prediction;
     CohesionOptions cohesion;  ///< with which `cohesion_lines` were fitted
     /// Lines of the measured, then of the predicted stress ratios; empty in a dry study.

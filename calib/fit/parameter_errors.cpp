@@ -94,7 +94,7 @@ namespace {
 /// Contributions below this share of the largest do not show in any printed digit [1].
 constexpr double least_share = 0.01;
 /// Distance from 0, in standard uncertainties, from which an error is named [1]. The readings draw
-/// an estimate towards 0, so that of 120 honest studies none came beyond 1.54 (docs/validation.md).
+/// an estimate towards 0: of 120 honest studies (tests/hostile/spoilings.py) none came beyond 1.54.
 constexpr double far_away = 2;
 
 }  // namespace

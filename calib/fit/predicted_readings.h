@@ -31,8 +31,8 @@ UnseenAndFitted predict_with_fitted(const Predictor& model, const Calibration& c
                                     const std::vector<Condition>& conditions);
 
 /// Predicts the shear stress [Pa] and solid fraction [1] of each reading of a calibration. For
-/// readings that were not fitted, the covariance includes the uncertainty of the fitted parameters
-/// (`predict_unseen`). Their covariance with fitted readings is set to 0.
+/// readings that were not fitted, the covariance includes the uncertainty of the fitted parameters,
+/// but not `Fit::inexactness`, as that of the fitted ones. Their covariance with these is set to 0.
 Prediction predict_readings(const Predictor& model, const Calibration& calibration);
 
 /// Readings of steady shear as an ideal instrument would show them at one inertial number.

@@ -59,7 +59,8 @@ ErrorMark take_mark(std::string_view& name) {
     return ErrorMark::none;
 }
 
-/// Whether a text, not empty, is a unit.
+}  // namespace
+
 bool is_unit(std::string_view text) {
     if (text.empty()) return false;
     try {
@@ -69,6 +70,8 @@ bool is_unit(std::string_view text) {
         return false;
     }
 }
+
+namespace {
 
 /// Whether a name, with or without a mark of errors, is that of a quantity in this unit; any unit
 /// fits if it is empty.
@@ -135,8 +138,8 @@ struct VendorName {
     std::string_view quantity;
     /// Names in the order of preference where a file has several.
     std::vector<std::string_view> names;
-    /// Names that a table of someone's own may give to another quantity, so that they are read in
-    /// exports of instruments only.
+    /// Names that a table of someone's own may give to another quantity: not read in the layout
+    /// "plain".
     std::vector<std::string_view> shared = {};
 };
 
@@ -161,13 +164,14 @@ const std::vector<VendorName>& vendor_names() {
           "Separación", "Altura", "Traferro", "Altezza"},
          {"Position"}},
         {"rotational_speed",
-         {"Rotational Speed", "Speed", "n", "Vitesse de rotation", "Vitesse", "Drehzahl",
-          "Umdrehungszahl", "Velocidad de giro", "Velocidad de rotación", "Numero di giri",
-          "Velocità di rotazione"}},
+         {"Rotational Speed", "Speed", "n", "Vitesse de rotation", "Drehzahl", "Umdrehungszahl",
+          "Velocidad de giro", "Velocidad de rotación", "Numero di giri", "Velocità di rotazione"},
+         {"Vitesse"}},
         {"angular_velocity",
-         {"Angular velocity", "Velocity", "Ω", "Vitesse angulaire", "Winkelgeschwindigkeit",
+         {"Angular velocity", "Ω", "Vitesse angulaire", "Winkelgeschwindigkeit",
           "Drehgeschwindigkeit", "Rotationsgeschwindigkeit", "Velocidad angular",
-          "Velocità angolare"}},
+          "Velocità angolare"},
+         {"Velocity"}},
         {"shear_stress",
          {"Shear Stress", "τ", "Contrainte de Cisaillement", "Schubspannung", "Scherspannung",
           "Esfuerzo cortante", "Tensión de cizalla", "Sforzo di taglio", "Tensione di taglio"},

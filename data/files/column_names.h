@@ -37,6 +37,9 @@ struct ColumnMeaning {
     bool shared = false;
 };
 
+/// Whether a text is a unit, such as "mN m"; an empty one is not.
+bool is_unit(std::string_view text);
+
 /// Whether a unit can be that of a quantity; a missing unit can.
 bool unit_fits(std::string_view unit, std::string_view quantity_name);
 

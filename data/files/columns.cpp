@@ -121,6 +121,7 @@ std::string_view read_as(const Quantity& quantity) {
 }  // namespace
 
 void use_names_of_quantities(Row& header) {
+    constexpr int behind_all = 1000;  // more names than a quantity has
     struct Best {
         std::size_t column = 0;
         int rank = 0;
@@ -143,9 +144,15 @@ void use_names_of_quantities(Row& header) {
         if (meaning.quantity.empty() || meaning.shared || symbol) continue;
         const std::string_view as = read_as(quantity(meaning.quantity));
         if (known.contains(as)) continue;
+        // A column with a unit comes before all without; one without is no reason to refuse a table
+        // that has the stress in its place.
+        if (cell.unit.empty() && ((as == "torque" && known.contains("shear_stress")) ||
+                                  (as == "normal_force" && known.contains("normal_stress"))))
+            continue;
+        const int rank = meaning.rank + (cell.unit.empty() ? behind_all : 0);
         const auto [place, added] = best.try_emplace(as);
-        if (!added && place->second.rank <= meaning.rank) continue;
-        place->second = {i, meaning.rank, std::string(meaning.quantity)};
+        if (!added && place->second.rank <= rank) continue;
+        place->second = {i, rank, std::string(meaning.quantity)};
         if (!cell.unit.empty()) place->second.text += fmt::format(" [{}]", cell.unit);
     }
     for (const auto& [quantity, named] : best)
@@ -162,7 +169,10 @@ Columns::Columns(const Table& table) : table_(table) {
 void Columns::add(std::size_t index) {
     const HeaderCell& cell = cells_[index];
     const Quantity* const quantity = find_quantity(cell.name);
-    if (!quantity) {
+    // "Shear velocity [1/s]" is a shear rate that nobody asked for, not a speed in a wrong unit.
+    const bool other_velocity = quantity && quantity->name == "shear_velocity" &&
+                                !cell.unit.empty() && !unit_fits(cell.unit, quantity->name);
+    if (!quantity || other_velocity) {
         const Quantity* const counted = quantity_with_number(cell.name);
         counted ? numbers_.push_back({read_as(*counted), index}) : unknown_.push_back(index);
         return;

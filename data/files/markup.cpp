@@ -26,6 +26,10 @@ std::string beginning_of(std::string_view text) {
 bool is_html(const std::string& begin) {
     constexpr std::array<std::string_view, 6> elements = {"<!doctype html", "<html",  "<head",
                                                           "<body",          "<table", "<meta"};
+    // Other XML may have elements of these names too, such as the <Table> of spreadsheets.
+    if (begin.starts_with("<?xml"))
+        return begin.find("<html") != std::string::npos ||
+               begin.find("<!doctype html") != std::string::npos;
     return begin.starts_with('<') && std::ranges::any_of(elements, [&](std::string_view element) {
                const std::size_t at = begin.find(element);
                if (at == std::string::npos) return false;

@@ -172,12 +172,13 @@ Json parameters_of(const SwitchedModel& model) {
 
 /// Correlations of the fitted parameters, row by row.
 Json correlations_of(const Fit& fit) {
-    const Eigen::VectorXd errors = fit.covariance.diagonal().cwiseSqrt();
+    const Eigen::MatrixXd covariance = fit.total_covariance();
+    const Eigen::VectorXd errors = covariance.diagonal().cwiseSqrt();
     Json rows = Json::array();
     for (Eigen::Index i = 0; i < errors.size(); ++i) {
         Json row = Json::array();
         for (Eigen::Index j = 0; j < errors.size(); ++j) {
-            row.push_back(shortened(fit.covariance(i, j) / (errors(i) * errors(j))));
+            row.push_back(shortened(covariance(i, j) / (errors(i) * errors(j))));
         }
         rows.push_back(row);
     }

@@ -4,6 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "calib/fit/least_squares.h"
+#include "calib/model/discrepancy.h"
+
 namespace analysis_believable_test {
 
 using namespace pendular;
@@ -42,6 +48,48 @@ TEST(Agreement, HasThreeDegrees) {
     EXPECT_EQ(agreement(60, 25).degree(), Degree::nearly);
     EXPECT_EQ(agreement(60, 60).degree(), Degree::fails);
     EXPECT_EQ(agreement(900, 80).degree(), Degree::fails);
+}
+
+/// Readings at 20 conditions, of which every other stress ratio is `off` [1] larger than predicted,
+/// with errors of 0.1 %.
+Agreement agreement_where(double off, const ModelSettings& model) {
+    std::vector<Reading> readings;
+    for (int k = 0; k < 20; ++k) {
+        Reading reading;
+        reading.condition = {.normal_stress = 300 * std::pow(1.4, k), .inertial_number = 0.01};
+        const double stress = 0.3 * reading.condition.normal_stress;
+        reading.value = {stress * (1 + off * (k % 2)), 0.6};
+        reading.covariance = Eigen::Vector2d(0.001 * stress, 0.0006).cwiseAbs2().asDiagonal();
+        readings.push_back(reading);
+    }
+    Prediction prediction{
+        .value = stack(readings).value, .jacobian = {}, .covariance = {}, .run_noise = {}};
+    for (Eigen::Index k = 1; k < 20; k += 2)
+        prediction.value(2 * k) /= 1 + off;
+    prediction.jacobian = Eigen::MatrixXd::Zero(40, 1);
+    prediction.covariance =
+        discrepancy_covariance(conditions_of(readings), prediction.value, model.discrepancy);
+    prediction.discrepancy = prediction.covariance;
+    const Measured measured = stack(readings);
+    const Eigen::VectorXd residuals = measured.value - prediction.value;
+    const double chi2 =
+        residuals.dot((measured.covariance + prediction.covariance).llt().solve(residuals));
+    return agreement_of(readings, {}, prediction, {}, {chi2, 40}, model);
+}
+
+TEST(Agreement, IsNearWhereTheModelErrsByMoreThanExpectedUnlessThatIsStated) {
+    ModelSettings model;
+    model.discrepancy = usual_discrepancy;
+    EXPECT_EQ(agreement_where(0.002, model).degree(), Degree::describes);
+    const Agreement near = agreement_where(0.012, model);
+    EXPECT_EQ(near.degree(), Degree::nearly);
+    EXPECT_GT(near.discrepancy[0], usual_discrepancy[0]);
+    EXPECT_LE(near.discrepancy[0], 0.01 + 1e-12);
+    EXPECT_EQ(agreement_where(0.1, model).degree(), Degree::fails);
+    model.discrepancy_stated = true;
+    const Agreement stated = agreement_where(0.012, model);
+    EXPECT_EQ(stated.degree(), Degree::fails);
+    EXPECT_EQ(stated.discrepancy, usual_discrepancy);
 }
 
 TEST(Belief, EndsWhereALargerDiscrepancyDoesNotHelp) {

@@ -198,6 +198,21 @@ TEST(FitFile, IsReadBackForTheSameReadingsOnly) {
     const Prediction again = predict_readings(StudyModel(study(), back).model(), back);
     EXPECT_LT((again.value - c.fit.prediction.value).norm(), 1e-9 * again.value.norm());
 
+    Study inexact = study();
+    inexact.model.discrepancy = usual_discrepancy;
+    EXPECT_THROW(read_calibration(file, inexact, c.readings), InputError);
+    Calibration more = c;
+    more.model = inexact.model;
+    more.fit.inexactness = 2;
+    more.fit.discrepancy_part = 0.1 * c.fit.covariance;
+    write_calibration(folder.path(), more, compare(more), {});
+    const Fit reread = read_calibration(file, inexact, c.readings).fit;
+    EXPECT_EQ(reread.inexactness, 2);
+    EXPECT_NEAR(reread.standard_error(0), std::sqrt(1.3) * c.fit.standard_error(0),
+                1e-9 * c.fit.standard_error(0));
+    EXPECT_NEAR(reread.discrepancy_error(0), more.fit.discrepancy_error(0), 1e-12);
+    write_calibration(folder.path(), c, compare(c), {});
+
     auto others = c.readings;
     others[0].value(0) *= 1.01;
     EXPECT_THROW(read_calibration(file, study(), others), InputError);

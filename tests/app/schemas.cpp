@@ -59,6 +59,11 @@ void expect_valid(const std::string& text, const std::string& kind) {
 void for_each_value(const json& schema, const std::string& place,
                     const std::function<void(const json&, const std::string&)>& look) {
     if (schema.contains("$ref")) return;
+    if (!schema.contains("type") && schema.contains("oneOf")) {
+        for (const json& each : schema["oneOf"]) for_each_value(each, place, look);
+        return;
+    }
+    ASSERT_TRUE(schema.contains("type")) << place;
     look(schema, place);
     if (schema.contains("$defs")) {
         for (const auto& [key, value] : schema["$defs"].items()) {

@@ -131,4 +131,24 @@ TEST_F(TableOfOnesOwn, IsToldOfColumnsInTheUnitOfAMissingQuantity) {
     expect_told({input_error([&] { view_of_file(speed); })});
 }
 
+/// Columns that were left alone before names of other languages and speeds were known.
+TEST_F(TableOfOnesOwn, IsReadWhateverItsOtherColumnsAre) {
+    const std::string rows = "0,20.1,5.0,6.20,2.0,7\n1,20.2,5.0,6.21,2.0,7\n";
+    for (const char* const other :
+         {"Velocity [1/s]", "Vitesse [1/s]", "Shear velocity [1/s]", "Shear speed [rpm]"}) {
+        const auto path = write(
+            std::string("Time [s],Torque [mN m],Normal force [N],Gap [mm],Speed [rpm],") + other,
+            rows);
+        EXPECT_THAT(view_of_file(path).missing, IsEmpty()) << other;
+        EXPECT_NEAR(read_recording(path).angular_velocity[0], 2 * 2 * M_PI / 60, 1e-12) << other;
+    }
+    const auto stresses =
+        write("Time [s],Shear stress [Pa],Normal stress [Pa],Gap [mm],Speed [rpm],Couple", rows);
+    EXPECT_NEAR(read_recording(stresses).shear_stress[0], 20.1, 1e-12);
+    const auto speeds =
+        write("Zeit,Messzeit [s],Torque [mN m],Normal force [N],Gap [mm],Speed [rpm]",
+              "9,0,20.1,5.0,6.20,2.0\n9,1,20.2,5.0,6.21,2.0\n");
+    EXPECT_THAT(read_recording(speeds).time, ElementsAre(0, 1));
+}
+
 }  // namespace pendular::data_column_names_test

@@ -35,6 +35,8 @@ TEST(Markup, IsRecognisedByItsBeginning) {
     EXPECT_THAT(refusal("\xEF\xBB\xBF\r\n <?xml version=\"1.0\"?>"), HasSubstr("is XML"));
     EXPECT_THAT(refusal("<RheoML>\n<Time>1</Time></RheoML>"), HasSubstr("is XML"));
     EXPECT_THAT(refusal("[\n {\"time\": 1}]"), HasSubstr("is JSON"));
+    EXPECT_THAT(refusal("<?xml version=\"1.0\"?><Workbook><Table ss:x=\"1\"/></Workbook>"),
+                HasSubstr("is XML"));
     EXPECT_THAT(refusal("<!DOCTYPE html>\n<p>"), HasSubstr("is HTML"));
     EXPECT_THAT(refusal("<?xml version=\"1.0\"?>\n<html xmlns=\"x\"/>"), HasSubstr("is HTML"));
 }

@@ -109,7 +109,7 @@ TEST(RunClock, AddsUpOnlyWhereTimesRestart) {
 
 TEST(ReduceRecording, HasHonestErrors) {
     // 400 recordings: the squared standardised errors average 1 with a standard deviation of
-    // sqrt(2/400) = 0.07 and 10 % for the error's own bias (data_time_series.cpp): 0.3 is 3 of
+    // sqrt(2/400) = 0.07 and 10 % for the error's own bias (time_series.cpp): 0.3 is 3 of
     // both.
     const Truth truth{.force_noise = 0.01};
     double stress = 0, fraction = 0;

@@ -171,9 +171,6 @@ def told_by(case, answer, usual):
     for note in fit["notes"]:
         if without_numbers(note) not in usual and re.search(case.spoiling.words, note, re.I):
             return "note: " + note
-    for entry in fit["instrument"]:
-        if entry["name"] in case.spoiling.causes and entry["counts"] and abs(entry["needed"] or 0) > 3:
-            return f"needed: {entry['name']} of {entry['needed']:.2g} standard uncertainties"
     return ""
 
 

@@ -1,6 +1,7 @@
-// Diagnoses of studies whose model is smoothly wrong by half a per cent of the shear stress, which
-// is more than their readings scatter. Readings are those that the emulator predicts, off by its
-// own errors, by a smooth error drawn for each study, and by the scatter. Seeds are fixed.
+// Diagnoses of studies whose model is wrong by half a per cent of the shear stress, which is more
+// than their readings scatter. Readings are those that the emulator predicts, off by its own
+// errors, by an error with the covariance of a discrepancy, half of it smooth, drawn for each
+// study, and by the scatter. Seeds are fixed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -82,7 +83,7 @@ Counts diagnosed(const EffectSet& hidden, const Eigen::VectorXd& parameters, boo
         counts.wrong += d.verdict == Verdict::missing && !right;
     }
     std::printf("error %s: %d of %d alarms, right effect named in %d (%d in part), wrong in %d\n",
-                stated ? "stated" : "not stated", counts.alarms, studies, counts.named,
+                stated ? "stated" : "of an exact model", counts.alarms, studies, counts.named,
                 counts.named_in_part, counts.wrong);
     std::fflush(stdout);
     return counts;

@@ -75,7 +75,7 @@ TEST_F(NextSteps, CheckTheSensorAndRepeatSuspectReadings) {
     error.fit.parameters.conservativeResize(size);
     error.fit.parameters.tail<2>() << 0.09, 0.0001;
     error.fit.covariance = Eigen::MatrixXd::Identity(size, size) * 1e-4;
-    error.fit.widening.resize(0, 0);
+    error.fit.widening.resize(0, 0), error.fit.discrepancy_part.resize(0, 0);
     d_.diagnosis.confidence_set = {error};
     expect_told(texts());  // an error of two files may be gone, so that they come first
     d_.evidence.suspects[*error.suspect].group = "changes in time";

@@ -286,11 +286,9 @@ void read_parameters(const Json& json, Calibration& c) {
     read_instrument(json, c);
     c.fit.widening = matrix_from(json.at("parameter_covariance_by_few_replicates"), n);
     c.fit.covariance = matrix_from(json.at("parameter_covariance"), n) - c.fit.widening;
-    if (json.contains("inexactness")) {
-        c.fit.inexactness = json.at("inexactness");
-        c.fit.discrepancy_part = matrix_from(json.at("parameter_covariance_by_discrepancy"), n);
-        c.fit.covariance -= (std::pow(c.fit.inexactness, 2) - 1) * c.fit.discrepancy_part;
-    }
+    c.fit.inexactness = json.at("inexactness");
+    c.fit.discrepancy_part = matrix_from(json.at("parameter_covariance_by_discrepancy"), n);
+    c.fit.covariance -= (std::pow(c.fit.inexactness, 2) - 1) * c.fit.discrepancy_part;
     c.fit.measurement_part.diagonal() -= c.fit.widening.diagonal();
 }
 
@@ -321,7 +319,9 @@ Calibration parse_calibration(const Json& json, const ResolvedStudy& resolved,
         return json.value(item.key(), Json::array()) ==
                item.value();  // a missing key is an empty list
     });
-    if (!same_readings || !same_basis || !has_uncertainties(json, resolved)) {
+    // Fits of earlier versions had no discrepancy, or another one of the same size.
+    const bool knows_discrepancy = json.contains("inexactness");
+    if (!same_readings || !same_basis || !knows_discrepancy || !has_uncertainties(json, resolved)) {
         throw InputError(
             where,
             "the readings, direct measurements, grains, liquid, model or [instrument] of the study "

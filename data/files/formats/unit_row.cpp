@@ -67,6 +67,7 @@ std::string suggested_columns(const NamesAndUnits& columns) {
                                  : quantity == "rotational_speed" ? "1/min"
                                  : quantity == "angular_velocity" ? "rad/s"
                                  : quantity == "shear_rate"       ? "1/s"
+                                 : quantity == "shear_velocity"   ? "mm/min"
                                  : quantity.ends_with("stress")   ? "Pa"
                                                                   : "1";
         cells.push_back(fmt::format("\"{} [{}]\"", name, unit));
@@ -78,10 +79,12 @@ std::string suggested_columns(const NamesAndUnits& columns) {
 NamesAndUnits columns_of(const Row& header) {
     NamesAndUnits columns;
     for (const Cell& cell : header.cells) {
-        HeaderCell parts = parse_header_cell(cell.text);
-        // Only where the cell states a unit is the end of its text no part of the name.
-        columns.names.push_back(parts.unit.empty() ? cell.text : parts.name);
-        columns.units.push_back(std::move(parts.unit));
+        const HeaderCell parts = parse_header_cell(cell.text);
+        // Only where the cell states a unit is the end of its text no part of the name, such as
+        // "Time (sequence)".
+        const bool stated = !parts.unit.empty() && is_unit(parts.unit);
+        columns.names.push_back(stated ? parts.name : cell.text);
+        columns.units.push_back(stated ? parts.unit : "");
     }
     return columns;
 }
