@@ -184,6 +184,15 @@ std::vector<std::string> untested_effects(const Diagnosis& d, const ModelSpace& 
     return names;
 }
 
+/// Sentence on errors of measurement that explain the readings at least as well as the effects of
+/// the verdict; empty without any.
+std::string suspects_beside(const Diagnosis& d) {
+    return d.suspects.empty()
+               ? ""
+               : fmt::format(" An error in {} would explain the readings at least as well.",
+                             joined(d.suspects, "or"));
+}
+
 std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
     if (const auto names = untested_effects(d, space); !names.empty()) {
         return fmt::format(
@@ -323,9 +332,9 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
         case Verdict::inconclusive:
             return inconclusive_line(d, space);
         case Verdict::missing:
-            return missing_line(d, space);
+            return missing_line(d, space) + suspects_beside(d);
         case Verdict::indistinguishable:
-            return indistinguishable_line(d, space);
+            return indistinguishable_line(d, space) + suspects_beside(d);
         case Verdict::suspect_measurement:
             return fmt::format(
                 "Suspect measurement: an error in {} explains the residuals, and none of the known "

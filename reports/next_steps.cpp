@@ -234,10 +234,10 @@ void Steps::missing() {
     const auto* instrument =
         std::get_if<ChangeInstrument>(&resolved_.catalogue().find(first).change);
     const bool of_sensor =
-        instrument != nullptr && instrument->where == ChangeInstrument::Where::transducers;
+        instrument != nullptr && instrument->where != ChangeInstrument::Where::grains;
     say(fmt::format("{} {} to the model{}: pendular add {} {}.{}",
                     direct ? "If the measurement agrees, or cannot be made, add" : "Add", first,
-                    of_sensor ? " (or correct the recordings, not both)" : "", study_, first,
+                    of_sensor ? " (or correct the data, not both)" : "", study_, first,
                     direct ? " If it disagrees, enter it and diagnose the study again." : ""));
     if (!diagnosis_.leaders && diagnosis_.confidence_set.size() > 1) {
         tell_apart("the further effects");

@@ -177,9 +177,7 @@ SwitchedModel fitted_with(const Effects& effects, const ResolvedStudy& study,
                           const SessionOptions& session, const std::vector<Condition>& along,
                           const Calibration* fewer) {
     const ResolvedStudy with = study_with(effects, study);
-    SwitchedModel result{
-        .predictor =
-            d.models->with_discrepancy(study.study().model.discrepancy).with_only(effects)};
+    SwitchedModel result{.predictor = models.with_only(effects)};
     Calibration& c = result.calibration;
     c.readings = d.readings;
     c.fitted = fitted_count(with, c.readings);

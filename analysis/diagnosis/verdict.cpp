@@ -55,6 +55,7 @@ class Rules {
 
     void study_model_stands();
     void gather_models_that_fit();
+    void keep_effects_that_explain_most();
     bool contains(const EffectSet& larger, const EffectSet& smaller) const;
     void some_models_fit();
     void no_model_fits();
@@ -105,6 +106,27 @@ void Rules::gather_models_that_fit() {
             return std::ranges::none_of(
                 all, [&](const FittedModel& other) { return contains(each.chosen, other.chosen); });
         });
+    keep_effects_that_explain_most();
+}
+
+/// Adds models with one effect that remove most of the misfit where only pairs without it fit. A
+/// pair that removes a little more, as one of many pairs always does, does not silence the effect.
+void Rules::keep_effects_that_explain_most() {
+    auto& set = result_.confidence_set;
+    const bool pairs_only = !set.empty() && std::ranges::all_of(set, [](const auto& each) {
+        return each.chosen.size() > 1;
+    });
+    if (!pairs_only) return;
+    std::vector<FittedModel> singles;
+    for (const FittedModel& each : tests_.tried) {
+        if (each.suspect || each.chosen.size() != 1 || !each.fit.converged) continue;
+        const bool in_all = std::ranges::all_of(set, [&](const FittedModel& pair) {
+            return includes(pair.chosen, each.chosen.front());
+        });
+        if (!in_all && share_explained(tests_.excess(), each) >= most_of_misfit)
+            singles.push_back(each);
+    }
+    set.insert(set.end(), singles.begin(), singles.end());
 }
 
 /// Whether the model with the candidates `larger` has all that the model with `smaller` has, and

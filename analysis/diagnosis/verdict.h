@@ -20,7 +20,8 @@
 //   2. The study's model fits: `nothing_missing`, or `inconclusive` if effects of interest could
 //      have gone undetected, if no effect could have been seen, or if errors are assumed.
 //   3. Models with further effects fit: `missing` names what they share; `indistinguishable` if
-//      they share nothing; `suspect_measurement` if only an error of measurement fits.
+//      they share nothing; `suspect_measurement` if only an error of measurement fits. Where only
+//      pairs fit, an effect that removes most of the misfit alone is a rival of theirs.
 //   4. No model fits: `missing` with the leading effects (`complete` is false), unless proposals of
 //      unknown cause describe the readings clearly better; otherwise `unknown`.
 namespace pendular {
@@ -103,8 +104,9 @@ struct Conclusion {
     /// readings of dry_1.csv". Beside effects that fit, only those that explain the readings at
     /// least as well (FittedModel::criterion).
     std::vector<std::string> suspects;
-    /// Models that fit and between which the readings cannot decide: the study's model alone if it
-    /// fits; otherwise models with further effects, or else with an error of measurement.
+    /// Models between which the readings cannot decide: the study's model alone if it fits;
+    /// otherwise models with further effects that fit or explain most, or else with an error of
+    /// measurement.
     std::vector<FittedModel> confidence_set;
     std::vector<Decision> decisions;  ///< on each candidate, in their order
     bool overruled = false;           ///< whether a doubtful measurement decides

@@ -136,18 +136,42 @@ Comparison compare(const std::vector<Reading>& readings, const Prediction& predi
     return result;
 }
 
+namespace {
+
+/// Standard uncertainty of a directly measured parameter, in its unit, by the errors of the
+/// instrument that the fit takes into account; 0 without any.
+double stated_error_of(const DirectMeasurement& direct, const Fit& fit) {
+    double variance = 0;
+    for (const InstrumentError& each : fit.instrument) {
+        if (!each.counts) continue;
+        variance += std::pow(
+            direct.change_by({.name = each.name, .standard = each.standard, .unit = each.unit}), 2);
+    }
+    return std::sqrt(variance);
+}
+
+}  // namespace
+
 Comparison compare(const Calibration& c) {
     Comparison result =
         compare(c.readings, c.prediction, static_cast<int>(c.parameters.size()), c.fitted);
     const int cohesions = fitted_cohesions(c.model, c.grains, c.liquid);
     (c.fitted < c.readings.size() ? result.predicted : result.fitted).dof -= cohesions;
     result.total.dof -= cohesions;
+    const double of_readings = result.fitted.chi2;
+    double of_direct = 0;
+    bool shared = false;
     for (const DirectMeasurement& direct : c.direct) {
-        result.direct.push_back({direct, predicted_value(direct, c.parameters, c.fit.parameters)});
-        for (Misfit* misfit : {&result.fitted, &result.total}) {
-            misfit->chi2 += std::pow(result.direct.back().normalised(), 2);
-            ++misfit->dof;
-        }
+        result.direct.push_back({direct, predicted_value(direct, c.parameters, c.fit.parameters),
+                                 stated_error_of(direct, c.fit)});
+        of_direct += std::pow(result.direct.back().normalised(), 2);
+        shared |= result.direct.back().predicted_error > 0;
+    }
+    // An error that the readings share with a direct measurement is in both.
+    if (shared) of_direct = c.fit.chi2 - of_readings;
+    for (Misfit* misfit : {&result.fitted, &result.total}) {
+        misfit->chi2 += of_direct;
+        misfit->dof += static_cast<int>(c.direct.size());
     }
     return result;
 }

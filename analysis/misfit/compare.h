@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cmath>
 #include <span>
 #include <string>
 #include <vector>
@@ -47,9 +46,11 @@ struct DirectMisfit {
     /// Value in the model [unit of the parameter]; `DirectMeasurement::neutral`, such as 1 for a
     /// torque gain, if the model lacks the effect.
     double predicted = 0;
+    double predicted_error = 0;  ///< standard uncertainty that the study states of `predicted`
 
     double normalised() const {
-        return (measurement.value - predicted) / measurement.standard_error;
+        return (measurement.value - predicted) /
+               std::hypot(measurement.standard_error, predicted_error);
     }
 };
 

@@ -315,7 +315,7 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
     if (!study.model.discrepancy_stated)
         c.fit.inexactness =
             likely_inexactness(stack(fitted, c.direct), c.fit.prediction, c.fit.at_bound).factor;
-    add_instrument(c.fit, model.whole().model(), fitted, stack(fitted, c.direct));
+    add_instrument(c.fit, model.whole().model(), fitted, c.direct);
     c.prediction = predict_readings(model.whole().model(), c);
     const Emulator& emulator = planner.simulation()->emulator();
     c.runs = emulator.runs();

@@ -97,18 +97,25 @@ constexpr double least_share = 0.01;
 /// an estimate towards 0: of 120 honest studies (tests/hostile/spoilings.py) none came beyond 1.54.
 constexpr double far_away = 2;
 
+/// 1/variance of each direct measurement [1/(its unit)^2].
+Eigen::VectorXd precision_of(const std::vector<DirectMeasurement>& direct) {
+    Eigen::VectorXd precision(std::ssize(direct));
+    for (std::size_t k = 0; k < direct.size(); ++k)
+        precision(static_cast<Eigen::Index>(k)) = std::pow(direct[k].standard_error, -2);
+    return precision;
+}
+
 }  // namespace
 
 void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Reading>& readings,
-                    const Measured& measured) {
+                    const std::vector<DirectMeasurement>& direct) {
     fit.instrument.clear();
     const std::vector<SharedUncertainty>& uncertainties = predictor.uncertainties();
     if (uncertainties.empty()) return;
-    const Eigen::Index n = measured.value.size();
-    Eigen::MatrixXd changes =
-        Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(uncertainties.size()));
-    changes.topRows(2 * static_cast<Eigen::Index>(readings.size())) =
-        predictor.shared_changes(fit.parameters, conditions_of(readings));
+    const Measured measured = stack(readings, direct);
+    const Eigen::MatrixXd of_direct = changes_of_direct(predictor, direct);
+    Eigen::MatrixXd changes(measured.value.size(), std::ssize(uncertainties));
+    changes << predictor.shared_changes(fit.parameters, conditions_of(readings)), of_direct;
     const Whitening whitening(measured.covariance + fit.prediction.covariance);
     const Eigen::MatrixXd weighted = whitening.solve(changes);
     const Eigen::MatrixXd shifts = fit.covariance * fit.prediction.jacobian.transpose() * weighted;
@@ -128,13 +135,15 @@ void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Read
         // An error that does not count is not among the weights: the readings and its uncertainty
         // together estimate it, as if it were the only one.
         const double information = weighted_inexact.col(j).dot(left.col(j));
+        const double known =
+            uncertainties[k].counts ? 0 : of_direct.col(j).cwiseAbs2().dot(precision_of(direct));
         fit.instrument.push_back(
             {.name = uncertainties[k].name,
              .standard = uncertainties[k].standard,
              .unit = uncertainties[k].unit,
              .assumed = uncertainties[k].assumed,
              .counts = uncertainties[k].counts,
-             .shift = shifts.col(j),
+             .shift = shifts.col(j) / std::sqrt(1 + known),
              .needed = uncertainties[k].counts ? along(j) : along(j) / (1 + information)});
     }
 }

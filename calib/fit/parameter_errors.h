@@ -30,9 +30,9 @@ Eigen::VectorXd profile_rise(const Model& model, const Measured& measured, const
 /// predictions and W the inverse covariance of measured minus predicted values.
 /// Source: law of propagation, JCGM 100:2008 (GUM), Eq. (13).
 /// @param readings fitted readings, to which the fit's prediction belongs
-/// @param measured the same readings and the direct measurements
+/// An error that does not count, but is measured directly, contributes what the measurement leaves.
 void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Reading>& readings,
-                    const Measured& measured);
+                    const std::vector<DirectMeasurement>& direct);
 
 /// Returns the contributions to the error of parameter `k` by the errors that count (or do not),
 /// the largest first, at most `most` of them and none below 1 % of the largest.

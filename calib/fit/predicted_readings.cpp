@@ -3,58 +3,49 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "calib/fit/reading_order.h"
 #include "data/input_error.h"
 
 namespace pendular {
-namespace {
-
-/// Fisher information of direct measurements on the parameters: J' Sigma^-1 J.
-Eigen::MatrixXd information_of(const std::vector<DirectMeasurement>& direct,
-                               const std::vector<Parameter>& parameters) {
-    const auto count = static_cast<Eigen::Index>(parameters.size());
-    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
-    for (const DirectMeasurement& each : direct) {
-        if (const auto place = place_of(each, parameters)) {
-            information(*place, *place) += 1 / (each.standard_error * each.standard_error);
-        }
-    }
-    return information;
-}
-
-}  // namespace
-
 UnseenAndFitted predict_with_fitted(const Predictor& model, const Calibration& c,
                                     const std::vector<Condition>& conditions) {
     const auto seen = part(c.readings, 0, c.fitted);
     std::vector<Condition> all = conditions_of(seen);
     all.insert(all.end(), conditions.begin(), conditions.end());
-    const Prediction both = model.predict(c.fit.parameters, all);
+    const Prediction p = predict_with_direct(model, c.fit.parameters, all, c.direct);
     const auto n = 2 * static_cast<Eigen::Index>(c.fitted);
-    const Eigen::Index rest = both.value.size() - n;
-    const Eigen::MatrixXd measured = stack(seen).covariance;
-    const Eigen::MatrixXd weight = (measured + both.covariance.topLeftCorner(n, n)).inverse();
-    // theta = K (y - f) + ..., so that errors e of the seen readings and d of all predictions make
-    // an error J K (e - d_seen) + d_unseen.
-    const Eigen::MatrixXd slopes = both.jacobian.bottomRows(rest) * c.fit.covariance;
-    const Eigen::MatrixXd through_fit = slopes * both.jacobian.topRows(n).transpose() * weight;
-    // Errors of the direct measurements come through the fit too.
-    const Eigen::MatrixXd direct = information_of(c.direct, model.parameters());
-    Eigen::MatrixXd map(rest, n + rest);
+    const Eigen::Index direct = std::ssize(c.direct), rest = p.value.size() - n - direct;
+    // Fitted readings and direct measurements, then what the fit did not use.
+    std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
+    std::iota(order.begin(), order.end(), Eigen::Index{0});
+    for (Eigen::Index k = 0; k < direct + rest; ++k)
+        order.push_back(k < direct ? n + rest + k : n + k - direct);
+    const Eigen::VectorXd value = p.value(order);
+    const Eigen::MatrixXd jacobian = p.jacobian(order, Eigen::all);
+    const Eigen::MatrixXd covariance = p.covariance(order, order);
+    const Eigen::Index known = n + direct;
+    const Eigen::MatrixXd measured = stack(seen, c.direct).covariance;
+    const Eigen::MatrixXd weight = (measured + covariance.topLeftCorner(known, known)).inverse();
+    // theta = K (y - f) + ..., so that errors e of what was fitted and d of all predictions make
+    // an error J K (e - d_fitted) + d_unseen.
+    const Eigen::MatrixXd through_fit =
+        jacobian.bottomRows(rest) * c.fit.covariance * jacobian.topRows(known).transpose() * weight;
+    Eigen::MatrixXd map(rest, known + rest);
     map << -through_fit, Eigen::MatrixXd::Identity(rest, rest);
-    return {
-        .unseen = {.value = both.value.tail(rest),
-                   .jacobian = both.jacobian.bottomRows(rest),
-                   .covariance = map * both.covariance * map.transpose() +
-                                 through_fit * measured * through_fit.transpose() +
-                                 slopes * direct * slopes.transpose(),
-                   .run_noise = both.run_noise.bottomRightCorner(rest, rest),
-                   .discrepancy = both.discrepancy.size() > 0
-                                      ? Eigen::MatrixXd(map * both.discrepancy * map.transpose())
-                                      : both.discrepancy},
-        .with_fitted = through_fit * measured};
+    const auto mapped = [&](const Eigen::MatrixXd& errors) {
+        return Eigen::MatrixXd(map * errors * map.transpose());
+    };
+    return {.unseen = {.value = value.tail(rest),
+                       .jacobian = jacobian.bottomRows(rest),
+                       .covariance =
+                           mapped(covariance) + through_fit * measured * through_fit.transpose(),
+                       .run_noise = p.run_noise.block(n, n, rest, rest),
+                       .discrepancy = p.discrepancy.size() > 0 ? mapped(p.discrepancy(order, order))
+                                                               : p.discrepancy},
+            .with_fitted = (through_fit * measured).leftCols(n)};
 }
 
 Prediction predict_unseen(const Predictor& model, const Calibration& c,

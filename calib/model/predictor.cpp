@@ -43,9 +43,11 @@ std::unique_ptr<const FlowNeighbourhood> FlowPredictor::neighbourhood(
     return std::make_unique<PredictedAnew>(*this);
 }
 
-Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>& direct,
-                       const std::vector<Parameter>& parameters, const Eigen::VectorXd& values) {
-    if (direct.empty()) return readings;
+namespace {
+
+/// Appends the predicted values of directly measured parameters.
+void append(Prediction& readings, const std::vector<DirectMeasurement>& direct,
+            const std::vector<Parameter>& parameters, const Eigen::VectorXd& values) {
     const auto more = static_cast<Eigen::Index>(direct.size());
     const Eigen::Index n = readings.value.size();
     readings.value.conservativeResize(n + more);
@@ -63,7 +65,40 @@ Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>
         const auto place = place_of(each, parameters);
         if (slopes && place) readings.jacobian(n + k, *place) = 1;
     }
-    return readings;
+}
+
+}  // namespace
+
+Eigen::MatrixXd changes_of_direct(const Predictor& predictor,
+                                  const std::vector<DirectMeasurement>& direct) {
+    const auto& uncertainties = predictor.uncertainties();
+    Eigen::MatrixXd changes(std::ssize(direct), std::ssize(uncertainties));
+    for (std::size_t row = 0; row < direct.size(); ++row)
+        for (std::size_t k = 0; k < uncertainties.size(); ++k)
+            changes(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k)) =
+                direct[row].change_by(uncertainties[k]);
+    return changes;
+}
+
+Prediction predict_with_direct(const Predictor& predictor, const Eigen::VectorXd& parameters,
+                               const std::vector<Condition>& conditions,
+                               const std::vector<DirectMeasurement>& direct, PredictionPart what) {
+    Prediction result = predictor.predict(parameters, conditions, what);
+    if (direct.empty()) return result;
+    const Eigen::Index n = result.value.size(), more = std::ssize(direct);
+    append(result, direct, predictor.parameters(), parameters);
+    if (what != PredictionPart::covariance) return result;
+    Eigen::MatrixXd measured = changes_of_direct(predictor, direct);
+    for (Eigen::Index k = 0; k < measured.cols(); ++k)
+        if (!predictor.uncertainties()[static_cast<std::size_t>(k)].counts)
+            measured.col(k).setZero();
+    if (measured.isZero(0)) return result;
+    const Eigen::MatrixXd both =
+        predictor.shared_changes(parameters, conditions) * measured.transpose();
+    result.covariance.topRightCorner(n, more) += both;
+    result.covariance.bottomLeftCorner(more, n) += both.transpose();
+    result.covariance.bottomRightCorner(more, more) += measured * measured.transpose();
+    return result;
 }
 
 }  // namespace pendular

@@ -90,10 +90,19 @@ class FlowPredictor : public Predictor {
         const Eigen::VectorXd& parameters, const std::vector<EffectiveCondition>& conditions) const;
 };
 
-/// Returns the prediction `readings` with the predicted value of each directly measured parameter
-/// appended (`predicted_value`), without simulation error.
-Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>& direct,
-                       const std::vector<Parameter>& parameters, const Eigen::VectorXd& values);
+/// Returns the changes of the directly measured parameters (rows, each in its unit) by errors of
+/// one standard uncertainty (columns, in the order of Predictor::uncertainties()).
+Eigen::MatrixXd changes_of_direct(const Predictor& predictor,
+                                  const std::vector<DirectMeasurement>& direct);
+
+/// Returns a prediction of readings with the predicted value of each directly measured parameter
+/// appended (`predicted_value`). It has no simulation error, but the error of a gain or an offset
+/// that is stated, measured and not in the model changes both the readings and what is measured:
+/// the direct measurement thus narrows what was stated.
+Prediction predict_with_direct(const Predictor& predictor, const Eigen::VectorXd& parameters,
+                               const std::vector<Condition>& conditions,
+                               const std::vector<DirectMeasurement>& direct,
+                               PredictionPart what = PredictionPart::covariance);
 
 /// Model of readings at given conditions, by a predictor, and of directly measured parameters.
 class ModelOfReadings : public Model {
@@ -107,8 +116,7 @@ class ModelOfReadings : public Model {
     const std::vector<Parameter>& parameters() const override { return predictor_->parameters(); }
     Prediction predict(const Eigen::VectorXd& parameters,
                        PredictionPart what = PredictionPart::covariance) const override {
-        return with_direct(predictor_->predict(parameters, conditions_, what), direct_,
-                           predictor_->parameters(), parameters);
+        return predict_with_direct(*predictor_, parameters, conditions_, direct_, what);
     }
     ParameterBounds bounds() const override { return predictor_->bounds(); }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -289,6 +290,23 @@ void note_deviations(const Table& table, const Columns& columns, std::vector<Rem
                            .names = names});
 }
 
+/// Asks about a table in which nothing flows at the rates of a rheometer: the unit of the shear
+/// rate may be wrong, or the zeros of a column that was never filled in may count as measurements.
+void note_quasi_static(const Table& table, const Columns& columns, const Source& source,
+                       Measurements& result) {
+    // Chosen: 500 um glass at 1 kPa has it under a lid that turns once in ten minutes.
+    constexpr double slow = 1e-5;
+    double fastest = 0;
+    for (const Reading& reading : result.readings)
+        fastest = std::max(fastest, reading.condition.inertial_number);
+    if (source.at_failure || result.readings.empty() || fastest > slow) return;
+    const auto name = columns.has("shear_rate") ? "shear_rate" : "inertial_number";
+    result.remarks.push_back({.kind = Remark::Kind::quasi_static_table,
+                              .files = {table.file},
+                              .size = fastest,
+                              .names = {name}});
+}
+
 /// Refuses an error of a form of the reading that the table lacks, such as `shear_stress_se` beside
 /// `stress_ratio`, which nothing would use.
 void refuse_errors_of_absent(const Table& table, const Columns& columns, const Points& points) {
@@ -332,6 +350,7 @@ Measurements read_points(const std::filesystem::path& path, const Source& source
         result.readings.push_back(reading_of(points, row));
     set_resolutions(points, result.readings);
     note_deviations(table, columns, result.remarks);
+    note_quasi_static(table, columns, source, result);
     if (const auto unused = columns.others(reading_columns); !unused.empty())
         result.remarks.push_back(
             {.kind = Remark::Kind::unused_columns, .files = {table.file}, .names = unused});

@@ -98,6 +98,7 @@ struct Remark {
         coarse_steps,
         unused_columns,
         sd_read_as_standard_error,  ///< columns NAME_sd without the number of values, NAME_n
+        quasi_static_table,         ///< all inertial numbers are 0 or far below those of any lid
         copied_readings,
         pattern_without_file,
         recordings_without_reading,

@@ -250,6 +250,12 @@ std::string note_on_file(const Remark& note) {
                 note.file(), fmt::join(note.names, "', '"),
                 note.names.size() == 1 ? "is read as a standard error"
                                        : "are read as standard errors");
+        case Kind::quasi_static_table:
+            return fmt::format(
+                "{}: all inertial numbers are {}, which counts as the quasi-static limit. If the "
+                "grains flowed faster, check the column '{}' and its unit.",
+                note.file(), note.size > 0 ? fmt::format("at most {:.2g}", note.size) : "0",
+                note.names.front());
         case Kind::copied_readings:
             if (note.relative > 0) return near_copy_text(note);
             return note.files.size() == 1

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "data/annular_cell.h"
 #include "data/effect_parameter.h"
 #include "data/grains.h"
 #include "data/input_error.h"
@@ -15,6 +16,11 @@ namespace pendular {
 
 double CellState::area() const {
     return std::numbers::pi * (outer_radius * outer_radius - inner_radius * inner_radius);
+}
+
+double CellState::torque_of(double shear_stress) const {
+    const AnnularCell cell{.inner_radius = inner_radius, .outer_radius = outer_radius};
+    return pendular::torque(shear_stress, cell);
 }
 
 double CellState::weight() const {
@@ -50,6 +56,11 @@ double run_unit(const std::string& unit, double normal_stress, const GrainProper
 }
 
 }  // namespace
+
+bool Effect::of_table() const {
+    return of_instrument() &&
+           std::get<ChangeInstrument>(change).where == ChangeInstrument::Where::table;
+}
 
 bool Effect::of_grains() const {
     return std::holds_alternative<dem::ChangePairs>(change) ||

@@ -33,6 +33,8 @@ struct CellState {
 
     /// Returns the area of the annulus on which the lid presses [m^2].
     double area() const;
+    /// Returns the torque [N m] of a uniform shear stress [Pa] on that annulus.
+    double torque_of(double shear_stress) const;
     /// Returns the distance between the side walls [m].
     double width() const { return outer_radius - inner_radius; }
     /// Returns the weight of the dry grains in the cell [N].
@@ -63,7 +65,9 @@ inline std::vector<EffectiveCondition> without_effects(const std::vector<Conditi
 /// combination.
 struct ChangeInstrument {
     std::function<CellState(CellState, const Values&)> show;
-    enum class Where { grains, transducers } where = Where::grains;
+    /// `table`: on the stresses and solid fractions of tables of readings, in studies without a
+    /// cell, whose instrument is not known.
+    enum class Where { grains, transducers, table } where = Where::grains;
 };
 
 /// Effect that changes only properties of the study's grains or liquid, such as the contact angle.
@@ -122,6 +126,8 @@ struct Effect {
     std::vector<std::string> references;
 
     bool of_instrument() const { return std::holds_alternative<ChangeInstrument>(change); }
+    /// Whether the effect acts on tables of readings in studies without a cell.
+    bool of_table() const;
     /// Whether the effect changes grain sizes or the forces between grains.
     bool of_grains() const;
     bool of_condition() const { return std::holds_alternative<ChangeCondition>(change); }

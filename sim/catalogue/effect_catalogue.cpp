@@ -52,6 +52,15 @@ std::optional<Obstacle> no_such_reading(const Effect& effect, const Study& study
     return std::nullopt;
 }
 
+std::optional<Obstacle> no_table(const Effect& effect, const Study& study) {
+    if (!study.cell) return std::nullopt;
+    return Obstacle{"for tables",
+                    effect.name +
+                        " acts on tables of readings in studies without a cell, but this study has "
+                        "[cell]: take an effect of the instrument, such as its gains and offsets, "
+                        "in its place"};
+}
+
 std::optional<Obstacle> no_instrument(const Effect& effect, const Study& study) {
     if (!study.cell) {
         return Obstacle{"needs [cell]",
@@ -132,6 +141,7 @@ std::optional<Obstacle> obstacle(const Effect& effect, const Study& study) {
     if (auto found = no_such_reading(effect, study)) return found;
     if (effect.of_closure()) return no_closure(effect, study);
     if (auto found = none_beside_lines(effect, study)) return found;
+    if (effect.of_table()) return no_table(effect, study);
     return effect.of_instrument() ? no_instrument(effect, study) : std::nullopt;
 }
 

@@ -40,6 +40,12 @@ double in_si(const char* key, const std::string& text, const Position& position,
 
 }  // namespace
 
+double DirectMeasurement::change_by(const SharedUncertainty& uncertainty) const {
+    if (!effect || !uncertainty.is_fitted_by(*effect)) return 0;
+    const bool relative = uncertainty.unit == "1" && unit != "1";
+    return relative ? uncertainty.standard * neutral : uncertainty.standard;
+}
+
 DirectMeasurement direct_measurement(const StatedDirect& stated, const Study& study,
                                      const EffectCatalogue& catalogue) {
     const Effect& effect = effect_of(stated, study, catalogue);
@@ -48,7 +54,8 @@ DirectMeasurement direct_measurement(const StatedDirect& stated, const Study& st
     DirectMeasurement direct{.parameter = fmt::format("{}.{}", effect.name, p.name),
                              .unit = p.unit,
                              .by = effect.directly,
-                             .neutral = effect.unlisted_value(study.liquid)};
+                             .neutral = effect.unlisted_value(study.liquid),
+                             .effect = &effect};
     if (!stated.value.empty())
         direct.value = in_si("value", stated.value, stated.value_position, unit);
     direct.standard_error = in_si("error", stated.error, stated.error_position, unit);

@@ -22,6 +22,11 @@ struct DirectMeasurement {
     double neutral = 0;
     double value = 0;  ///< 0 if not measured yet
     double standard_error = 0;
+    const Effect* effect = nullptr;  ///< whose parameter it is, valid as long as the catalogue
+
+    /// Returns the change of the parameter by an error of one standard uncertainty, for an error
+    /// that is measured directly with it, such as that of a gain; 0 for any other.
+    double change_by(const SharedUncertainty& uncertainty) const;
 };
 
 /// Returns a table [[direct]] or [[rig.direct]] of study.toml as a direct measurement in SI units.
@@ -38,8 +43,7 @@ std::vector<DirectMeasurement> direct_measurements(const Study& study,
                                                    const EffectCatalogue& catalogue);
 
 /// Study with its catalogue of effects, listed effects, direct measurements and shared
-/// uncertainties, all checked. Copies
-/// share the catalogue.
+/// uncertainties, all checked. Copies share the catalogue.
 class ResolvedStudy {
   public:
     /// Makes the catalogue and checks the listed effects and direct measurements. The conversion is

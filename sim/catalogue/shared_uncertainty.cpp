@@ -68,7 +68,7 @@ const std::string weighed_density = "density of weighed beads";
 
 /// Effects of errors of the quantities that study.toml states, by its keys. A positive error of a
 /// key of [cell], [grains] or [liquid] or of the liquid content means that the true value is larger
-/// than the stated one, a positive error of any other that the shown value is larger than the true
+/// than the stated one, a positive error of the speed that the shown value is larger than the true
 /// one.
 const std::vector<Effect>& errors_of_keys() {
     static const std::vector<Effect> effects = {
@@ -90,14 +90,9 @@ const std::vector<Effect>& errors_of_keys() {
         error_of_factor("angular_velocity", &CellState::angular_velocity, 1),
         error_of_factor("liquid_content", &CellState::liquid_content, -1),
         error_of_liquid("surface_tension", [](Liquid& l, double e) { l.surface_tension *= 1 + e; }),
-        error_of_liquid("contact_angle",
-                        [](Liquid& l, double e) {
-                            l.contact_angle =
-                                std::clamp(l.contact_angle + e, 0.0, 89 * std::numbers::pi / 180);
-                        }),
-        error_of_factor("shear_stress", &CellState::torque, 1),
-        error_of_factor("normal_stress", &CellState::normal_force, 1),
-        error_of_factor("solid_fraction", &CellState::bead_volume, 1)};
+        error_of_liquid("contact_angle", [](Liquid& l, double e) {
+            l.contact_angle = std::clamp(l.contact_angle + e, 0.0, 89 * std::numbers::pi / 180);
+        })};
     return effects;
 }
 
@@ -170,6 +165,13 @@ std::string obstacle_to(Needs needs, const Study& study) {
     return "";
 }
 
+/// Whether an effect is meant by a name of [instrument]: its own, or that of the quantity of a
+/// table whose gain it is, such as "shear_stress" for the effect shear-stress-gain.
+bool is_meant(const Effect& effect, std::string name) {
+    std::ranges::replace(name, '_', '-');
+    return effect.name == name || (effect.of_table() && effect.name == name + "-gain");
+}
+
 /// Built-in effects of the instrument with one fitted parameter, or the effects of a key's error.
 std::vector<const Effect*> effects_of(const std::string& name, const Study& study) {
     std::vector<const Effect*> effects;
@@ -181,7 +183,7 @@ std::vector<const Effect*> effects_of(const std::string& name, const Study& stud
             effects.push_back(&effect);
     }
     for (const Effect& effect : built_in_effects())
-        if (effect.name == name && effect.of_instrument() && !effect.is_switch())
+        if (is_meant(effect, name) && effect.of_instrument() && !effect.is_switch())
             effects.push_back(&effect);
     return effects;
 }
@@ -192,8 +194,8 @@ std::vector<std::string> names_for(const Study& study) {
     for (const Known& each : known)
         if (obstacle_to(each.needs, study).empty()) names.emplace_back(each.meaning.name);
     for (const Effect& effect : built_in_effects())
-        if (study.cell && effect.of_instrument() && !effect.is_switch() &&
-            std::ranges::find(names, effect.name) == names.end())
+        if (effect.of_instrument() && effect.of_table() != study.cell.has_value() &&
+            !effect.is_switch() && std::ranges::find(names, effect.name) == names.end())
             names.push_back(effect.name);
     return names;
 }
@@ -233,7 +235,11 @@ SharedUncertainty uncertainty_of(const StatedUncertainty& stated, const Study& s
         refuse(fmt::format("is no quantity whose uncertainty [instrument] can state; {}",
                            did_you_mean(stated.name, names_for(study))));
     }
-    if (!each && !study.cell)
+    const bool of_table = result.effects.front()->of_table();
+    if (!each && of_table) {
+        if (const std::string why = obstacle_to(Needs::table, study); !why.empty()) refuse(why);
+    }
+    if (!each && !study.cell && !of_table)
         refuse("acts on the instrument, but the study has no [cell]; add it, or leave this out");
     const std::string unit = unit_of(stated.name, study);
     const double size = each && each->meaning.stated ? each->meaning.stated(study) : 0;
@@ -272,9 +278,7 @@ SharedUncertainty typical_of(const Meaning& meaning, const Study& study) {
 }  // namespace
 
 bool SharedUncertainty::is_fitted_by(const Effect& effect) const {
-    std::string as_effect = name;
-    std::ranges::replace(as_effect, '_', '-');
-    return effect.name == as_effect ||
+    return is_meant(effect, name) ||
            (name == "surface_tension" && effect.given_by_liquid == &Liquid::surface_tension);
 }
 

@@ -96,6 +96,9 @@ void add_steps(const LabPlan& plan, const std::vector<LabSetPoint>& steps,
 }  // namespace
 
 std::string why_not_in_lab(const Effect& effect) {
+    if (effect.of_table())
+        return "acts on tables of readings, but a virtual laboratory writes recordings: hide an "
+               "effect of its instrument";
     if (effect.of_instrument() || effect.of_grains() || effect.of_condition()) return "";
     return "cannot be hidden in a virtual laboratory: it changes how readings are predicted, not "
            "how "

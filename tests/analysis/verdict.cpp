@@ -126,6 +126,39 @@ TEST(Verdict, IsInconclusiveIfNoEffectCouldBeSeen) {
     EXPECT_EQ(concluded(tests).verdict, Verdict::inconclusive);
 }
 
+TEST(Verdict, KeepsAnEffectThatExplainsMostBesidePairsThatFit) {
+    TestResults tests = misfit();
+    fits_with(tests, {0, 1});
+    tests.tried.push_back(model_with({2}, 90, false));  // removes 80 % of 450 ...
+    tests.tried.back().fit.dof = 0;
+    EXPECT_THAT(concluded(tests).effects, ElementsAre("a", "b"));
+    tests.tried.back().fit.chi2 = 44;  // ... 90 %
+    const Conclusion c = concluded(tests);
+    EXPECT_EQ(c.verdict, Verdict::indistinguishable);
+    EXPECT_THAT(c.effects, ElementsAre("a", "b", "c"));
+    EXPECT_EQ(c.confidence_set.size(), 2u);
+    EXPECT_EQ(c.decisions[2], Decision::may_be_missing);
+}
+
+TEST(Verdict, NamesAPairWhoseMemberExplainsMost) {
+    TestResults tests = misfit();
+    fits_with(tests, {0, 1});
+    tests.tried.push_back(model_with({1}, 30, false));
+    EXPECT_EQ(concluded(tests).verdict, Verdict::missing);
+    EXPECT_THAT(concluded(tests).effects, ElementsAre("a", "b"));
+    fits_with(tests, {0, 3});  // pairs that share the effect which explains little
+    EXPECT_EQ(concluded(tests).verdict, Verdict::indistinguishable);
+    EXPECT_THAT(concluded(tests).effects, ElementsAre("a", "b", "d"));
+}
+
+TEST(Verdict, LetsNoEffectThatExplainsMostBesideOneThatFits) {
+    TestResults tests = misfit();
+    fits_with(tests, {0});
+    fits_with(tests, {1, 2});
+    tests.tried.push_back(model_with({3}, 30, false));
+    EXPECT_THAT(concluded(tests).effects, ElementsAre("a", "b", "c"));
+}
+
 TEST(Verdict, IsMissingIfOneEffectFits) {
     TestResults tests = misfit();
     fits_with(tests, {1});

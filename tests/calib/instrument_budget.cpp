@@ -26,10 +26,10 @@ std::shared_ptr<const EffectModel> predictor_of(const Study& study) {
 
 Fit fit_of(const Study& study, const std::vector<Reading>& readings) {
     const auto predictor = predictor_of(study);
-    const Measured measured = stack(readings);
-    Fit result = fit(ModelOfReadings(predictor, conditions_of(readings)), measured,
-                     Eigen::VectorXd::Constant(1, 0.2));
-    add_instrument(result, *predictor, readings, measured);
+    const std::vector<DirectMeasurement> direct = direct_measurements(study, EffectCatalogue());
+    Fit result = fit(ModelOfReadings(predictor, conditions_of(readings), direct),
+                     stack(readings, direct), Eigen::VectorXd::Constant(1, 0.2));
+    add_instrument(result, *predictor, readings, direct);
     return result;
 }
 
@@ -75,6 +75,39 @@ TEST(InstrumentBudget, AddsUpToTheStandardError) {
     const auto largest = largest_errors(fit, 0, true, 3);
     EXPECT_EQ(largest.front().name, "torque-gain");
     EXPECT_TRUE(far_errors(fit).empty());
+}
+
+/// A study that states a gain of the torque and has measured it.
+Study measuring(const std::string& gain, const std::string& error,
+                std::vector<StatedUncertainty> stated = {{"torque-gain", "2 %"}}) {
+    Study study = stating(std::move(stated));
+    study.direct = {{.effect = "torque-gain", .value = gain, .error = error}};
+    return study;
+}
+
+// A measured gain is what was stated, known better: as if the readings had been divided by it.
+TEST(InstrumentBudget, IsNarrowedByADirectMeasurement) {
+    std::vector<Reading> readings = readings_with({}, 6);
+    const Fit exact = fit_of(planted_study(), readings);
+    const Fit stated = fit_of(stating({{"torque-gain", "2 %"}}), readings);
+    for (Reading& reading : readings)
+        reading.value(0) *= 1.03;
+    const Fit high = fit_of(planted_study(), readings);
+    const Fit measured = fit_of(measuring("1.03", "0.001"), readings);
+    EXPECT_GT(high.parameters(0) - exact.parameters(0), 3 * exact.standard_error(0));
+    EXPECT_NEAR(measured.parameters(0), exact.parameters(0), 0.3 * exact.standard_error(0));
+    EXPECT_GT(stated.standard_error(0), 2 * exact.standard_error(0));
+    EXPECT_LT(measured.standard_error(0), 1.1 * exact.standard_error(0));
+    EXPECT_NEAR(measured.chi2, exact.chi2 + std::pow(0.03 / 0.02, 2), 0.5);
+    EXPECT_NEAR(named(measured, "torque-gain").needed, 0.03 / 0.02, 0.1);
+}
+
+TEST(InstrumentBudget, LeavesOfATypicalErrorWhatAMeasurementDoesNotKnow) {
+    const std::vector<Reading> readings = readings_with({}, 7);
+    const double typical = named(fit_of(planted_study(), readings), "torque-gain").shift(0);
+    const double left =
+        named(fit_of(measuring("1", "0.2 %", {}), readings), "torque-gain").shift(0);
+    EXPECT_NEAR(left / typical, 1 / std::sqrt(1 + std::pow(0.02 / 0.002, 2)), 1e-3);
 }
 
 TEST(InstrumentBudget, NamesAnErrorFarBeyondItsUncertainty) {

@@ -102,6 +102,28 @@ TEST_F(ReadPoints, SaysThatADeviationWithoutNumberIsAStandardError) {
     EXPECT_THAT(read(columns + ",shear_stress_n\n1000,300,0.6,0.01,6,4\n").notes(), IsEmpty());
 }
 
+TEST_F(ReadPoints, AsksAboutATableInWhichNothingFlows) {
+    source_.liquid_content = 0;
+    const auto notes = [&](const std::string& column, const std::string& one,
+                           const std::string& other) {
+        const Measurements all = read(
+            fmt::format("normal_stress [Pa],shear_stress [Pa],solid_fraction,{}\n1000,300,0.6,{}\n"
+                        "2000,600,0.6,{}\n",
+                        column, one, other));
+        std::vector<std::string> texts;
+        for (const Remark& note : all.notes())
+            texts.push_back(text_of(note));
+        return texts;
+    };
+    const auto zeros = notes("inertial_number", "0", "0");
+    const auto slow = notes("shear_rate [1/s]", "2e-4", "2e-4");
+    ASSERT_EQ(zeros.size(), 1u);
+    ASSERT_EQ(slow.size(), 1u);
+    expect_told({zeros[0], slow[0]});
+    EXPECT_THAT(notes("inertial_number", "0", "0.01"), IsEmpty());
+    EXPECT_THAT(notes("shear_rate [1/s]", "2e-4", "2"), IsEmpty());
+}
+
 TEST_F(ReadPoints, RefusesErrorsThatAreStatedTwiceOrInPart) {
     const auto refused = [&](const std::string& columns, const std::string& cells) {
         return error("normal_stress [Pa],shear_stress [Pa],solid_fraction,inertial_number," +

@@ -61,10 +61,15 @@ std::vector<Case> cases() {
     return all;
 }
 
-/// Readings of two files: the second has half the beads and comes an hour later.
+/// Readings of two files: the second has half the beads and comes an hour later. One table, where
+/// the study has no cell.
 std::vector<Condition> conditions_of_files(const Study& study) {
     std::vector<Condition> all = conditions();
-    const std::size_t n = all.size();
+    const std::size_t n = study.cell ? all.size() : 0;
+    if (!study.cell) {
+        for (Condition& each : all)
+            each.height.reset(), each.bead_volume.reset();
+    }
     for (std::size_t k = 0; k < n; ++k) {
         Condition later = all[k];
         later.bead_volume = *later.bead_volume / 2;
@@ -92,8 +97,9 @@ Study study_of(const Case& one) {
     for (const std::string& effect : one.effects) {
         study.model.effects.push_back({effect, {}});
         const auto built_in = std::ranges::find(built_in_effects(), effect, &Effect::name);
-        study.sources.front().at_failure |=
-            built_in != built_in_effects().end() && built_in->touches == Touches::failure;
+        if (built_in == built_in_effects().end()) continue;
+        study.sources.front().at_failure |= built_in->touches == Touches::failure;
+        if (built_in->of_table()) study.cell.reset();
     }
     if (!one.written.empty()) {
         study.written_effects =

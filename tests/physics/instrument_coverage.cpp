@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include "calib/fit/parameter_errors.h"
+#include "data/recordings/measurements.h"
 #include "tests/physics/planted_readings.h"
 
 namespace physics_instrument_coverage_test {
@@ -40,23 +41,44 @@ int count_within(double errors, const std::vector<Fit>& fits) {
     }));
 }
 
+/// The readings with errors as their scatter shows them: each run knows a third of its own.
+std::vector<Reading> with_errors_from_replicates(std::vector<Reading> readings) {
+    for (Reading& reading : readings) {
+        reading.covariance /= 9;
+        reading.within_run_only = true;
+    }
+    Measurements all;
+    all.readings = std::move(readings);
+    pool_replicates(all);
+    return all.readings;
+}
+
+struct Design {
+    bool dry = false, replicated = false;
+};
+
 /// Fits of studies whose shared errors are drawn from the budget and that a model with (or without)
 /// the budget is fitted to.
-std::vector<Fit> fits_of(int studies, bool dry, const Study& fitted) {
-    const std::vector<Condition> at = conditions_of_study(dry);
+std::vector<Fit> fits_of(int studies, Design design, const Study& fitted) {
+    std::vector<Condition> at = conditions_of_study(design.dry);
+    if (design.replicated) {
+        const std::vector<Condition> again = at;
+        at.insert(at.end(), again.begin(), again.end());
+    }
     const Eigen::VectorXd friction = Eigen::VectorXd::Constant(1, planted_friction);
     const auto truth = predictor_of(stating_budget());
     const Eigen::VectorXd exact = truth->predict(friction, at, PredictionPart::values).value;
     const Eigen::MatrixXd changes = truth->shared_changes(friction, at);
     const auto predictor = predictor_of(fitted);
-    std::mt19937_64 random(dry ? 11 : 2026);
+    std::mt19937_64 random((design.dry ? 11U : 2026U) + (design.replicated ? 1000U : 0U));
     std::normal_distribution<double> normal;
     std::vector<Fit> fits;
     for (int k = 0; k < studies; ++k) {
         Eigen::VectorXd values = exact;
         for (std::size_t j = 0; j < budget.size(); ++j)
             values += normal(random) * changes.col(static_cast<Eigen::Index>(j));
-        const std::vector<Reading> readings = scattered(at, values, random);
+        std::vector<Reading> readings = scattered(at, values, random);
+        if (design.replicated) readings = with_errors_from_replicates(std::move(readings));
         fits.push_back(fit(ModelOfReadings(predictor, at), stack(readings),
                            Eigen::VectorXd::Constant(1, 0.2)));
     }
@@ -64,28 +86,36 @@ std::vector<Fit> fits_of(int studies, bool dry, const Study& fitted) {
 }
 
 // 400 studies: binomial errors are 2.3 % and 1.1 %, the limits three of them.
-void expect_honest(bool dry) {
+void expect_honest(Design design) {
     constexpr int studies = 400;
-    const std::vector<Fit> fits = fits_of(studies, dry, stating_budget());
+    const std::vector<Fit> fits = fits_of(studies, design, stating_budget());
     const int one = count_within(1, fits), two = count_within(1.96, fits);
-    std::printf("%s: %.1f %% within one error, %.1f %% within 1.96\n",
-                dry ? "dry readings" : "all readings", 100.0 * one / studies,
-                100.0 * two / studies);
+    std::printf("%s readings, %s: %.1f %% within one error, %.1f %% within 1.96\n",
+                design.dry ? "dry" : "all", design.replicated ? "replicated" : "with known errors",
+                100.0 * one / studies, 100.0 * two / studies);
     EXPECT_NEAR(one, 0.683 * studies, 3 * 0.0233 * studies);
     EXPECT_NEAR(two, 0.95 * studies, 3 * 0.0109 * studies);
 }
 
 TEST(InstrumentCoverage, IsHonestForAllReadings) {
-    expect_honest(false);
+    expect_honest({.dry = false});
 }
 
 TEST(InstrumentCoverage, IsHonestForDryReadings) {
-    expect_honest(true);
+    expect_honest({.dry = true});
+}
+
+TEST(InstrumentCoverage, IsHonestForReplicatesOfAllReadings) {
+    expect_honest({.dry = false, .replicated = true});
+}
+
+TEST(InstrumentCoverage, IsHonestForReplicatesOfDryReadings) {
+    expect_honest({.dry = true, .replicated = true});
 }
 
 TEST(InstrumentCoverage, IsMissingWithoutTheBudget) {
     constexpr int studies = 100;
-    EXPECT_LT(count_within(1, fits_of(studies, false, planted_study())), studies / 3);
+    EXPECT_LT(count_within(1, fits_of(studies, {.dry = false}, planted_study())), studies / 3);
 }
 
 }  // namespace physics_instrument_coverage_test
