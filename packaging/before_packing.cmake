@@ -12,5 +12,7 @@ foreach(library IN LISTS libraries)
                           --enable-deterministic-archives ${library} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 set(documentation ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/documentation)
-execute_process(COMMAND bash ${CMAKE_CURRENT_LIST_DIR}/link_shared_files.sh ${documentation}
-                COMMAND_ERROR_IS_FATAL ANY)
+if(EXISTS ${documentation})
+  execute_process(COMMAND bash ${CMAKE_CURRENT_LIST_DIR}/link_shared_files.sh ${documentation}
+                  COMMAND_ERROR_IS_FATAL ANY)
+endif()
