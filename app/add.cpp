@@ -14,6 +14,7 @@
 #include "app/open_session.h"
 #include "data/input_error.h"
 #include "reports/change_report.h"
+#include "reports/misfit_figures.h"
 #include "workflow/json/diagnosis.h"
 #include "workflow/proposed_effects.h"
 
@@ -106,7 +107,6 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
 /// @param last whether it is the last effect, whose change the JSON states
 int change_study(Action what, const std::string& effect, const AddOptions& own,
                  const CommonOptions& common, Console& console, bool last) {
-    const auto figures = common.out_folder() / "figures";
     OpenSession session(console, common, outputs_of_change(), own.seed,
                         OpenSession::Access::changes);
     const ChangedStudy changed =
@@ -116,7 +116,7 @@ int change_study(Action what, const std::string& effect, const AddOptions& own,
     if (last || !changed.written) console.json(to_json(changed));
     console.print(change_output(changed));
     if (changed.written) {
-        console.figures(figures, {draw_ladder(changed.ladder, figures)});
+        console.figures(common.out_folder() / "figures", {ladder_figure(changed.ladder)});
         console.next(next_after(changed.change, changed.before.ladder_step,
                                 changed.comparable_after().ladder_step, belief.believable(),
                                 common.study_word()));

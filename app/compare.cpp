@@ -13,7 +13,6 @@
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/calibration.h"
 #include "data/recordings/reading_groups.h"
-#include "reports/draw_figure.h"
 #include "reports/fit_report.h"
 #include "reports/misfit_figures.h"
 #include "workflow/json/diagnosis.h"
@@ -63,7 +62,7 @@ int compare(const std::vector<std::string>& arguments) {
     for (Figure& figure : figures) {
         if (!belief.believable()) figure.title += " (the fit is not to be used: see compare.json)";
     }
-    console.figures(out / "figures", draw_all(figures, out / "figures"));
+    console.figures(out / "figures", figures);
     const bool fits = belief.believable() && comparison.total.p() >= significant_p;
     if (replicate_groups(c.readings).size() > 1) {
         console.next(fmt::format("pendular {} {}",

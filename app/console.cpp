@@ -10,9 +10,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/terminal.h"
 #include "data/files/json_text.h"
+#include "data/files/write_whole.h"
+#include "reports/draw_figure.h"
 #include "reports/words.h"
 #include "workflow/json/parts.h"
 
@@ -20,6 +23,29 @@ namespace pendular::app {
 namespace {
 
 constexpr std::size_t most_notes = 3;  ///< largest number of notes that are printed without --all
+
+/// Whether one of the folders of $PATH has the program gnuplot.
+bool has_gnuplot() {
+    const char* const path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        if (access((std::filesystem::path(folder) / "gnuplot").c_str(), X_OK) == 0) return true;
+    }
+    return false;
+}
+
+/// Writes the numbers of figures, and returns the names of the figures that have any.
+std::vector<std::string> write_numbers(const std::vector<Figure>& figures,
+                                       const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    for (const Figure& figure : figures) {
+        if (figure.panels.empty()) continue;
+        std::filesystem::create_directories(folder);
+        write_whole(folder / (figure.name + ".csv"), numbers_table(figure));
+        names.push_back(figure.name);
+    }
+    return names;
+}
 
 /// Text of a note with "#" for each word that contains a digit, such as numbers and file names.
 /// Notes with equal patterns are printed once.
@@ -132,10 +158,17 @@ void Console::print_notes() {
     notes_.clear();
 }
 
-void Console::figures(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+void Console::figures(const std::filesystem::path& folder, const std::vector<Figure>& figures) {
     print_notes();
+    const bool drawing = has_gnuplot();
+    const auto names = drawing ? draw_all(figures, folder) : write_numbers(figures, folder);
     if (names.empty()) return;
-    if (names.size() == 1) {
+    if (!drawing) {
+        line(
+            fmt::format("No figures were drawn, since gnuplot is not installed. Their numbers in "
+                        "{}, as CSV: {}.",
+                        folder.string(), fmt::join(names, ", ")));
+    } else if (names.size() == 1) {
         line(fmt::format("Figure: {}", (folder / (names.front() + ".png")).string()));
     } else {
         line(fmt::format("Figures in {}, each as PNG, SVG, PDF and CSV: {}.", folder.string(),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/options.h"
+#include "reports/figure.h"
 #include "reports/output.h"
 #include "reports/with_error.h"
 #include "sim/runs/ensemble.h"
@@ -37,9 +38,10 @@ class Console {
     /// Without --all, at most three notes are printed, then the number of hidden notes; notes that
     /// differ only in words with digits count as one, of which the first is printed.
     void note(const std::string& text);
-    /// Prints the stored notes, then one line with the figure files in `folder`, if there are any.
-    /// @param names names of the figures, without extension
-    void figures(const std::filesystem::path& folder, const std::vector<std::string>& names);
+    /// Prints the stored notes, draws figures (`draw`), and prints one line with their files. If
+    /// gnuplot is not installed, writes the numbers of the figures as CSV and says so.
+    /// @throws std::runtime_error as `draw`, if gnuplot is installed
+    void figures(const std::filesystem::path& folder, const std::vector<Figure>& figures);
     /// Prints the stored notes, then the line "Next: ..." with the command to give next.
     void next(const std::string& command);
     /// Writes the command's result to the file of --json, or to standard output for "-". Does

@@ -16,7 +16,6 @@
 #include "reports/diagnosis_figures.h"
 #include "reports/diagnosis_output.h"
 #include "reports/diagnosis_report.h"
-#include "reports/draw_figure.h"
 #include "reports/impact_report.h"
 #include "reports/next_steps.h"
 #include "reports/proposal_report.h"
@@ -140,9 +139,8 @@ int diagnose(const std::vector<std::string>& arguments) {
     console.print(diagnosis_output({d, checks, remaining_checks(d, session->options().seed),
                                     impacts, steps, session->resolved(), session->measurements(),
                                     common->study_word(), console.all()}));
-    const auto figures = common->out_folder() / "figures";
     console.json(json);  // before the figures, which need gnuplot
-    console.figures(figures, draw_all(figures_of(d, impacts), figures));
+    console.figures(common->out_folder() / "figures", figures_of(d, impacts));
     console.next(next_command(diagnosis, steps, common->study_word()));
     return diagnosis.base.fit.converged ? done : not_converged;
 }

@@ -11,7 +11,6 @@
 #include "app/study_page.h"
 #include "data/recordings/measurements.h"
 #include "data/remarks/wording.h"
-#include "reports/draw_figure.h"
 #include "reports/file_report.h"
 #include "reports/recording_figures.h"
 #include "workflow/json/measurements.h"
@@ -81,9 +80,7 @@ int import(const std::vector<std::string>& arguments) {
     if (!measurements.readings.empty())
         console.next(fmt::format("pendular calibrate {}", common->study_word()));
     console.json(to_json(measurements));
-    if (!file.figures.empty())
-        console.figures(file.figures,
-                        draw_all(figures_of_recordings(input, console), file.figures));
+    if (!file.figures.empty()) console.figures(file.figures, figures_of_recordings(input, console));
     return mostly_set_aside(measurements) ? not_converged : done;
 }
 

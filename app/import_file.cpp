@@ -16,7 +16,6 @@
 #include "data/quantities/number.h"
 #include "data/recordings/file_view.h"
 #include "data/study/study.h"
-#include "reports/draw_figure.h"
 #include "reports/file_report.h"
 #include "reports/recording_figures.h"
 #include "workflow/begin_study.h"
@@ -148,8 +147,7 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
                                                shell_word(options.study))
                                  : fmt::format("pendular import {}", shell_word(options.study)));
     console.json(to_json(view));
-    if (!options.figures.empty())
-        console.figures(options.figures, draw_all(file_figures(view), options.figures));
+    if (!options.figures.empty()) console.figures(options.figures, file_figures(view));
     return done;
 }
 

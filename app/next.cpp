@@ -10,7 +10,6 @@
 #include "app/command.h"
 #include "app/console.h"
 #include "app/open_session.h"
-#include "reports/draw_figure.h"
 #include "reports/next_steps.h"
 #include "workflow/json/diagnosis.h"
 #include "workflow/json/parts.h"
@@ -84,9 +83,8 @@ int next(const std::vector<std::string>& arguments) {
     write_json(common->out_folder() / "next.json", json);
     console.print(next_output(next, d, steps, session->study().rig.has_value()));
     console.json(json);  // before the figure, which needs gnuplot
-    const auto figures = common->out_folder() / "figures";
-    if (const auto drawn = draw_all({next_figure(next)}, figures); !drawn.empty()) {
-        console.figures(figures, drawn);
+    if (const Figure figure = next_figure(next); !figure.panels.empty()) {
+        console.figures(common->out_folder() / "figures", {figure});
     }
     if (d.diagnosis.verdict == Verdict::missing) {
         console.next(next_command(d.diagnosis, steps, common->study_word()));

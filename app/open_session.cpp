@@ -14,8 +14,6 @@
 #include "app/terminal.h"
 #include "data/quantities/number.h"
 #include "reports/change_report.h"
-#include "reports/draw_figure.h"
-#include "reports/misfit_figures.h"
 #include "reports/words.h"
 #include "sim/dem/run.h"
 #include "workflow/json/diagnosis.h"
@@ -132,12 +130,6 @@ ChangedStudy change_effects(Session& session, Action action, const std::string& 
     if (action == Action::drop) return session.drop(effect, options);
     options.rivals = rivals_in(session.folder() / "diagnosis.json", session.study(), effect);
     return session.add(effect, options);
-}
-
-std::string draw_ladder(const Ladder& ladder, const std::filesystem::path& folder) {
-    const Figure figure = ladder_figure(ladder);
-    draw(figure, folder);
-    return figure.name;
 }
 
 }  // namespace pendular::app

@@ -98,8 +98,4 @@ std::vector<std::filesystem::path> outputs_of_change();
 ChangedStudy change_effects(Session& session, Action action, const std::string& effect,
                             const FitOptions& fit, bool same_fidelity);
 
-/// Draws the figure of a ladder to a folder, and returns the name of the figure.
-/// @throws std::runtime_error if gnuplot is missing or fails, or if a file cannot be written
-std::string draw_ladder(const Ladder& ladder, const std::filesystem::path& folder);
-
 }  // namespace pendular::app

@@ -9,6 +9,7 @@
 
 #include "app/command.h"
 #include "app/terminal.h"
+#include "app/version.h"
 #include "data/input_error.h"
 
 namespace pendular::app {
@@ -95,7 +96,7 @@ int run_command(const std::vector<std::string>& arguments) {
             return arguments.empty() ? wrong_input : done;
         }
         if (arguments[0] == "--version") {
-            fmt::print("pendular {}\n", PENDULAR_VERSION);
+            fmt::print("{}", version_text());
             return done;
         }
         return command_named(arguments[0]).run({arguments.begin() + 1, arguments.end()});

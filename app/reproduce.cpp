@@ -10,7 +10,6 @@
 #include "app/terminal.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
-#include "reports/draw_figure.h"
 #include "reports/run_report.h"
 #include "reports/simulation_figures.h"
 #include "sim/runs/ensemble.h"
@@ -71,8 +70,7 @@ int reproduce(const std::vector<std::string>& arguments) {
     console.print(reproduction_output(reproduction, common->all));
     if (common->out) {
         write_whole(*common->out / "reproduction.md", reproduction_page(reproduction));
-        const auto folder = *common->out / "figures";
-        console.figures(folder, draw_all(paper_figures(reproduction.study()), folder));
+        console.figures(*common->out / "figures", paper_figures(reproduction.study()));
     } else {
         console.next("pendular reproduce --out paper   # writes reproduction.md and the figures");
     }

@@ -18,6 +18,8 @@
 #include "data/input_error.h"
 #include "data/study/study.h"
 #include "reports/change_report.h"
+#include "reports/draw_figure.h"
+#include "reports/misfit_figures.h"
 #include "reports/page/report_page.h"
 #include "workflow/json/commands.h"
 
@@ -58,7 +60,7 @@ Answer change_study(Action action, const std::string& effect, const CommonOption
     for (const std::string& reason : changed.after.belief.reasons)
         answer.text += " Warning about the new fit: " + reason;
     try {
-        draw_ladder(changed.ladder, common.out_folder() / "figures");
+        draw(ladder_figure(changed.ladder), common.out_folder() / "figures");
     } catch (const std::exception& error) {
         answer.text += fmt::format(" The figure 'ladder' was not drawn: {}.", error.what());
     }

@@ -13,14 +13,15 @@ target_link_libraries(pendular_library INTERFACE pendular_workflow)
 
 install(TARGETS pendular_library pendular_workflow pendular_analysis pendular_calib pendular_sim
                 pendular_data
-        EXPORT PendularTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+        EXPORT PendularTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/Pendular)
-install(EXPORT PendularTargets NAMESPACE Pendular:: DESTINATION ${package})
+install(EXPORT PendularTargets NAMESPACE Pendular:: DESTINATION ${package} COMPONENT development)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/PendularConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/PendularConfig.cmake
                               INSTALL_DESTINATION ${package})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/PendularConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/PendularConfig.cmake
-              ${PROJECT_BINARY_DIR}/PendularConfigVersion.cmake DESTINATION ${package})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pendular DESTINATION include)
+              ${PROJECT_BINARY_DIR}/PendularConfigVersion.cmake DESTINATION ${package}
+        COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pendular DESTINATION include COMPONENT development)

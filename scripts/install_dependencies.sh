@@ -18,6 +18,8 @@ packages=(
   sqlite3 python3 locales chromium
   # tests of manual pages and completion, the manual as a site
   groff-base mandoc zsh fish mkdocs python3-pymdownx libjs-katex
+  # packages, and a clean Debian to try them in
+  dpkg-dev file lintian debootstrap xz-utils fonts-katex libjs-lunr sphinx-rtd-theme-common
 )
 
 # Node drives the browser of the tests; any version from 18 on will do.

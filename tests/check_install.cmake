@@ -11,10 +11,11 @@ function(run)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/prefix)
-# Manual pages and completion are where man and the shells look for them.
+# Manual pages, completion and the desktop's entry are where man, the shells and desktops look for them.
 foreach(file man/man1/pendular.1 man/man1/pendular-diagnose.1 man/man1/pendular-virtual-lab.1
              bash-completion/completions/pendular zsh/site-functions/_pendular
-             fish/vendor_completions.d/pendular.fish)
+             fish/vendor_completions.d/pendular.fish applications/pendular.desktop
+             mime/packages/pendular.xml pendular/examples/polystyrene/study.toml)
   if(NOT EXISTS ${work}/prefix/share/${file})
     message(FATAL_ERROR "share/${file} is not installed")
   endif()
