@@ -111,11 +111,13 @@ def test_states_together_are_those_one_by_one():
         alone = pendular.predict(0.15, 0.002, pressure[k], liquid_content=0.01, store=False,
                                  derivatives=True)
         for name in together.observables:
-            # Products of matrices round otherwise than products with vectors.
-            assert together[name][k] == pytest.approx(float(alone[name]), rel=1e-9)
-            assert together.stderr(name)[k] == pytest.approx(float(alone.stderr(name)), rel=1e-6)
+            # Products of matrices round otherwise than products with vectors. A variance is the
+            # small difference of two numbers, which is why its rounding errors show most.
+            error = float(alone.stderr(name))
+            assert together[name][k] == pytest.approx(float(alone[name]), abs=1e-6 * error)
+            assert together.stderr(name)[k] == pytest.approx(error, rel=1e-4)
             assert together.derivative(name, "friction")[k] == pytest.approx(
-                float(alone.derivative(name, "friction")), rel=1e-6, abs=1e-12)
+                float(alone.derivative(name, "friction")), rel=1e-6, abs=1e-6 * error)
 
 
 def test_states_outside_of_the_range_are_nan_and_told():
