@@ -141,7 +141,7 @@ class Posterior:
         return pandas.DataFrame(self.samples, columns=self.names)
 
 
-def posterior(forward: Forward, *, walkers: int = 32, steps: int = 2000, burn_in: int = 500,
+def posterior(forward: Forward, *, walkers: int = 16, steps: int = 1000, burn_in: int = 200,
               seed: int = 1, progress: bool = False) -> Posterior:
     """Samples the posterior of the parameters with emcee: a uniform prior within their bounds, and
     the likelihood of the least-squares fit, with its weights. Where the model is linear within the
