@@ -24,7 +24,7 @@ struct PredictedStates {
     std::vector<std::string> why_not;
 };
 
-/// What `predict_states` computes, and how.
+/// Settings of `predict_states`.
 struct StatesRequest {
     bool slopes = false;      ///< whether to compute derivatives, which takes three times as long
     std::size_t threads = 1;  ///< largest number; no result depends on it

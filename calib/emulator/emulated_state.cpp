@@ -1,7 +1,10 @@
 #include "calib/emulator/emulated_state.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "calib/emulator/emulated_observables.h"
 
@@ -77,6 +80,10 @@ std::vector<Observable> observables_of(const FlowState& state) {
 std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const FlowState& state,
                                             double stiffness_number,
                                             const std::vector<Observable>& wanted) {
+    for (const Observable which : wanted)
+        if (state.dry() && emulated::of_bridges(which))
+            throw std::invalid_argument(fmt::format(
+                "dry grains have no {}", dem::observable_names[static_cast<std::size_t>(which)]));
     return emulated_at(emulator, {state}, stiffness_number, wanted, true).front();
 }
 
@@ -92,10 +99,11 @@ std::vector<std::vector<EmulatedObservable>> emulated_at(const Emulator& emulato
         std::vector<FlowState> having;
         std::vector<std::size_t> places;
         for (std::size_t k = 0; k < states.size(); ++k) {
-            if (states.size() > 1 && states[k].dry() && emulated::of_bridges(which)) continue;
+            if (states[k].dry() && emulated::of_bridges(which)) continue;
             having.push_back(states[k]);
             places.push_back(k);
         }
+        if (having.empty()) continue;
         std::vector<Jet> jets = jets_of(emulator, having, which, slopes);
         const std::vector<Jet> overlaps =
             which == Observable::solid_fraction

@@ -16,24 +16,13 @@ from typing import TYPE_CHECKING, Any
 from pendular._core import InputError, Interrupted, SimulationError, __version__
 from pendular._notify import Note
 from pendular._forward import Forward, Posterior, Whitened, posterior
-from pendular.results import (
-    Change,
-    Comparison,
-    Diagnosis,
-    Effects,
-    Estimate,
-    FileView,
-    Fit,
-    NextMeasurement,
-    Prediction,
-    Readings,
-    Recording,
-    Run,
-    Runs,
-)
+from pendular.catalogues import Effects, FileView, Run, Runs
+from pendular.fits import Comparison, Fit, Prediction, Readings, Recording
+from pendular.results import Estimate
 from pendular.simulations import import_file, runs, simulate
 from pendular.states import States, predict
 from pendular.study import PathLike, Study, open
+from pendular.verdicts import Change, Diagnosis, NextMeasurement
 from pendular._written import instrument_effect
 
 if TYPE_CHECKING:

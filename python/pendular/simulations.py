@@ -7,7 +7,7 @@ from typing import Dict, Mapping, Optional, Sequence, Union
 
 from pendular import _core
 from pendular._notify import Progress, told
-from pendular.results import FileView, Run, Runs
+from pendular.catalogues import FileView, Run, Runs
 from pendular.states import Store, store_file
 
 #: Size and stress of the sample, which effects with units need: the program's defaults.

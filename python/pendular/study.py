@@ -15,17 +15,9 @@ from pendular import _core
 from pendular._memory import write_study
 from pendular._notify import Progress, told
 from pendular._forward import Forward
-from pendular.results import (
-    Change,
-    Comparison,
-    Diagnosis,
-    Fit,
-    NextMeasurement,
-    Prediction,
-    Readings,
-    Recording,
-)
+from pendular.fits import Comparison, Fit, Prediction, Readings, Recording
 from pendular.states import Numbers, States, Store, predict, store_file
+from pendular.verdicts import Change, Diagnosis, NextMeasurement
 
 PathLike = Union[str, "os.PathLike[str]"]
 #: Time for simulations that check a result: minutes, True for no limit, False for none.

@@ -103,6 +103,13 @@ def test_states_have_the_shape_of_their_arguments():
     assert len(states.to_dataframe()) == 6
 
 
+def test_dry_grains_have_no_bridges():
+    states = pendular.predict(0.09, store=False)
+    assert states.shape == () and 0.2 < states["stress_ratio"] < 0.3
+    assert np.isnan(states["distant_force"]) and np.isnan(states.bridge_volume)
+    assert "0.25" in str(states.estimate("stress_ratio"))
+
+
 def test_states_together_are_those_one_by_one():
     pressure = np.linspace(0.6, 9, 70)  # several parts of the work, the last one not full
     together = pendular.predict(0.15, 0.002, pressure, liquid_content=0.01, store=False,

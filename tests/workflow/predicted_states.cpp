@@ -44,8 +44,7 @@ TEST(PredictedStates, AreThoseOfEachStateAlone) {
         for (const EmulatedObservable& one : alone.observables) {
             const auto column =
                 std::ranges::find(found.observables, one.which) - found.observables.begin();
-            EXPECT_NEAR(found.value(row, column), one.value.value,
-                        1e-6 * one.value.standard_error);
+            EXPECT_NEAR(found.value(row, column), one.value.value, 1e-6 * one.value.standard_error);
             EXPECT_NEAR(found.standard_error(row, column), one.value.standard_error,
                         1e-4 * one.value.standard_error);
             EXPECT_NEAR(found.slopes[0](row, column), one.slopes[0].value,
@@ -56,6 +55,14 @@ TEST(PredictedStates, AreThoseOfEachStateAlone) {
         EXPECT_EQ((found.value.row(row).array() == found.value.row(row).array()).count(), numbers);
         EXPECT_EQ(std::isnan(found.bridge_volume(row)), alone.state.dry());
     }
+}
+
+TEST(PredictedStates, OfDryGrainsAloneHaveNoBridges) {
+    const PredictedStates found = predict_states(predictor(), {{.friction = 0.2}});
+    EXPECT_EQ(found.value(0, 0), predictor().at({.friction = 0.2}).observables.front().value.value);
+    const auto bridges = std::ranges::find(found.observables, dem::Observable::distant_force) -
+                         found.observables.begin();
+    EXPECT_TRUE(std::isnan(found.value(0, bridges)));
 }
 
 TEST(PredictedStates, LeaveOutWhatRunsDoNotSupportAndSayWhy) {
