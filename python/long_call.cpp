@@ -46,7 +46,7 @@ Told told(const Event& event) {
 class Waited {
   public:
     explicit Waited(const LongWork& work)
-        : thread_([this, &work](const std::stop_token& stop) { carry_out(work, stop); }) {}
+        : thread_([this, &work](const std::stop_token& stop) { work_through(work, stop); }) {}
 
     /// Waits until the work has ended or told something, at most `patience`, and returns what it
     /// has told.
@@ -67,7 +67,7 @@ class Waited {
     const std::exception_ptr& failure() const { return failure_; }
 
   private:
-    void carry_out(const LongWork& work, const std::stop_token& stop) {
+    void work_through(const LongWork& work, const std::stop_token& stop) {
         try {
             work(stop, [this](const Event& event) {
                 const std::lock_guard lock(mutex_);

@@ -73,7 +73,7 @@ TEST(PredictedStates, LeaveOutWhatRunsDoNotSupportAndSayWhy) {
     EXPECT_TRUE(found.slopes.empty());
 }
 
-TEST(PredictedStates, DoNotDependOnTheNumberOfThreads) {
+TEST(PredictedStates, AreTheSameFromSeveralThreads) {
     const std::vector<RequestedState> requested(200, {.friction = 0.2});
     std::size_t told = 0;
     const PredictedStates one = predict_states(predictor(), requested),
