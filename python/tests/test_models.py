@@ -122,6 +122,15 @@ def test_profile_is_the_error_where_the_model_is_linear(study):
         assert upper - lower == pytest.approx(2 * each.stderr, rel=0.1)
 
 
+def test_calibration_has_a_profile_of_every_parameter(study):
+    fit = study.add("wall-friction").calibrate(profile=True)
+    assert list(fit.intervals) == list(fit.parameters) == ["friction", "wall-friction.coefficient"]
+    for name, (lower, upper) in fit.intervals.items():
+        each = fit.parameters[name]
+        assert lower < each.value < upper
+        assert upper - lower == pytest.approx(2 * each.stderr, rel=0.1)
+
+
 def test_posterior_is_the_fit_where_the_model_is_linear(study):
     pytest.importorskip("emcee")
     f = study.add("wall-friction").forward()
