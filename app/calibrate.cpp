@@ -53,7 +53,7 @@ int calibrate(const std::vector<std::string>& arguments) {
                        "the new simulations are kept in the store");
     const CohesionLineOptions cohesion(options);
     options.add_switch("profile", &fit.profile,
-                       "also compute the profile likelihood interval of the friction coefficient");
+                       "also compute the profile likelihood interval of each parameter");
     options.offer_runs_of();
     const auto common = options.parse(arguments);
     if (!common) {

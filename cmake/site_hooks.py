@@ -1,10 +1,13 @@
-"""What mkdocs does beyond mkdocs.yml: takes in the pages beside docs/ and the pages of effects, keeps
-links inside of the site, and copies what draws formulas."""
+"""What mkdocs does beyond mkdocs.yml: takes in the pages beside docs/, the notebooks and the pages of
+effects, keeps links inside of the site, and copies what draws formulas."""
+import base64
+import json
 import logging
 import os
 import posixpath
 import re
 import shutil
+import tempfile
 
 from mkdocs.structure.files import File
 
@@ -46,6 +49,32 @@ def has_katex():
     return os.path.isfile(f"{KATEX}/katex.min.js")
 
 
+def page_of_notebook(file, folder):
+    """Writes a notebook as a page of Markdown with its pictures, and returns their names."""
+    name = os.path.splitext(os.path.basename(file))[0]
+    with open(file, encoding="utf-8") as opened:
+        cells = json.load(opened)["cells"]
+    parts, written = [], []
+    for cell in cells:
+        source = "".join(cell["source"])
+        parts.append(source if cell["cell_type"] == "markdown" else f"```python\n{source}\n```")
+        for output in cell.get("outputs", []):
+            data = output.get("data", {})
+            if "image/png" in data:
+                written.append(f"{name}_{len(written) + 1}.png")
+                with open(os.path.join(folder, written[-1]), "wb") as picture:
+                    picture.write(base64.b64decode(data["image/png"]))
+                parts.append(f"![Figure of the cell above]({written[-1]})")
+            elif "text/html" in data:
+                parts.append("".join(data["text/html"]))
+            elif "text/plain" in data or "text" in output:
+                parts.append("```text\n" + "".join(data.get("text/plain", output.get("text", ""))) + "\n```")
+    written.append(name + ".md")
+    with open(os.path.join(folder, written[-1]), "w", encoding="utf-8") as page:
+        page.write("\n\n".join(parts) + "\n")
+    return written
+
+
 def on_config(config):
     if not has_katex():  # formulas then stay as TeX
         config["extra_css"], config["extra_javascript"] = [], []
@@ -68,6 +97,10 @@ def on_files(files, config):
         for name in names:
             inside = os.path.relpath(os.path.join(where, name), folder)
             take("effects/" + inside.replace(os.sep, "/"), os.path.join(folder, inside))
+    pages = tempfile.mkdtemp(prefix="pendular-notebooks-")
+    for name in sorted(os.listdir(os.path.join(ROOT, "docs", "notebooks"))):
+        for written in page_of_notebook(os.path.join(ROOT, "docs", "notebooks", name), pages):
+            take("notebooks/" + written, os.path.join(pages, written))
     files.remove(files.get_file_from_path("Doxyfile"))
     return files
 
@@ -85,7 +118,7 @@ def place_of(source):
         if source == beside:
             return path
     if source.startswith("docs/") and os.path.isfile(os.path.join(ROOT, source)):
-        return source[len("docs/"):]
+        return re.sub(r"\.ipynb$", ".md", source[len("docs/"):])
     return None
 
 

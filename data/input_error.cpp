@@ -24,9 +24,11 @@ std::string to_string(const Position& position) {
 }
 
 InputError::InputError(const Position& position, const std::string& message)
-    : std::runtime_error(located(position, message)) {}
+    : std::runtime_error(located(position, message)),
+      position_(std::make_shared<Position>(position)) {}
 
-InputError::InputError(const std::string& message) : std::runtime_error(message) {}
+InputError::InputError(const std::string& message)
+    : std::runtime_error(message), position_(std::make_shared<Position>()) {}
 
 namespace {
 

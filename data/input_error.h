@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -26,6 +27,12 @@ class InputError : public std::runtime_error {
     InputError(const Position& position, const std::string& message);
     /// Creates an error that concerns no file, such as an unknown option on the command line.
     explicit InputError(const std::string& message);
+
+    /// Returns where the error is; an empty file: it concerns none.
+    const Position& position() const { return *position_; }
+
+  private:
+    std::shared_ptr<const Position> position_;  ///< shared, so that copying never throws
 };
 
 /// Returns the Damerau-Levenshtein distance of two words (optimal string alignment): number of

@@ -215,10 +215,15 @@ Output calibration_output(const FittedStudy& result, const Measurements& measure
     }
     add_instrument_lines(output, c);
     add_doubts(output, belief, 1);
-    if (c.profile) {
-        output.line(fmt::format(
-            "The 68 % profile likelihood interval of the friction coefficient is {:.4f} to {:.4f}.",
-            c.profile->first, c.profile->second));
+    for (std::size_t k = 0; k < c.profile.size(); ++k) {
+        const auto [lower, upper] = c.profile[k];
+        const std::string& unit = c.parameters[k].unit;
+        output.line(k == 0 ? fmt::format("The 68 % profile likelihood interval of the friction "
+                                         "coefficient is {:.4f} to {:.4f}.",
+                                         lower, upper)
+                           : fmt::format("The 68 % profile likelihood interval of {} is {} to {}.",
+                                         c.parameters[k].name, with_unit(lower, unit, 4),
+                                         with_unit(upper, unit, 4)));
     }
     const double p = comparison.fitted.p();
     if (belief.misfit_reason != 0) {  // else the answer states it

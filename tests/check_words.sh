@@ -18,12 +18,12 @@ forbid() {
   fi
 }
 
-folders=(data sim calib analysis workflow reports app include bench tests)
+folders=(data sim calib analysis workflow reports app python include bench tests)
 forbid "A docstring names what it describes instead of leaning on the one before" \
        '^\s*/// (Of|Those|The same|What|Likewise|Such) '
 forbid "A comment calls the paper by its authors, Badetti et al. (2018)" \
        '(//|"|\*).*\b[Tt]he source\x27s\b|^\s*//.*\b(as|in|of|than|where|that) the source\b(?! file)(?!s)'
-folders=(data sim calib analysis workflow reports app include)
+folders=(data sim calib analysis workflow reports app python include)
 for name in learn_scales EmulatorScales untold taught foretold told_so Books open_books Grip Meeting guests Rung \
             rungs Suspect felt absorbed carry_out Supported FormNames Ask Asked Load spin; do
   # "absorbed" remains a key of study.toml and JSON, inside of texts.
@@ -52,8 +52,8 @@ done
 # Misspelt names that tests give on purpose, the typedef of valijson, and words of French exports are
 # no mistakes.
 if command -v codespell >/dev/null; then
-  find data sim calib analysis workflow reports app include bench tests docs examples scripts cmake \
-       -not -path '*/node_modules/*' -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.md' -o -name '*.sh' -o -name '*.cmake' -o -name '*.toml' \) \
+  find data sim calib analysis workflow reports app python include bench tests docs examples scripts cmake \
+       -not -path '*/node_modules/*' -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.md' -o -name '*.sh' -o -name '*.cmake' -o -name '*.toml' -o -path 'python/*.py' \) \
        -print0 | xargs -0 codespell -q 3 -L doesnot,gird,lits,frition,coeficient,desnity,commun,nin,normale,mesure,projet,momento \
        README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.md || broken=1
 fi

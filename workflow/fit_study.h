@@ -34,7 +34,7 @@ struct FitOptions {
     /// Whether all training runs are simulated, and no run of atlas or store is used; a fit that is
     /// repeated (`SessionOptions::training`) takes its own runs from the store.
     bool cold = false;
-    /// Whether to compute the 68 % interval of the friction coefficient by its profile likelihood.
+    /// Whether to compute the 68 % interval of each parameter by its profile likelihood.
     bool profile = false;
     CohesionOptions cohesion = {};  ///< Mohr-Coulomb lines through the wet readings
 };

@@ -108,12 +108,21 @@ class StatePredictor {
     /// damping, or if an effect of the run also changes dry flow.
     std::optional<closures::ClosureValues> closures_of(const dem::RunResult& run) const;
 
+    /// Returns a requested state, of grains of stiffness_number(), in the coordinates of the
+    /// emulator.
+    /// @throws InputError if the state is wet but no earlier run is wet, or dry but no run is dry
+    FlowState state_of(RequestedState requested) const;
+    /// Returns why each state cannot be predicted (`supports`), such as "friction 0.9 is above
+    /// 0.6"; empty if it can.
+    std::vector<std::string> why_unsupported(const std::vector<FlowState>& states) const {
+        return known_.why_unsupported(states);
+    }
+
     /// Returns the parameters of the run that simulates a state that cannot be predicted.
     /// @throws InputError if the state cannot be simulated
     dem::RunParameters run_for(const RequestedState& requested) const;
 
   private:
-    FlowState state_of(RequestedState requested) const;
     std::vector<EmulatedObservable> observables_at(const FlowState& state) const;
     std::string unsupported(const RequestedState& requested, const FlowState& state,
                             const std::string& why) const;

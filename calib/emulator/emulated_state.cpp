@@ -1,7 +1,10 @@
 #include "calib/emulator/emulated_state.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "calib/emulator/emulated_observables.h"
 
@@ -16,15 +19,30 @@ struct Jet {
     Eigen::MatrixXd covariance;
 };
 
-Jet jet_of(const Emulator& emulator, const FlowState& state, Observable which) {
-    std::vector<Query> queries = {{state, which},
-                                  {state, which, Input::friction},
-                                  {state, which, Input::log_inertial_number}};
-    if (!state.dry()) {
+/// Jets of an observable at several states, without the derivatives if there are to be no slopes.
+std::vector<Jet> jets_of(const Emulator& emulator, const std::vector<FlowState>& states,
+                         Observable which, bool slopes) {
+    std::vector<Query> queries;
+    std::vector<Eigen::Index> begins;
+    for (const FlowState& state : states) {
+        begins.push_back(std::ssize(queries));
+        queries.push_back({state, which});
+        if (!slopes) continue;
+        queries.push_back({state, which, Input::friction});
+        queries.push_back({state, which, Input::log_inertial_number});
+        if (state.dry()) continue;
         queries.push_back({state, which, Input::inverse_pressure});
         queries.push_back({state, which, Input::bridge_volume});
     }
-    return {emulator.mean(queries), emulator.covariance(queries)};
+    begins.push_back(std::ssize(queries));
+    const Eigen::VectorXd mean = emulator.mean(queries);
+    const Eigen::MatrixXd covariance = emulator.covariance(queries);
+    std::vector<Jet> jets;
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        const Eigen::Index at = begins[k], size = begins[k + 1] - at;
+        jets.push_back({mean.segment(at, size), covariance.block(at, at, size, size)});
+    }
+    return jets;
 }
 
 Estimate estimate(const Jet& jet, Eigen::Index k) {
@@ -62,24 +80,49 @@ std::vector<Observable> observables_of(const FlowState& state) {
 std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const FlowState& state,
                                             double stiffness_number,
                                             const std::vector<Observable>& wanted) {
-    FlowState of_stiffness = state;
-    of_stiffness.stiffness_number = stiffness_number;
-    std::vector<EmulatedObservable> result;
+    for (const Observable which : wanted)
+        if (state.dry() && emulated::of_bridges(which))
+            throw std::invalid_argument(fmt::format(
+                "dry grains have no {}", dem::observable_names[static_cast<std::size_t>(which)]));
+    return emulated_at(emulator, {state}, stiffness_number, wanted, true).front();
+}
+
+std::vector<std::vector<EmulatedObservable>> emulated_at(const Emulator& emulator,
+                                                         std::vector<FlowState> states,
+                                                         double stiffness_number,
+                                                         const std::vector<Observable>& wanted,
+                                                         bool slopes) {
+    for (FlowState& state : states)
+        state.stiffness_number = stiffness_number;
+    std::vector<std::vector<EmulatedObservable>> result(states.size());
     for (const Observable which : wanted) {
-        Jet jet = jet_of(emulator, of_stiffness, which);
-        if (which == Observable::solid_fraction) {
-            soften(jet, jet_of(emulator, of_stiffness, Observable::overlap), stiffness_number,
-                   emulator.knows_stiffness());
-        } else if (which == Observable::overlap) {
-            const double part = emulated::reference_stiffness / stiffness_number;
-            jet.value *= part;
-            jet.covariance *= part * part;
+        std::vector<FlowState> having;
+        std::vector<std::size_t> places;
+        for (std::size_t k = 0; k < states.size(); ++k) {
+            if (states[k].dry() && emulated::of_bridges(which)) continue;
+            having.push_back(states[k]);
+            places.push_back(k);
         }
-        EmulatedObservable one{.which = which, .value = estimate(jet, 0), .slopes = {}};
-        for (Eigen::Index k = 1; k < jet.value.size(); ++k) {
-            one.slopes.push_back(estimate(jet, k));
+        if (having.empty()) continue;
+        std::vector<Jet> jets = jets_of(emulator, having, which, slopes);
+        const std::vector<Jet> overlaps =
+            which == Observable::solid_fraction
+                ? jets_of(emulator, having, Observable::overlap, slopes)
+                : std::vector<Jet>();
+        for (std::size_t k = 0; k < having.size(); ++k) {
+            Jet& jet = jets[k];
+            if (which == Observable::solid_fraction) {
+                soften(jet, overlaps[k], stiffness_number, emulator.knows_stiffness());
+            } else if (which == Observable::overlap) {
+                const double part = emulated::reference_stiffness / stiffness_number;
+                jet.value *= part;
+                jet.covariance *= part * part;
+            }
+            EmulatedObservable one{.which = which, .value = estimate(jet, 0), .slopes = {}};
+            for (Eigen::Index i = 1; i < jet.value.size(); ++i)
+                one.slopes.push_back(estimate(jet, i));
+            result[places[k]].push_back(std::move(one));
         }
-        result.push_back(std::move(one));
     }
     return result;
 }

@@ -163,18 +163,19 @@ KnownRange::Point KnownRange::nearest_in_hull(const Point& place, const Cloud& c
     return cloud.corners * weights / weights.sum();
 }
 
-std::string KnownRange::why_unsure(const FlowState& state) const {
-    const auto pair = emulated::pairs_at({state});
-    const Eigen::VectorXd value = emulator_.mean(pair);
-    const Eigen::VectorXd error = emulator_.covariance(pair).diagonal().cwiseSqrt();
+namespace {
+
+/// Why predictions of stress ratio and solid fraction are too uncertain or unphysical; empty if
+/// they are not.
+std::string why_unsure_of(const Eigen::Vector2d& value, const Eigen::Vector2d& error) {
     if (!(value(0) > 0)) {
         return fmt::format("the predicted stress ratio {:.2g} is not above 0", value(0));
     }
-    if (!(value(1) >= lowest_fraction && value(1) <= highest_fraction)) {
+    if (!(value(1) >= KnownRange::lowest_fraction && value(1) <= KnownRange::highest_fraction)) {
         return fmt::format("the predicted solid fraction {:.3g} is not between {} and {}", value(1),
-                           lowest_fraction, highest_fraction);
+                           KnownRange::lowest_fraction, KnownRange::highest_fraction);
     }
-    const double largest[] = {largest_ratio_error, largest_fraction_error};
+    const double largest[] = {KnownRange::largest_ratio_error, KnownRange::largest_fraction_error};
     for (const Eigen::Index k : {0, 1}) {
         if (!(error(k) <= largest[k] * value(k))) {
             return fmt::format(
@@ -186,18 +187,46 @@ std::string KnownRange::why_unsure(const FlowState& state) const {
     return {};
 }
 
-std::string KnownRange::why_unsupported(const FlowState& state) const {
+}  // namespace
+
+std::vector<std::string> KnownRange::why_unsure(const std::vector<FlowState>& states) const {
+    const auto pairs = emulated::pairs_at(states);
+    const Eigen::VectorXd value = emulator_.mean(pairs);
+    const Eigen::VectorXd error = emulator_.covariance(pairs).diagonal().cwiseSqrt();
+    std::vector<std::string> why;
+    for (Eigen::Index k = 0; k < std::ssize(states); ++k)
+        why.push_back(why_unsure_of(value.segment<2>(2 * k), error.segment<2>(2 * k)));
+    return why;
+}
+
+std::string KnownRange::why_outside(const FlowState& state) const {
     const Cloud& cloud = cloud_for(state);
     if (cloud.runs == 0) {
         return state.dry() ? "no simulation is dry" : "no simulation has liquid bridges";
     }
     const Point at = place(state);
-    if ((at - nearest_in_hull(at, cloud)).norm() > margin) {
-        const std::string outside = emulator_.beyond(state);
-        return outside.empty() ? "the state lies outside the convex hull of the simulations"
-                               : outside;
+    if ((at - nearest_in_hull(at, cloud)).norm() <= margin) return {};
+    const std::string outside = emulator_.beyond(state);
+    return outside.empty() ? "the state lies outside the convex hull of the simulations" : outside;
+}
+
+std::string KnownRange::why_unsupported(const FlowState& state) const {
+    return why_unsupported(std::vector{state}).front();
+}
+
+std::vector<std::string> KnownRange::why_unsupported(const std::vector<FlowState>& states) const {
+    std::vector<std::string> why;
+    std::vector<FlowState> inside;
+    for (const FlowState& state : states) {
+        why.push_back(why_outside(state));
+        if (why.back().empty()) inside.push_back(state);
     }
-    return why_unsure(state);
+    if (inside.empty()) return why;
+    const std::vector<std::string> unsure = why_unsure(inside);
+    auto next = unsure.begin();
+    for (std::string& each : why)
+        if (each.empty()) each = *next++;
+    return why;
 }
 
 FlowState KnownRange::nearest_supported(const FlowState& state) const {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 #include "calib/emulator/emulator.h"
 
@@ -43,6 +44,9 @@ class KnownRange {
     /// Returns why a state is not supported, such as "friction 0.9 is above 0.6"; empty if it is.
     std::string why_unsupported(const FlowState& state) const;
 
+    /// Returns the same for several states, which takes less time than one by one.
+    std::vector<std::string> why_unsupported(const std::vector<FlowState>& states) const;
+
     /// Returns a supported state, without effects on grains, close to the unsupported state
     /// `state`: the nearest point of the convex hull or, if the prediction there is too uncertain
     /// or unphysical, the first supported point on the way from it to the nearest run.
@@ -63,8 +67,13 @@ class KnownRange {
     Point place(const FlowState& state) const;
     FlowState state_at(const Point& place) const;
     Point nearest_in_hull(const Point& place, const Cloud& cloud) const;
-    /// Returns why a prediction is too uncertain or unphysical; empty if none is.
-    std::string why_unsure(const FlowState& state) const;
+    /// Returns why a state is too far from the runs; empty if it is not.
+    std::string why_outside(const FlowState& state) const;
+    /// Returns why each prediction is too uncertain or unphysical; empty if it is not.
+    std::vector<std::string> why_unsure(const std::vector<FlowState>& states) const;
+    std::string why_unsure(const FlowState& state) const {
+        return why_unsure(std::vector{state}).front();
+    }
 
     const Emulator& emulator_;
     /// Smallest coordinates of the runs, and their range along each coordinate.

@@ -331,9 +331,11 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
         // The covariance of a fit lacks the widening for few replicates and for more than the
         // expected discrepancy; with them, chi2 of a parabola rises by this much over one standard
         // error.
-        const double rise = std::pow(c.fit.standard_error(0), 2) / c.fit.covariance(0, 0);
-        c.profile =
-            profile_interval(model.whole().at(fitted), stack(fitted, c.direct), c.fit, 0, rise);
+        for (Eigen::Index k = 0; k < c.fit.parameters.size(); ++k) {
+            const double rise = std::pow(c.fit.standard_error(k), 2) / c.fit.covariance(k, k);
+            c.profile.push_back(profile_interval(model.whole().at(fitted), stack(fitted, c.direct),
+                                                 c.fit, k, rise));
+        }
     }
     return c;
 }

@@ -20,7 +20,7 @@ namespace pendular {
 struct CalibrationRequest {
     Fidelity fidelity;       ///< of the new simulations
     std::uint64_t seed = 1;  ///< from which the seeds of all simulations follow
-    /// Whether to compute the 68 % interval of the friction coefficient (`profile_interval`).
+    /// Whether to compute the 68 % interval of each parameter (`profile_interval`).
     bool profile = false;
     CalibrationOptions options = {};
     /// Time limit of simulations. If it ends during the first of them, the finished ones are used.

@@ -48,8 +48,8 @@ struct Calibration {
     std::size_t known = 0;             ///< number of earlier runs, the first of `runs`
     EmulatorHyperparameters hyperparameters;
     std::vector<SimulatedRuns> simulated;  ///< an entry for each reason
-    /// 68 % interval of the friction coefficient [1] (`profile_interval`), if requested.
-    std::optional<std::pair<double, double>> profile;
+    /// 68 % interval of each parameter, in its unit (`profile_interval`), if requested; else empty.
+    std::vector<std::pair<double, double>> profile;
     /// Sentences for the user that qualify the result (`notes_on`).
     std::vector<std::string> notes;
 };

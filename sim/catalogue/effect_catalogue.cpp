@@ -152,7 +152,8 @@ std::optional<std::string> why_not(const Effect& effect, const Study& study) {
 
 EffectCatalogue::EffectCatalogue() : effects_(built_in_effects()) {}
 
-EffectCatalogue::EffectCatalogue(const Study& study) : EffectCatalogue() {
+EffectCatalogue::EffectCatalogue(const Study& study, const std::vector<Effect>& further)
+    : EffectCatalogue() {
     for (const WrittenEffect& written : study.written_effects) {
         if (std::ranges::find(built_in_effects(), written.name, &Effect::name) !=
             built_in_effects().end()) {
@@ -162,6 +163,12 @@ EffectCatalogue::EffectCatalogue(const Study& study) : EffectCatalogue() {
                                          written.name));
         }
         effects_.push_back(effect_from(written));
+    }
+    for (const Effect& effect : further) {
+        if (std::ranges::find(effects_, effect.name, &Effect::name) != effects_.end())
+            throw InputError(
+                fmt::format("there is an effect \"{}\" already; choose another name", effect.name));
+        effects_.push_back(effect);
     }
 }
 

@@ -18,8 +18,9 @@ class EffectCatalogue {
     EffectCatalogue();
     /// Makes a catalogue of the built-in effects and of those that a study defines.
     /// @throws InputError at the line of study.toml for a user-defined effect that cannot be used
-    ///         or has the name of a built-in effect
-    explicit EffectCatalogue(const Study& study);
+    ///         or has the name of a built-in effect, and for one of `further` whose name is taken
+    /// @param further effects that a program has in place of formulas
+    explicit EffectCatalogue(const Study& study, const std::vector<Effect>& further = {});
     EffectCatalogue(const EffectCatalogue&) = delete;
     EffectCatalogue& operator=(const EffectCatalogue&) = delete;
     EffectCatalogue(EffectCatalogue&&) = default;

@@ -74,8 +74,8 @@ std::vector<DirectMeasurement> direct_measurements(const Study& study,
     return all;
 }
 
-ResolvedStudy::ResolvedStudy(Study study)
-    : ResolvedStudy(study, std::make_shared<EffectCatalogue>(study)) {}
+ResolvedStudy::ResolvedStudy(Study study, const std::vector<Effect>& further)
+    : ResolvedStudy(study, std::make_shared<EffectCatalogue>(study, further)) {}
 
 ResolvedStudy::ResolvedStudy(Study study, std::shared_ptr<const EffectCatalogue> catalogue)
     : study_(std::move(study)),

@@ -50,7 +50,8 @@ class ResolvedStudy {
     /// implicit, since a study determines its catalogue.
     /// @throws InputError if an effect that the study defines or lists, a direct measurement, or an
     ///         uncertainty cannot be used
-    ResolvedStudy(Study study);
+    /// @param further effects that a program adds to the catalogue
+    ResolvedStudy(Study study, const std::vector<Effect>& further = {});
     /// Returns an edited study with the catalogue of this one, so the edit must not change the
     /// effects that the user defines in study.toml.
     /// @throws InputError if an effect that `changed` lists, or a direct measurement, cannot be

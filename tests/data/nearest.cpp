@@ -17,6 +17,16 @@ TEST(Nearest, CountsInsertionsDeletionsReplacementsAndSwaps) {
     EXPECT_EQ(edit_distance("", "abc"), 3);
 }
 
+TEST(InputError, KeepsItsPlaceBesideItsText) {
+    const InputError error({"study.toml", 3, 7}, "unknown key");
+    EXPECT_EQ(error.position().file, "study.toml");
+    EXPECT_EQ(error.position().line, 3);
+    EXPECT_EQ(error.position().column, 7);
+    const InputError copy = error;
+    EXPECT_EQ(copy.position().line, 3);
+    EXPECT_TRUE(InputError("unknown option").position().file.empty());
+}
+
 TEST(Nearest, FindsTheWordMeant) {
     EXPECT_EQ(nearest("diametre", keys), "diameter");
     EXPECT_EQ(nearest("young_modulus", keys), "youngs_modulus");

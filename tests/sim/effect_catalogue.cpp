@@ -41,6 +41,20 @@ Effect acting(Change change, Touches touches = Touches::all) {
     return {.name = "acting", .change = std::move(change), .touches = touches};
 }
 
+TEST_F(Catalogue, TakesEffectsOfAProgramUnderNamesThatAreFree) {
+    const Study study = read(grains + cell + readings + drag);
+    Effect own =
+        acting(ChangeInstrument{.show = [](CellState shown, const Values&) { return shown; }});
+    own.name = "my-drift";
+    const EffectCatalogue catalogue(study, {own});
+    EXPECT_EQ(catalogue.find("my-drift").name, "my-drift");
+    EXPECT_TRUE(catalogue.is_written(catalogue.find("my-drift")));
+    for (const char* taken : {"torque-offset", "speed-drag"}) {
+        own.name = taken;
+        EXPECT_THROW(EffectCatalogue(study, {own}), InputError) << taken;
+    }
+}
+
 TEST_F(Catalogue, HasTheBuiltInEffectsWithoutAStudy) {
     const EffectCatalogue catalogue;
     EXPECT_EQ(catalogue.all().size(), built_in_effects().size());

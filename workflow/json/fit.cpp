@@ -183,8 +183,8 @@ Json to_json(const Calibration& c, const Comparison& comparison, const Belief& b
         parameter["determined"] = c.fit.determines(i);
         if (i < c.fit.range.upper.size())
             parameter["range"] = {c.fit.range.lower(i), c.fit.range.upper(i)};
-        if (c.profile && k == 0) {
-            parameter["profile_68_percent"] = {c.profile->first, c.profile->second};
+        if (!c.profile.empty()) {
+            parameter["profile_68_percent"] = {c.profile[k].first, c.profile[k].second};
         }
     }
     const auto or_zero = [&](const Eigen::MatrixXd& part) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <dlfcn.h>
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
@@ -148,6 +149,17 @@ std::vector<StoredRun> read_runs(const std::filesystem::path& file) {
     return runs;
 }
 
+namespace {
+
+/// Folder of an atlas beside a library that holds this code, as the Python module is one.
+std::filesystem::path beside_library() {
+    Dl_info own{};
+    if (dladdr(reinterpret_cast<const void*>(&atlas_file), &own) == 0 || !own.dli_fname) return {};
+    return std::filesystem::path(own.dli_fname).parent_path() / "atlas";
+}
+
+}  // namespace
+
 std::filesystem::path atlas_file() {
     if (const char* named = std::getenv("PENDULAR_ATLAS"); named && *named) {
         return named;
@@ -157,7 +169,7 @@ std::filesystem::path atlas_file() {
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
     const auto beside = program.parent_path().parent_path() / "share" / "pendular";
     for (const std::filesystem::path& folder :
-         {beside, std::filesystem::path(PENDULAR_INSTALLED_ATLAS),
+         {beside_library(), beside, std::filesystem::path(PENDULAR_INSTALLED_ATLAS),
           std::filesystem::path(PENDULAR_SOURCE_ATLAS)}) {
         const auto file = folder / "atlas.csv";
         if (std::filesystem::exists(file, error)) {

@@ -1,0 +1,111 @@
+"""Studies from memory: a folder with study.toml and tables, which is read as any other."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from pathlib import Path
+from typing import Any, Dict, List, Mapping, Sequence
+
+import numpy as np
+
+from pendular._tables import Array
+
+#: Units of the columns of a table of readings where its headings state none.
+_UNITS = {
+    "normal_stress": "Pa",
+    "shear_stress": "Pa",
+    "stress_ratio": "1",
+    "solid_fraction": "1",
+    "inertial_number": "1",
+    "shear_rate": "1/s",
+    "liquid_content": "1",
+    "height": "m",
+    "time": "s",
+}
+#: Errors are named NAME_sd in tables of readings, and NAME_stderr in tables of this module.
+_ERROR, _ERRORS = "_stderr", ("_sd", "_se", "_u95")
+
+_UNITS_OF_RECORDINGS = {
+    "time": "s",
+    "torque": "N m",
+    "normal_force": "N",
+    "height": "m",
+    "angular_velocity": "rad/s",
+    "interval": "1",
+    "shear_stress": "Pa",
+    "normal_stress": "Pa",
+}
+
+
+def write_study(folder: Path, tables: Mapping[str, Any], readings: Any,
+                recordings: Sequence[Mapping[str, Any]]) -> None:
+    """Writes study.toml with its tables, readings.csv and the recordings to a folder."""
+    sources: List[str] = []
+    for k, each in enumerate(recordings):
+        entry = {name: value for name, value in each.items() if name != "file"}
+        entry["file"] = _put_recording(folder, each["file"], k + 1)
+        sources.append("[[recording]]\n" + _lines(entry))
+    if readings is not None:
+        _write_csv(folder / "readings.csv", _columns(readings), _UNITS)
+        sources.append('[[readings]]\nfile = "readings.csv"\n')
+    text = "".join(_table(name, value) for name, value in tables.items() if value is not None)
+    (folder / "study.toml").write_text(text + "\n".join(sources), encoding="utf-8")
+
+
+def _put_recording(folder: Path, file: Any, number: int) -> str:
+    if not isinstance(file, (str, os.PathLike)):
+        _write_csv(folder / f"recording_{number}.csv", _columns(file), _UNITS_OF_RECORDINGS)
+        return f"recording_{number}.csv"
+    shutil.copy(file, folder / Path(file).name)
+    return Path(file).name
+
+
+def _columns(table: Any) -> Dict[str, Array]:
+    """Columns of a pandas.DataFrame or a mapping of arrays. Levels of an index are left out."""
+    return {str(name): np.asarray(table[name]) for name in table}
+
+
+def _heading(name: str, units: Mapping[str, str]) -> str:
+    if "[" in name:
+        return name
+    name = name[: -len(_ERROR)] + "_sd" if name.endswith(_ERROR) else name
+    plain = name
+    for ending in _ERRORS:
+        plain = plain[: -len(ending)] if plain.endswith(ending) else plain
+    return f"{name} [{units[plain]}]" if plain in units else name
+
+
+def _write_csv(file: Path, columns: Mapping[str, Array], units: Mapping[str, str]) -> None:
+    rows = zip(*(column.tolist() for column in columns.values()))
+    lines = [",".join(_heading(name, units) for name in columns)]
+    lines += [",".join(_cell(value) for value in row) for row in rows]
+    file.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def _cell(value: Any) -> str:
+    return "" if value is None or value != value else str(value)
+
+
+def _table(name: str, value: Any) -> str:
+    if isinstance(value, Mapping):
+        return f"[{name}]\n{_lines(value)}\n"
+    return "".join(f"[[{name}]]\n{_lines(each)}\n" for each in value)
+
+
+def _lines(entries: Mapping[str, Any]) -> str:
+    return "".join(f"{_key(key)} = {_value(value)}\n" for key, value in entries.items())
+
+
+def _key(key: str) -> str:
+    return key if key.replace("_", "").replace("-", "").isalnum() else json.dumps(key)
+
+
+def _value(value: Any) -> str:
+    """Value of TOML, whose texts, lists and numbers are written as those of JSON."""
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_value(each) for each in value) + "]"
+    if isinstance(value, (np.integer, np.floating)):
+        value = value.item()
+    return json.dumps(value, ensure_ascii=False)

@@ -1,0 +1,113 @@
+"""Errors, warnings, Ctrl-C and progress."""
+
+import os
+import random
+import signal
+import threading
+import time
+
+import pytest
+
+import pendular
+
+
+def test_a_mistake_in_a_file_has_its_place(example):
+    folder = example("dry-recordings")
+    text = (folder / "study.toml").read_text()
+    (folder / "study.toml").write_text(text.replace("diameter =", "diametre =", 1))
+    with pytest.raises(pendular.InputError) as caught:
+        pendular.open(folder)
+    line = 1 + text[: text.index("diameter =")].count("\n")
+    assert (caught.value.file, caught.value.line, caught.value.column) == \
+        (str(folder / "study.toml"), line, 1)
+    assert str(caught.value).startswith(f"{folder / 'study.toml'}:{line}:1: ")
+    assert "did you mean 'diameter'" in str(caught.value)
+    assert isinstance(caught.value, ValueError)
+
+
+def test_a_mistake_in_an_argument_has_no_place(study):
+    with pytest.raises(pendular.InputError, match="wall-friction") as caught:
+        study.add("wall-frition")
+    assert caught.value.line is None
+    with pytest.raises(pendular.InputError, match="standard"):
+        pendular.open(study.folder, fidelity="best")
+    with pytest.raises(pendular.InputError, match="nearest state"):
+        pendular.predict(friction=0.95, store=False)
+    with pytest.raises(pendular.InputError, match="contract|must lie between"):
+        pendular.simulate(effects={"rolling-resistance.coefficient": -1}, store=False)
+
+
+def test_a_missing_fit_is_told(study):
+    with pytest.raises(pendular.InputError, match="no calibration"):
+        study.compare()
+    with pytest.raises(pendular.InputError, match="no calibration"):
+        study.predict_readings(1000.0)
+
+
+def test_progress_goes_to_a_function_and_its_exception_ends_the_work(study):
+    events = []
+    study.diagnose(progress=lambda *event: events.append(event))
+    refits = [event for event in events if event[0] == "refits"]
+    assert refits and all(done <= total for _, _, done, total in refits)
+
+    class Enough(Exception):
+        pass
+
+    def stop(kind, text, done, total):
+        raise Enough
+
+    with pytest.raises(Enough):
+        study.diagnose(progress=stop)
+    assert study.diagnose().verdict  # a later call is as any other
+
+
+def test_progress_shows_the_bars_of_tqdm(study, capfd):
+    study.diagnose(progress=True)
+    assert "%" in capfd.readouterr().err
+
+
+def interrupted_after(seconds, work):
+    """Carries out work, sends Ctrl-C after some time, and returns how long the work went on after
+    it; None where it had ended."""
+    sent = []
+
+    def send():
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(seconds, send)
+    timer.start()
+    try:
+        work()
+    except KeyboardInterrupt as interrupt:
+        return time.monotonic() - sent[0], interrupt
+    finally:
+        timer.cancel()
+    return None
+
+
+def test_ctrl_c_ends_simulations_at_any_instant_and_keeps_runs(example, tmp_path):
+    folder, store = example("dry-recordings"), tmp_path / "store.sqlite"
+    study = pendular.open(folder, fidelity="quick", store=store, threads=2)
+    instants = random.Random(1)
+    for _ in range(10):
+        found = interrupted_after(instants.uniform(0.0, 0.6),
+                                  lambda: study.calibrate(cold=True))
+        assert found is not None
+        seconds, interrupt = found
+        assert seconds < 5, "far longer than the steps of a simulation take"
+    assert any("continue" in note or "again" in note for note in interrupt.__notes__)
+    assert not (folder / "out" / "fit.json").exists()
+    assert study.calibrate().converged  # nothing is left of the stop
+
+
+def test_ctrl_c_ends_a_single_simulation():
+    seconds, _ = interrupted_after(
+        0.3, lambda: pendular.simulate(fidelity="paper", store=False))
+    assert seconds < 5
+
+
+def test_ctrl_c_ends_many_predictions():
+    seconds, _ = interrupted_after(
+        0.3, lambda: pendular.predict([0.1] * 200_000, store=False))
+    assert seconds < 5

@@ -1,0 +1,145 @@
+"""Studies from memory, effects by functions, and the model as a plain function."""
+
+import numpy as np
+import pytest
+
+import pendular
+
+GRAINS = {"diameter": "500 um", "density": "1050 kg/m^3", "youngs_modulus": "3.3 GPa",
+          "poisson_ratio": 0.3}
+CELL = {"inner_radius": "21 mm", "outer_radius": "45 mm", "bead_mass": "60 g"}
+
+
+def test_a_study_from_memory_is_the_one_on_disk(example):
+    """The dry readings of an example, handed over as a table, give the fit of their file."""
+    folder = example("polystyrene")
+    import pandas
+
+    toml = (folder / "study.toml").read_text()
+    grains = toml[toml.index("[grains]"):toml.index("[liquid]")]
+    (folder / "study.toml").write_text(grains + '[[readings]]\nfile = "points.csv"\n')
+    on_disk = pendular.open(folder, store=False)
+    points = pandas.read_csv(folder / "points.csv", comment="#")
+    made = pendular.Study(grains=GRAINS, readings=points, store=False)
+    assert made.calibrate().parameters == on_disk.calibrate().parameters
+
+
+def test_tables_of_the_module_are_read_back(study):
+    """A table that `to_dataframe` returned, its errors named NAME_stderr, is a table of readings."""
+    table = study.readings.to_dataframe()
+    dry = table[table.liquid_content == 0]
+    columns = ["normal_stress", "inertial_number", "liquid_content", "shear_stress",
+               "shear_stress_stderr", "solid_fraction", "solid_fraction_stderr"]
+    made = pendular.Study(grains=GRAINS, readings=dry[columns], store=False)
+    found = made.readings.to_dataframe()
+    np.testing.assert_allclose(found["shear_stress"], dry["shear_stress"], rtol=1e-12)
+    np.testing.assert_allclose(found["inertial_number"], dry["inertial_number"], rtol=1e-12)
+
+
+def test_recordings_from_memory(study, tmp_path):
+    recording = study.recordings["dry_1.csv"]
+    made = pendular.Study(
+        grains=GRAINS, cell=CELL, store=False,
+        recordings=[{"file": recording.to_dataframe(), "liquid_content": 0.0},
+                    {"file": study.folder / "dry_2.csv", "liquid_content": 0.0}])
+    table, original = made.readings.to_dataframe(), study.readings.to_dataframe()
+    np.testing.assert_allclose(table.loc["recording_1.csv", "shear_stress"],
+                               original.loc["dry_1.csv", "shear_stress"], rtol=1e-9)
+    kept = made.save(tmp_path / "kept")
+    assert len(kept.readings["readings"]) == len(table)
+
+
+@pendular.instrument_effect(unit="N m", lower=-0.1, upper=0.1, smallest_of_interest=1e-4)
+def my_torque_offset(offset, torque):
+    """Drag of the bearing adds a constant torque."""
+    return {"torque": torque + offset}
+
+
+def test_an_effect_by_a_function_is_the_built_in_one(example):
+    """The same map, as a function of Python and as an effect of the catalogue."""
+    folder = example("dry-recordings")
+    tried = pendular.open(folder, store=False).with_effects(my_torque_offset)
+    assert tried.effects == ["my-torque-offset"]
+    fit = tried.calibrate()
+    built_in = pendular.open(folder, store=False).add("torque-offset")
+    expected = built_in.compare().fit.parameters
+    assert fit.parameters["my-torque-offset.offset"].value == pytest.approx(
+        expected["torque-offset.torque"].value, rel=1e-6)
+    assert fit.parameters["friction"].value == pytest.approx(expected["friction"].value, rel=1e-6)
+    assert "my-torque-offset" not in (folder / "study.toml").read_text()
+
+
+def test_an_error_in_a_function_is_the_error_of_the_call(example):
+    @pendular.instrument_effect(unit="N m", lower=-0.1, upper=0.1)
+    def broken(offset, torque):
+        return {"torque": torque / (offset * 0)}
+
+    @pendular.instrument_effect(unit="N m", lower=-0.1, upper=0.1)
+    def unknown(offset, torque):
+        return {"torgue": torque}
+
+    folder = example("dry-recordings")
+    with pytest.raises(ZeroDivisionError):
+        pendular.open(folder, store=False).with_effects(broken).calibrate()
+    with pytest.raises(pendular.InputError, match="torgue"):
+        pendular.open(folder, store=False).with_effects(unknown).calibrate()
+
+
+def test_forward_has_the_derivatives_of_its_values(study):
+    f = pendular.forward(study)
+    assert f.names == ["friction"]
+    p = np.array([0.12])
+    step = 1e-5
+    quotient = (f(p + step) - f(p - step)) / (2 * step)
+    # Central differences err as step^2: far below this tolerance.
+    np.testing.assert_allclose(f.jacobian(p)[:, 0], quotient, rtol=1e-4, atol=1e-7)
+    # 24 readings, two values each, and the three direct measurements of the study.
+    assert f.measured.shape == f(p).shape == (51,)
+    assert f.covariance(p).shape == f.measured_covariance.shape == (51, 51)
+
+
+def test_scipy_finds_the_fit_of_the_program(study):
+    from scipy.optimize import least_squares
+
+    changed = study.add("wall-friction")
+    f = changed.forward()
+    estimates, covariance, chi2 = f.fit()
+    best = np.array([each.value for each in estimates.values()])
+    residuals = f.whitened(best)
+    found = least_squares(residuals, f.start, jac=residuals.jacobian, x_scale="jac",
+                          bounds=tuple(f.bounds.T))
+    np.testing.assert_allclose(found.x, best, atol=1e-3 * np.sqrt(np.diag(covariance)).min())
+    assert 2 * found.cost == pytest.approx(chi2, rel=1e-6)
+
+
+def test_profile_is_the_error_where_the_model_is_linear(study):
+    f = study.add("wall-friction").forward()
+    estimates, _, _ = f.fit()
+    for name, each in estimates.items():
+        lower, upper = f.profile(name)
+        # chi2 of a parabola rises by 1 over one standard error; the model is linear to some per
+        # cent over it.
+        assert upper - lower == pytest.approx(2 * each.stderr, rel=0.1)
+
+
+def test_calibration_has_a_profile_of_every_parameter(study):
+    fit = study.add("wall-friction").calibrate(profile=True)
+    assert list(fit.intervals) == list(fit.parameters) == ["friction", "wall-friction.coefficient"]
+    for name, (lower, upper) in fit.intervals.items():
+        each = fit.parameters[name]
+        assert lower < each.value < upper
+        assert upper - lower == pytest.approx(2 * each.stderr, rel=0.1)
+
+
+def test_posterior_is_the_fit_where_the_model_is_linear(study):
+    pytest.importorskip("emcee")
+    f = study.add("wall-friction").forward()
+    estimates, _, _ = f.fit()
+    sampled = pendular.posterior(f, walkers=16, steps=600, burn_in=150, seed=2)
+    independent = len(sampled.samples) / sampled.autocorrelation.max()
+    for name, each in estimates.items():
+        found = sampled.parameters[name]
+        # Four standard errors of the mean of the samples; of the deviation, with the few per cent
+        # by which the model is not linear.
+        assert found.value == pytest.approx(each.value, abs=4 * each.stderr / independent**0.5)
+        assert found.stderr == pytest.approx(each.stderr, rel=0.1 + 4 / (2 * independent) ** 0.5)

@@ -1,0 +1,93 @@
+"""What the module costs: time to import, size, memory, threads."""
+
+import os
+import resource
+import subprocess
+import sys
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+
+import pendular
+from pendular import _core
+
+
+def processor_seconds(code):
+    """Least processor time [s] of five interpreters that run the code."""
+    times = []
+    for _ in range(5):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run([sys.executable, "-c", code], check=True)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        times.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    return min(times)
+
+
+def test_import_takes_less_than_a_fifth_of_a_second():
+    assert processor_seconds("import pendular") - processor_seconds("pass") < 0.2
+
+
+def test_import_loads_no_libraries_of_tables_and_figures():
+    code = "import sys, pendular; print(*sys.modules)"
+    loaded = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True,
+                            text=True).stdout.split()
+    assert not {"pandas", "xarray", "matplotlib", "scipy", "tqdm", "emcee"} & set(loaded)
+
+
+def test_module_is_smaller_than_15_megabytes():
+    assert os.path.getsize(_core.__file__) < 15e6
+
+
+def resident_bytes():
+    return int(Path("/proc/self/statm").read_text().split()[1]) * resource.getpagesize()
+
+
+def test_threads_calibrate_at_once_and_alike(study):
+    """Four threads, each with its own results, find what one finds, and the lock is free
+    meanwhile."""
+    expected = study.calibrate().to_dict()
+    ticks, over = [0], threading.Event()
+
+    def tick():
+        while not over.wait(0.001):
+            ticks[0] += 1
+
+    ticker = threading.Thread(target=tick)
+    ticker.start()
+    folder = study.folder
+    results = [folder / f"results_{k}" for k in range(4)]
+
+    def calibrate(k):
+        own = pendular.open(folder, store=False, results=results[k % 4], threads=1)
+        return own.calibrate().to_dict() == expected
+
+    with ThreadPoolExecutor(4) as pool:
+        assert all(pool.map(calibrate, range(24)))
+    over.set()
+    ticker.join()
+    assert ticks[0] > 20
+
+
+def test_memory_does_not_grow_with_calibrations(study):
+    study.calibrate()
+    with ThreadPoolExecutor(4) as pool:
+        for _ in pool.map(lambda _: study.calibrate(), range(20)):
+            pass
+        before = resident_bytes()
+        for _ in pool.map(lambda _: study.calibrate(), range(40)):
+            pass
+    # A result that stayed would be 40 times 100 kB of JSON and matrices, and an emulator far more.
+    assert resident_bytes() - before < 4e6 + 0.02 * before
+
+
+def test_one_study_serves_several_threads(study):
+    """Diagnoses and predictions on one object at once."""
+    study.calibrate()
+    with ThreadPoolExecutor(4) as pool:
+        work = [pool.submit(study.diagnose) for _ in range(2)]
+        work += [pool.submit(study.predict_readings, [500.0, 1000.0], 0.01) for _ in range(4)]
+        results = [each.result() for each in work]
+    assert results[0] == results[1]
+    assert all(np.array_equal(each["value"], results[2]["value"]) for each in results[2:])
