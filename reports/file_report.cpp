@@ -346,8 +346,7 @@ Output import_output(const Measurements& measurements, const std::filesystem::pa
     return output;
 }
 
-Output file_output(const FileView& view, std::size_t guesses, const std::filesystem::path& toml,
-                   bool all) {
+Output file_output(const FileView& view, bool all) {
     Output output;
     output.answer(file_sentence(view));
     output.line(encoding_sentence(view));
@@ -356,14 +355,15 @@ Output file_output(const FileView& view, std::size_t guesses, const std::filesys
     output.table(checks_lines(view, all), 10);
     output.lines(yield_locus_lines(view));
     if (const std::string missing = missing_sentence(view); !missing.empty()) output.note(missing);
-    if (guesses > 0) {
-        output.line(fmt::format(
-            "{} of the values in {} {}, marked GUESS, since the file does not state {}: replace {} "
-            "before the study is calibrated.",
-            guesses, toml.string(), guesses == 1 ? "is a guess" : "are guesses",
-            guesses == 1 ? "it" : "them", guesses == 1 ? "it" : "them"));
-    }
     return output;
+}
+
+std::string guesses_sentence(std::size_t guesses, const std::filesystem::path& toml) {
+    return fmt::format(
+        "{} of the values in {} {}, marked GUESS, since the file does not state {}: replace {} "
+        "before the study is calibrated.",
+        guesses, toml.string(), guesses == 1 ? "is a guess" : "are guesses",
+        guesses == 1 ? "it" : "them", guesses == 1 ? "it" : "them");
 }
 
 }  // namespace pendular

@@ -49,8 +49,9 @@ Output import_output(const Measurements& measurements, const std::filesystem::pa
                      const std::string& study, bool all);
 
 /// Returns what `pendular import FILE` says of a file.
-/// @param guesses number of guessed values in `toml`, the study.toml that was written
-Output file_output(const FileView& view, std::size_t guesses, const std::filesystem::path& toml,
-                   bool all);
+Output file_output(const FileView& view, bool all);
+
+/// Returns a sentence on the number of guessed values in `toml`, the study.toml that was written.
+std::string guesses_sentence(std::size_t guesses, const std::filesystem::path& toml);
 
 }  // namespace pendular

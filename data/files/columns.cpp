@@ -259,6 +259,15 @@ double Columns::number(const Row& row, const Column& column) const {
     std::string wrong =
         fmt::format("\"{}\" is not a finite number; correct it or remove the line", text);
     if (text.empty()) wrong = "the cell is empty; fill it in or remove the line";
+    if (text.starts_with('='))
+        wrong = fmt::format(
+            "the formula \"{}\" has no stored result; open the workbook in a spreadsheet program "
+            "and "
+            "save it",
+            text);
+    if (text.starts_with('#'))
+        wrong =
+            fmt::format("the formula gives the error \"{}\"; correct it or remove the row", text);
     if (has_decimal_comma(text)) {
         std::ptrdiff_t others = -1;
         for (const Row& each : table_.rows)

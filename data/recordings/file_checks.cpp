@@ -280,6 +280,11 @@ CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series) {
     return cell;
 }
 
+std::vector<Remark> hidden_rows(const BlockFile& file) {
+    if (file.hidden.empty()) return {};
+    return {{.kind = Kind::hidden_rows, .files = {file.file}, .lines = file.hidden}};
+}
+
 namespace {
 
 /// Intervals of one test.
@@ -323,6 +328,7 @@ std::vector<Remark> check_file(const BlockFile& file, const std::vector<Interval
     if (tests.size() == 1)
         append(faults, header_against_columns(file, cell.stress_per_torque, cell.stress_per_force));
     append(faults, missed_set_points(file));
+    append(faults, hidden_rows(file));
     for (Remark& fault : faults)
         fault.files = {file.file};
     return faults;

@@ -11,6 +11,7 @@
 #include "data/files/columns.h"
 #include "data/files/file_access.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
 #include "data/quantities/number.h"
 #include "data/recordings/recording_rows.h"
@@ -142,7 +143,7 @@ class QuickReader {
 
 std::optional<Recording> quick_recording(const std::filesystem::path& path,
                                          const FileFormat& format, std::size_t most_rows) {
-    if (!states_nothing(format)) return std::nullopt;
+    if (!states_nothing(format) || as_sheet(path)) return std::nullopt;
     std::error_code unknown;
     const std::uintmax_t size = std::filesystem::file_size(path, unknown);
     QuickReader reader(path, format, most_rows, !unknown && size > largest_table);

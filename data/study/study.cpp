@@ -8,6 +8,7 @@
 
 #include "data/files/file_access.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/formats/sheets.h"
 #include "data/files/text_file.h"
 #include "data/study/study_table.h"
 
@@ -223,7 +224,10 @@ Source read_source(const StudyTable& table, Source::Kind kind, const Study& stud
     const auto pattern = table.text("file");
     if (!pattern) throw InputError(table.position(), "lacks 'file'; add file = \"....csv\"");
     source.pattern = *pattern;
-    source.files = files_of(table, source.pattern, study, allow_outside);
+    for (const auto& file : files_of(table, source.pattern, study, allow_outside)) {
+        const auto sheets = chosen_sheets(file, source.format.sheet).read;
+        source.files.insert(source.files.end(), sheets.begin(), sheets.end());
+    }
     source.liquid_content = table.quantity("liquid_content", "1");
     if (source.liquid_content.value_or(0) < 0)
         table.refuse("liquid_content", "must not be negative");

@@ -68,6 +68,7 @@ struct BlockFile {
     std::vector<Fact> facts;      ///< each key once; upper and lower case count as equal
     std::vector<Block> blocks;    ///< in the order of the file
     std::vector<Remark> skipped;  ///< rows that were not read, in the order of reading
+    std::vector<Lines> hidden;    ///< rows that a workbook hides; they are read
     FileCounts counts;
     std::set<std::string> known_keys;  ///< keys of `facts`, in lower case
 

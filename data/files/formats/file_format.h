@@ -12,7 +12,7 @@ struct FileFormat {
     std::string layout;    ///< one of `layout_names`
     std::string encoding;  ///< such as "UTF-8" or "windows-1252"
     std::string decimal;   ///< decimal mark, "." or ","
-    std::string sheet;     ///< of a workbook; empty: the first sheet
+    std::string sheet;     ///< of a workbook, or a pattern; empty: all sheets with a table
     /// Names and units of all columns, each as `name [unit]`, in place of a header that is missing
     /// or has no units.
     std::vector<std::string> columns;

@@ -126,4 +126,16 @@ void take_preamble(SourceLines& source, BlockFile& file) {
     }
 }
 
+bool holds_table(const SourceLines& source) {
+    const char delimiter = consistent_delimiter(source, 0, source.lines.size());
+    bool named = false;
+    for (std::size_t i = 0; i < std::min(source.lines.size(), most_lines); ++i) {
+        const Row row = source.row(i, delimiter);
+        if (row.cells.size() > most_cells_examined) return true;  // its reader has its say
+        if (named && examined(row, i).is_row()) return true;
+        named = named || named_quantities(row) > 0;
+    }
+    return false;
+}
+
 }  // namespace pendular

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "data/files/column_names.h"
+#include "data/files/formats/clock_times.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/formats/stacked_rows.h"
 #include "data/quantities/number.h"
@@ -99,10 +100,12 @@ NamesAndUnits columns_of(const Row& header, const Row& units) {
     return columns;
 }
 
-/// Whether a column that names a quantity has no unit.
-bool lacks_unit(const NamesAndUnits& columns) {
+/// Whether a column that names a quantity has no unit, which clock times do not need.
+/// @param row first one below the names
+bool lacks_unit(const NamesAndUnits& columns, const Row& row) {
     for (std::size_t i = 0; i < columns.names.size(); ++i)
         if (columns.units[i].empty() && !counts_points(columns.names[i]) &&
+            !(i < row.cells.size() && clock_time(row.cells[i].text)) &&
             !meaning_of_column(columns.names[i], "").quantity.empty())
             return true;
     return std::ranges::all_of(columns.units, &std::string::empty);
@@ -126,7 +129,9 @@ void read_unit_row_table(const SourceLines& source, const FileFormat& format, Bl
                 fmt::format("the header has {} columns, 'columns' states {}; state all",
                             columns.names.size(), format.columns.size()));
         columns = stated_columns(format);
-    } else if (!has_units && lacks_unit(columns)) {
+    } else if (!has_units &&
+               lacks_unit(columns,
+                          next < source.lines.size() ? source.row(next, file.delimiter) : Row{})) {
         const bool none = std::ranges::all_of(columns.units, &std::string::empty);
         throw InputError(
             {source.file, header.line},
