@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <regex>
 #include <system_error>
 
 #include "app/command.h"
@@ -15,6 +16,7 @@
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/quantities/number.h"
+#include "data/quantities/quantity.h"
 #include "data/recordings/file_view.h"
 #include "data/remarks/wording.h"
 #include "data/study/study.h"
@@ -37,6 +39,22 @@ void check_choice(const char* option, const std::string& word,
         fmt::format("--{}: unknown \"{}\"; {}", option, word, did_you_mean(word, words)));
 }
 
+/// Columns of a text as in study.toml: { torque = "Md [mN m]", time = "Zeit" }.
+/// @throws InputError for a text of another form, and for a name of no quantity
+std::map<std::string, std::string> named_columns(const std::string& text) {
+    static const std::regex pair(R"re(([A-Za-z_]+)\s*=\s*"([^"]*)")re");
+    std::map<std::string, std::string> columns;
+    const auto begin = text.begin() + static_cast<std::ptrdiff_t>(text.find('{'));
+    for (std::sregex_iterator each(begin, text.end(), pair), end; each != end; ++each) {
+        const std::string key = (*each)[1];
+        const Quantity* const known = find_quantity(key);
+        if (!known) throw InputError(fmt::format("--columns: '{}' is no quantity", key));
+        columns[std::string(known->name)] = (*each)[2];
+    }
+    if (columns.empty()) throw InputError("--columns: write it as in { torque = \"Md [mN m]\" }");
+    return columns;
+}
+
 FileFormat format_of(const ImportFileOptions& options) {
     check_choice("layout", options.layout, layout_names());
     check_choice("decimal", options.decimal, {".", ","});
@@ -45,6 +63,10 @@ FileFormat format_of(const ImportFileOptions& options) {
     format.encoding = options.encoding;
     format.decimal = options.decimal;
     format.sheet = options.sheet;
+    if (options.columns.find('{') != std::string::npos) {
+        format.named_columns = named_columns(options.columns);
+        return format;
+    }
     // As messages and study.toml have it: columns = ["Time [s]", "Torque [mN m]"].
     const std::size_t list = options.columns.find("[\"");
     const auto array = list == std::string::npos
@@ -85,7 +107,7 @@ std::map<std::string, std::string> files_of_study(const std::filesystem::path& f
     return files;
 }
 
-/// What is read of a file: of a workbook, every chosen sheet.
+/// Views of a file, or of the chosen sheets of a workbook.
 struct ReadFile {
     std::vector<FileView> views;
     std::vector<std::string> not_read;  ///< sentences on sheets that are not read
@@ -152,8 +174,8 @@ void ImportFileOptions::declare(Options& options) {
     options.add("decimal", &decimal, "decimal mark of the file, '.' or ',' (default: detected)");
     options.add(
         "columns", &columns,
-        "names and units of all columns where the file has none: 'Time [s]; Torque [mN m]', or as "
-        "in study.toml");
+        "names and units of all columns where the file has none: 'Time [s]; Torque [mN m]', or of "
+        "single ones, as in study.toml: '{ torque = \"Md [mN m]\" }'");
 }
 
 void ImportFileOptions::refuse_for_studies(const Options& options) const {

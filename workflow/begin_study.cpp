@@ -212,7 +212,12 @@ std::string format_text(const FileFormat& format) {
     std::vector<std::string> columns;
     for (const std::string& column : format.columns)
         columns.push_back(toml_string(column));
-    if (!columns.empty()) text += fmt::format("columns = [{}]\n", fmt::join(columns, ", "));
+    for (const auto& [quantity, column] : format.named_columns)
+        columns.push_back(fmt::format("{} = {}", quantity, toml_string(column)));
+    const bool named = !format.named_columns.empty();
+    if (!columns.empty())
+        text += fmt::format("columns = {}{}{}\n", named ? "{ " : "[", fmt::join(columns, ", "),
+                            named ? " }" : "]");
     return text;
 }
 
@@ -275,8 +280,12 @@ std::string entries_text(const FileView& view, const FileFormat& format, const s
     if (!view.loci.empty())
         text += fmt::format(
             "[[readings]]                     # points of failure: peaks, which may lie above "
-            "steady shear\nfile = \"failure{}.csv\"\nstate = \"failure\"\n{}\n",
-            suffix, liquid_content);
+            "steady shear\nfile = \"failure{}.csv\"\nstate = \"failure\"{}\n{}\n",
+            suffix,
+            view.file.table_of_points
+                ? "                # GUESS: peaks; remove the line for steady shear"
+                : "",
+            liquid_content);
     return text;
 }
 

@@ -18,7 +18,7 @@ struct SheetText {
     std::vector<std::pair<int, int>> hidden;
 };
 
-/// What the sheets of a workbook share.
+/// Texts and formats of cells that all sheets of a workbook use.
 struct SharedParts {
     std::vector<std::string> strings;
     CellFormats formats;

@@ -33,6 +33,13 @@ class Archive {
         if (!archive_) refuse(reason);
     }
 
+    /// Stated size of a part, unpacked [bytes]; 0 if there is none.
+    std::uintmax_t size_of(const std::string& name) const {
+        zip_stat_t status;
+        zip_stat_init(&status);
+        return zip_stat(archive_.get(), name.c_str(), 0, &status) == 0 ? status.size : 0;
+    }
+
     /// Content of a part; empty if there is none.
     /// @throws InputError if the parts read so far unpack to more than `largest_unpacked`
     std::string part(const std::string& name) {
@@ -147,7 +154,7 @@ std::string part_of_book(Archive& archive) {
     return book == books.end() ? "xl/workbook.xml" : book->second;
 }
 
-/// What the sheets share: texts, and formats of cells.
+/// Returns the texts and the formats of cells that all sheets use.
 SharedParts shared_parts(Archive& archive, const Relations& relations, bool from_1904) {
     SharedParts shared;
     const auto with_part = [&](const char* kind, const auto& take) {
@@ -173,36 +180,84 @@ bool is_archive(std::string_view bytes) {
     return bytes.starts_with("PK\x03\x04");
 }
 
-std::vector<std::string> sheet_names(const std::string& bytes, const std::string& file) {
-    Archive archive(bytes, file);
-    std::vector<std::string> names;
-    for (const auto& [name, identifier] : contents_of(archive, part_of_book(archive)).sheets) {
-        if (!is_sheet_name(name))
-            throw InputError({file}, fmt::format("has a sheet \"{}\", a name that spreadsheets do "
-                                                 "not allow; rename the sheet",
-                                                 name));
-        names.push_back(name);
+namespace {
+
+/// An open workbook.
+struct Book {
+    Book(const std::string& bytes, const std::string& path)
+        : file(path),
+          archive(bytes, file),
+          name(part_of_book(archive)),
+          relations(relations_of(archive, name)),
+          contents(contents_of(archive, name)) {}
+
+    /// @throws InputError for names of sheets that `as_sheet` would not give back, and for more
+    ///         sheets than can be read one by one: each needs the texts that all share
+    void check_sheets() const {
+        constexpr std::size_t most_sheets = 1000;
+        constexpr std::uintmax_t most_work = std::uintmax_t(1) << 30;  // some seconds
+        if (contents.sheets.empty()) archive.refuse("it has no sheet");
+        const auto strings = relations.by_kind.find("sharedStrings");
+        const std::uintmax_t shared =
+            strings == relations.by_kind.end() ? 0 : archive.size_of(strings->second);
+        if (contents.sheets.size() > most_sheets || contents.sheets.size() * shared > most_work)
+            archive.refuse(fmt::format("it has {} sheets with {} MB of texts, too many",
+                                       contents.sheets.size(), shared >> 20));
+        for (const auto& [sheet, identifier] : contents.sheets)
+            if (!is_sheet_name(sheet))
+                throw InputError({file}, fmt::format("has a sheet \"{}\", a name that spreadsheets "
+                                                     "do not allow; rename the sheet",
+                                                     sheet));
     }
-    if (names.empty()) archive.refuse("it has no sheet");
+
+    SharedParts shared() { return shared_parts(archive, relations, contents.from_1904); }
+
+    SheetText rows(const std::string& sheet, const std::string& identifier,
+                   const SharedParts& shared) {
+        const auto part = relations.by_identifier.find(identifier);
+        if (part == relations.by_identifier.end())
+            archive.refuse("it does not say which part holds the sheet");
+        std::string content = archive.part(part->second);
+        pugi::xml_document document;
+        parse(archive, part->second, content, document);
+        return rows_of_sheet(document.document_element(), path_of_sheet(file, sheet).string(),
+                             shared);
+    }
+
+    const std::string& file;
+    Archive archive;
+    std::string name;  ///< of the part with the workbook itself
+    Relations relations;
+    Contents contents;
+};
+
+}  // namespace
+
+std::vector<std::string> sheet_names(const std::string& bytes, const std::string& file) {
+    const Book book(bytes, file);
+    book.check_sheets();
+    std::vector<std::string> names;
+    for (const auto& [name, identifier] : book.contents.sheets)
+        names.push_back(name);
     return names;
 }
 
+void for_each_sheet(const std::string& bytes, const std::string& file,
+                    const std::function<void(const std::string& name, const SheetText&)>& take) {
+    Book book(bytes, file);
+    book.check_sheets();
+    const SharedParts shared = book.shared();
+    for (const auto& [name, identifier] : book.contents.sheets)
+        take(name, book.rows(name, identifier, shared));
+}
+
 SheetText sheet_text(const std::string& bytes, const std::string& file, const std::string& sheet) {
-    Archive archive(bytes, file);
-    const std::string book = part_of_book(archive);
-    const Relations relations = relations_of(archive, book);
-    const Contents contents = contents_of(archive, book);
+    Book book(bytes, file);
+    const auto& sheets = book.contents.sheets;
     const auto found =
-        std::ranges::find(contents.sheets, sheet, [](const auto& s) { return s.first; });
-    if (found == contents.sheets.end()) archive.refuse(fmt::format("it has no sheet {}", sheet));
-    const auto part = relations.by_identifier.find(found->second);
-    if (part == relations.by_identifier.end())
-        archive.refuse("it does not say which part holds the sheet");
-    const SharedParts shared = shared_parts(archive, relations, contents.from_1904);
-    std::string content = archive.part(part->second);
-    pugi::xml_document document;
-    parse(archive, part->second, content, document);
-    return rows_of_sheet(document.document_element(), path_of_sheet(file, sheet).string(), shared);
+        std::ranges::find(sheets, sheet, [](const auto& each) { return each.first; });
+    if (found == sheets.end()) book.archive.refuse(fmt::format("it has no sheet {}", sheet));
+    return book.rows(sheet, found->second, book.shared());
 }
 
 }  // namespace pendular

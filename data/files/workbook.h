@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,9 +19,15 @@ bool is_archive(std::string_view bytes);
 
 /// Returns the names of the sheets of a workbook (.xlsx), in its order.
 /// @param file path of the workbook, for error messages
-/// @throws InputError if the bytes are no workbook, or a sheet has a name that `is_sheet_name`
-///         excludes
+/// @throws InputError if the bytes are no workbook, a sheet has a name that `is_sheet_name`
+///         excludes, or there are so many sheets that reading all of them would take minutes
 std::vector<std::string> sheet_names(const std::string& bytes, const std::string& file);
+
+/// Calls a function with the name and the rows of each sheet. Together, the sheets may unpack to
+/// `largest_unpacked`.
+/// @throws InputError as `sheet_names` and `sheet_text`
+void for_each_sheet(const std::string& bytes, const std::string& file,
+                    const std::function<void(const std::string& name, const SheetText&)>& take);
 
 /// Returns a sheet of a workbook (.xlsx) as text in UTF-8 (`rows_of_sheet`).
 /// @param file path of the workbook, for error messages

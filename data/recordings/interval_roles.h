@@ -17,12 +17,13 @@ struct IntervalRole {
 
 /// Returns the role of each interval of a file: "filling", "preshear", "unloading", "failure",
 /// "reloading", "steady" or "other". A role that the user or the file states takes precedence. An
-/// interval without values of shear stress or of normal stress is "other".
+/// interval whose columns show another kind of test (`kind_shown_by_columns`), or without values of
+/// shear stress or of normal stress, is "other". Each row of a table of points is "failure".
 ///
 /// An interval is sheared if the lid turns by more than 0.01 rad or, if no interval of the file
 /// shows that the lid turns, if its largest shear stress exceeds 5 % of its normal stress. Its role
 /// is the first that applies:
-/// - "other" if the speed of the lid changes throughout (`speed_ramp`)
+/// - "other" if the speed of the lid or the load changes throughout (`speed_ramp`, `load_ramp`)
 /// - "steady" if the normal stress is not positive, or the shear stress reaches three times it
 /// - "steady" if the lid turns by more than 1 rad
 /// - "failure" if the file has only the intervals 4, 8, 12 and so on of a powder cell

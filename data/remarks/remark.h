@@ -42,6 +42,7 @@ struct Remark {
         header_constant,  ///< the header contradicts the columns
         header_cell,      ///< the header contradicts study.toml
         missed_set_point,
+        missing_values,
         hidden_rows,  ///< a workbook hides rows, which are read
         // Values that are probably wrong.
         repaired_torques,

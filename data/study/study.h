@@ -22,7 +22,7 @@ struct Source {
     enum class Kind { recording, readings };
     Kind kind = Kind::recording;
     std::string pattern;  ///< of file paths, relative to the study's folder
-    /// Those that match the pattern, sorted by path; of workbooks the sheets that are read, in the
+    /// Files that match the pattern, sorted by path; of workbooks the sheets that are read, in the
     /// order of the workbook (`SheetPath`).
     std::vector<std::filesystem::path> files;
     std::optional<double> liquid_content;  ///< [1]; empty: not stated

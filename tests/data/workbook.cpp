@@ -223,6 +223,15 @@ TEST_F(Workbook, KeepsQuotesAndBlankRows) {
     EXPECT_EQ(file.blocks[0].table.rows[1].line, 4);
 }
 
+TEST_F(Workbook, HasNoMoreSheetsThanCanBeRead) {
+    const std::string table = folder_.write("t.csv", "Torque [N m],x\n1,2\n").string();
+    std::string sheets;
+    for (int k = 0; k <= 1000; ++k)
+        sheets += " S" + std::to_string(k) + "=" + table;
+    const auto book = workbook(sheets);
+    expect_told({input_error([&] { chosen_sheets(book, ""); })});
+}
+
 TEST_F(Workbook, IsRefusedIfItIsNone) {
     const auto book = of_table("Torque [N m],x\n1,2\n");
     const std::string bytes = read_bytes(book, largest_table);

@@ -16,6 +16,11 @@ struct FileFormat {
     /// Names and units of all columns, each as `name [unit]`, in place of a header that is missing
     /// or has no units.
     std::vector<std::string> columns;
+    /// Columns, by name or as `name [unit]`, to be read as a quantity (`Quantity::name`), beside a
+    /// header.
+    std::map<std::string, std::string> named_columns;
+    /// Values that stand for missing ones, such as "-999".
+    std::vector<std::string> missing;
     /// For each role, one of `interval_roles`, the numbers or names of the intervals that have it.
     std::map<std::string, std::vector<std::string>> roles;
     /// Whether torques that lost their decimal or thousands mark are corrected by means of the

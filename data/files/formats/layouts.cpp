@@ -1,8 +1,12 @@
 #include "data/files/formats/layouts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "data/files/formats/clock_times.h"
+#include "data/files/formats/missing_values.h"
+#include "data/files/formats/named_columns.h"
 #include "data/files/formats/preamble.h"
 #include "data/files/formats/sheets.h"
 #include "data/files/markup.h"
@@ -21,9 +25,22 @@ const Layout& layout_of(const SourceLines& source, const FileFormat& format) {
     return found == all.end() ? all.back() : *found;
 }
 
+/// @throws InputError if the user states all columns of a layout that has names and units itself
+void refuse_columns(const Layout& layout, const FileFormat& format, const std::string& file) {
+    const bool takes = layout.name == "plain" || layout.name == "unit-row" ||
+                       layout.name == "headerless" || layout.name == "transposed";
+    if (format.columns.empty() || takes) return;
+    throw InputError({file},
+                     fmt::format("the layout \"{}\" has names and units of its own, so that "
+                                 "'columns' cannot state all; name single ones as in {}, or "
+                                 "leave 'columns' out",
+                                 layout.name, line_to_name("torque", "M", "mN m")));
+}
+
 /// Rewrites all numbers of a file with a decimal point.
 void unify_numbers(BlockFile& file, const FileFormat& format) {
-    NumberStyleFinder finder;
+    // Workbooks store numbers, and a comma between cells is no decimal mark.
+    NumberStyleFinder finder(as_sheet(file.file) || file.delimiter == ',');
     for (const Block& block : file.blocks)
         finder.look_at(block.table);
     file.numbers = finder.style(format.decimal);
@@ -90,12 +107,15 @@ BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileForma
     if (first == "plain" || first == "unit-row") take_preamble(source, file);
     const Layout& layout = layout_of(source, format);
     file.layout = layout.name;
+    refuse_columns(layout, format, source.file);
     layout.read(source, format, file);
+    use_named_columns(file, format);
     if (std::ranges::all_of(file.blocks, [](const Block& b) { return b.table.rows.empty(); }))
         throw InputError({file.file},
                          "no rows of numbers were found; is this the export of the raw data?");
     read_clock_times(file);
     unify_numbers(file, format);
+    clear_missing_values(file, format);
     return file;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "data/files/column_names.h"
+#include "data/files/missing_mark.h"
 #include "data/quantities/number.h"
 
 namespace pendular {
@@ -29,7 +30,7 @@ ExaminedLine examined(const Row& row, std::size_t index) {
     ExaminedLine line{.index = index, .cells = row.cells.size()};
     line.comment = row.cells[0].text.starts_with('#');
     for (const auto& [text, column] : row.cells) {
-        if (text.empty()) continue;
+        if (marks_no_value(text)) continue;
         if (parse_number(text) || has_decimal_comma(text))
             ++line.numbers;
         else if (text.starts_with('[') && text.ends_with(']'))

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 
 #include "data/files/file_access.h"
 #include "data/files/formats/preamble.h"
@@ -27,10 +28,13 @@ bool is_workbook(const std::filesystem::path& path) {
     return file.read(begin.data(), 4) && is_archive(begin);
 }
 
-bool sheet_holds_table(const std::string& bytes, const std::string& file,
-                       const std::string& sheet) {
-    const std::string text = sheet_text(bytes, file, sheet).text;
-    return holds_table({file, split_lines(text)});
+/// Names of the sheets that hold a table.
+std::set<std::string> sheets_with_table(const std::string& bytes, const std::string& file) {
+    std::set<std::string> names;
+    for_each_sheet(bytes, file, [&](const std::string& name, const SheetText& sheet) {
+        if (holds_table({file, split_lines(sheet.text)})) names.insert(name);
+    });
+    return names;
 }
 
 }  // namespace
@@ -50,10 +54,12 @@ ChosenSheets chosen_sheets(const std::filesystem::path& path, const std::string&
     }
     const std::string bytes = read_bytes(path, largest_table);
     const std::vector<std::string> names = sheet_names(bytes, path.string());
+    const std::set<std::string> with_table =
+        wanted.empty() ? sheets_with_table(bytes, path.string()) : std::set<std::string>();
     const bool named = std::ranges::find(names, wanted) != names.end();
     ChosenSheets chosen;
     for (const std::string& name : names) {
-        const bool read = wanted.empty() ? sheet_holds_table(bytes, path.string(), name)
+        const bool read = wanted.empty() ? with_table.contains(name)
                           : named        ? name == wanted
                                          : fnmatch(wanted.c_str(), name.c_str(), 0) == 0;
         if (read)
