@@ -215,8 +215,7 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
     for (const std::string& sentence : read.not_read)
         console.note(sentence);
     if (guesses > 0) console.line(guesses_sentence(guesses, toml));
-    const bool begins = std::ranges::any_of(
-        views, [](const FileView& view) { return !view.loci.empty() || view.missing.empty(); });
+    const bool begins = std::ranges::any_of(views, begins_study);
     if (options.study.empty() && begins)
         console.next(fmt::format("pendular import {} --study my-study", shell_word(path)));
     else if (!options.study.empty())

@@ -349,6 +349,10 @@ std::string end_text(bool cell, bool all_wet) {
 
 }  // namespace
 
+bool begins_study(const FileView& view) {
+    return !view.loci.empty() || has_steady_recording(view);
+}
+
 std::map<std::string, std::string> begin_study(const std::vector<FileView>& views,
                                                const FileFormat& format) {
     const std::filesystem::path path = file_to_open(views.front().file.file);

@@ -24,6 +24,10 @@ namespace pendular {
 std::map<std::string, std::string> begin_study(const std::vector<FileView>& views,
                                                const FileFormat& format);
 
+/// Whether a study can begin with a file: it has points of failure, or steady shear with all that a
+/// recording needs.
+bool begins_study(const FileView& view);
+
 /// First characters of every table that `tidy_table` returns, by which the program recognises an
 /// earlier table before a new one replaces it.
 constexpr const char* tidy_table_begin = "test,interval,role,line";
