@@ -144,8 +144,8 @@ IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& 
     if (own.ramp)
         return {"other", fmt::format("the speed of the lid changes {}: no steady shear",
                                      own.ramp->change())};
-    if (own.load_ramp) return {"other", *own.load_ramp};
     if (!own.pressed) return {"steady", "sheared, but not under a normal stress as grains are"};
+    if (own.angle && *own.angle > long_turn && own.load_ramp) return {"other", *own.load_ramp};
     if (own.angle && *own.angle > long_turn)
         return {"steady", fmt::format("the lid turned by {:.2g} rad", *own.angle)};
     const auto before = sheared_neighbour(file, loading, i, -1);
@@ -163,6 +163,7 @@ IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& 
     if (own.angle && *own.angle < short_turn)
         return {"failure", fmt::format("the lid turned by {:.2g} rad, too little for steady shear",
                                        *own.angle)};
+    if (own.load_ramp) return {"other", *own.load_ramp};
     return {"steady", "sheared at constant set points"};
 }
 
