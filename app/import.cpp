@@ -26,10 +26,7 @@ std::vector<Figure> figures_of_recordings(const StudyInput& input, Console& cons
     for_each_recording(input.study.study(), note, [&](const FileView& view) {
         Figure figure =
             recording_figure(view, input.measurements.readings, input.measurements.left_out());
-        const std::string name = figure.name;
-        for (int k = 2; std::ranges::find(figures, figure.name, &Figure::name) != figures.end();
-             ++k)
-            figure.name = fmt::format("{}_{}", name, k);
+        figure.name = unused_name(figure.name, figures);
         figures.push_back(std::move(figure));
     });
     return figures;

@@ -7,14 +7,18 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <regex>
 #include <system_error>
 
 #include "app/command.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/formats/sheets.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/quantities/number.h"
+#include "data/quantities/quantity.h"
 #include "data/recordings/file_view.h"
+#include "data/remarks/wording.h"
 #include "data/study/study.h"
 #include "reports/file_report.h"
 #include "reports/recording_figures.h"
@@ -34,6 +38,22 @@ void check_choice(const char* option, const std::string& word,
         fmt::format("--{}: unknown \"{}\"; {}", option, word, did_you_mean(word, words)));
 }
 
+/// Columns of a text as in study.toml: { torque = "Md [mN m]", time = "Zeit" }.
+/// @throws InputError for a text of another form, and for a name of no quantity
+std::map<std::string, std::string> named_columns(const std::string& text) {
+    static const std::regex pair(R"re(([A-Za-z_]+)\s*=\s*"([^"]*)")re");
+    std::map<std::string, std::string> columns;
+    const auto begin = text.begin() + static_cast<std::ptrdiff_t>(text.find('{'));
+    for (std::sregex_iterator each(begin, text.end(), pair), end; each != end; ++each) {
+        const std::string key = (*each)[1];
+        const Quantity* const known = find_quantity(key);
+        if (!known) throw InputError(fmt::format("--columns: '{}' is no quantity", key));
+        columns[std::string(known->name)] = (*each)[2];
+    }
+    if (columns.empty()) throw InputError("--columns: write it as in { torque = \"Md [mN m]\" }");
+    return columns;
+}
+
 FileFormat format_of(const ImportFileOptions& options) {
     check_choice("layout", options.layout, layout_names());
     check_choice("decimal", options.decimal, {".", ","});
@@ -42,6 +62,10 @@ FileFormat format_of(const ImportFileOptions& options) {
     format.encoding = options.encoding;
     format.decimal = options.decimal;
     format.sheet = options.sheet;
+    if (options.columns.find('{') != std::string::npos) {
+        format.named_columns = named_columns(options.columns);
+        return format;
+    }
     // As messages and study.toml have it: columns = ["Time [s]", "Torque [mN m]"].
     const std::size_t list = options.columns.find("[\"");
     const auto array = list == std::string::npos
@@ -71,14 +95,58 @@ std::size_t count_of(const std::string& text, std::string_view word) {
 /// Files of a new study, by file name.
 /// @throws InputError if the folder has a file of one of their names
 std::map<std::string, std::string> files_of_study(const std::filesystem::path& folder,
-                                                  const FileView& view, const FileFormat& format) {
-    const auto files = begin_study(view, format);
+                                                  const std::vector<FileView>& views,
+                                                  const FileFormat& format) {
+    const auto files = begin_study(views, format);
     for (const auto& [name, content] : files)
         if (std::filesystem::exists(folder / name))
             throw InputError({(folder / name).string()},
                              "is there already; nothing was written: name another folder in "
                              "--study");
     return files;
+}
+
+/// Views of a file, or of the chosen sheets of a workbook.
+struct ReadFile {
+    std::vector<FileView> views;
+    std::vector<std::string> not_read;  ///< sentences on sheets that are not read
+};
+
+/// @throws InputError if nothing can be read
+ReadFile read_file(const std::filesystem::path& path, const FileFormat& format) {
+    const ChosenSheets sheets = chosen_sheets(path, format.sheet);
+    const auto cell = cell_beside(path);
+    ReadFile result;
+    for (const std::filesystem::path& each : sheets.read) {
+        try {
+            result.views.push_back(view_of_file(each, format, cell));
+        } catch (const InputError& error) {
+            if (sheets.read.size() == 1) throw;
+            result.not_read.push_back(fmt::format("A sheet is not read: {}.", error.what()));
+        }
+    }
+    if (result.views.empty()) view_of_file(sheets.read.front(), format, cell);  // throws
+    if (!sheets.others.empty())
+        result.not_read.push_back(unread_sheets_text(path.string(), sheets.others));
+    return result;
+}
+
+/// JSON of a file; of several sheets, that of the first with the others in "further_sheets".
+nlohmann::ordered_json json_of(const std::vector<FileView>& views) {
+    auto json = to_json(views.front());
+    for (std::size_t k = 1; k < views.size(); ++k)
+        json["further_sheets"].push_back(to_json(views[k]));
+    return json;
+}
+
+std::vector<Figure> figures_of(const std::vector<FileView>& views) {
+    std::vector<Figure> figures;
+    for (const FileView& view : views)
+        for (Figure& figure : file_figures(view)) {
+            figure.name = unused_name(figure.name, figures);
+            figures.push_back(std::move(figure));
+        }
+    return figures;
 }
 
 }  // namespace
@@ -99,12 +167,14 @@ void ImportFileOptions::declare(Options& options) {
     options.add("layout", &layout, "layout of the file (default: recognised by its content)",
                 one_of(layout_names()));
     options.add("encoding", &encoding, "character encoding of the file (default: detected)");
-    options.add("sheet", &sheet, "sheet of a workbook (.xlsx; default: the first one)");
+    options.add("sheet", &sheet,
+                "sheet of a workbook (.xlsx), or a pattern such as '* kPa' (default: every sheet "
+                "with a table)");
     options.add("decimal", &decimal, "decimal mark of the file, '.' or ',' (default: detected)");
     options.add(
         "columns", &columns,
-        "names and units of all columns where the file has none: 'Time [s]; Torque [mN m]', or as "
-        "in study.toml");
+        "names and units of all columns where the file has none: 'Time [s]; Torque [mN m]', or of "
+        "single ones, as in study.toml: '{ torque = \"Md [mN m]\" }'");
 }
 
 void ImportFileOptions::refuse_for_studies(const Options& options) const {
@@ -125,29 +195,34 @@ bool is_bare_file(const std::filesystem::path& path) {
 int import_file(const std::filesystem::path& path, const ImportFileOptions& options,
                 Console& console) {
     const FileFormat format = format_of(options);
-    const FileView view = view_of_file(path, format, cell_beside(path));
+    const ReadFile read = read_file(path, format);
+    const std::vector<FileView>& views = read.views;
     if (!options.tidy.empty()) {
         demand_writable(options.tidy, "--tidy", false);
         demand_table(options.tidy, tidy_table_begin);
     }
     std::size_t guesses = 0;
     if (!options.study.empty()) {
-        const auto files = files_of_study(options.study, view, format);
+        const auto files = files_of_study(options.study, views, format);
         guesses = count_of(files.at("study.toml"), "# GUESS:");
         write_whole_folder(options.study, files);
     }
-    if (!options.tidy.empty()) write_whole(options.tidy, tidy_table(view));
+    if (!options.tidy.empty()) write_whole(options.tidy, tidy_table(views));
     const auto toml = std::filesystem::path(options.study) / "study.toml";
-    console.print(file_output(view, guesses, toml, console.all()));
-    const bool begins = !view.loci.empty() || view.missing.empty();
+    for (const FileView& view : views)
+        console.print(file_output(view, console.all()));
+    for (const std::string& sentence : read.not_read)
+        console.note(sentence);
+    if (guesses > 0) console.line(guesses_sentence(guesses, toml));
+    const bool begins = std::ranges::any_of(views, begins_study);
     if (options.study.empty() && begins)
         console.next(fmt::format("pendular import {} --study my-study", shell_word(path)));
     else if (!options.study.empty())
         console.next(guesses > 0 ? fmt::format("edit {}, then pendular import {}", shell_word(toml),
                                                shell_word(options.study))
                                  : fmt::format("pendular import {}", shell_word(options.study)));
-    console.json(to_json(view));
-    if (!options.figures.empty()) console.figures(options.figures, file_figures(view));
+    console.json(json_of(views));
+    if (!options.figures.empty()) console.figures(options.figures, figures_of(views));
     return done;
 }
 

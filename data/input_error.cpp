@@ -6,6 +6,8 @@
 #include <cctype>
 #include <vector>
 
+#include "data/files/sheet_path.h"
+
 namespace pendular {
 namespace {
 
@@ -18,8 +20,11 @@ std::string located(const Position& position, const std::string& message) {
 
 std::string to_string(const Position& position) {
     std::string text = position.file;
+    const bool cell = position.line > 0 && position.column > 0;
+    if (cell && as_sheet(text))
+        return fmt::format("{}:{}", text, cell_name(position.line, position.column));
     if (position.line > 0) text += fmt::format(":{}", position.line);
-    if (position.line > 0 && position.column > 0) text += fmt::format(":{}", position.column);
+    if (cell) text += fmt::format(":{}", position.column);
     return text;
 }
 

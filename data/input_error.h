@@ -16,7 +16,8 @@ struct Position {
     int column = 0;
 };
 
-/// Returns the text "file:line:column", without what is unknown.
+/// Returns the text "file:line:column", without what is unknown; "runs.xlsx [6 kPa]:B7" for a cell
+/// of a sheet.
 std::string to_string(const Position& position);
 
 /// Error in the user's input, such as a wrong unit in a file. The message of what() has the form

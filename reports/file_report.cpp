@@ -12,10 +12,12 @@
 #include <string_view>
 #include <tuple>
 
+#include "data/files/formats/named_columns.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/remarks/wording.h"
 #include "reports/tables.h"
+#include "reports/with_error.h"
 
 namespace pendular {
 namespace {
@@ -45,10 +47,6 @@ double greatest_size(const std::vector<double>& values) {
 
 const char* line_word(const std::vector<Lines>& lines) {
     return lines.size() == 1 && lines[0].first == lines[0].last ? "Line" : "Lines";
-}
-
-double degrees(double radians) {
-    return radians * 180 / std::numbers::pi;
 }
 
 /// A column with the number of intervals that have it.
@@ -104,18 +102,38 @@ std::vector<std::string> skipped_lines(const BlockFile& file, bool all) {
     return lines;
 }
 
-std::string strength_line(const char* rule, const LinearYieldLocus& line) {
+/// Value with its error, if known, and unit.
+std::string result_text(double value, const std::optional<LocusErrors>& errors,
+                        double LocusErrors::*error, const char* unit, double scale = 1) {
+    const double own = errors ? scale * (*errors).*error : 0;
+    if (!(own > 0) || !std::isfinite(own) || !std::isfinite(value))
+        return std::isinf(value) && value > 0 ? "infinite"
+                                              : fmt::format("{:.4g}{}", scale * value, unit);
+    return with_error(scale * value, own) + unit;
+}
+
+std::string strength_line(const char* rule, const LinearYieldLocus& line, std::size_t points) {
+    using Errors = LocusErrors;
+    constexpr double degree = 180 / std::numbers::pi;
+    const auto text_of = [&](double value, double Errors::*error, const char* unit,
+                             double scale = 1) {
+        return result_text(value, line.errors, error, unit, scale);
+    };
     std::string text = fmt::format(
-        "  {:<22} cohesion {:.4g} Pa, slope {:.4g} deg, tensile strength {:.4g} Pa, unconfined "
-        "strength {:.4g} Pa",
-        rule, line.cohesion, degrees(line.slope_angle), line.tensile_strength,
-        line.unconfined_strength);
+        "  {:<22} cohesion {}, angle of internal friction {}, tensile strength {}, unconfined "
+        "strength {}",
+        rule, text_of(line.cohesion, &Errors::cohesion, " Pa"),
+        text_of(line.slope_angle, &Errors::slope_angle, " deg", degree),
+        text_of(line.tensile_strength, &Errors::tensile_strength, " Pa"),
+        text_of(line.unconfined_strength, &Errors::unconfined_strength, " Pa"));
     if (line.intercept < 0) text += fmt::format(" (the intercept is {:.4g} Pa)", line.intercept);
     if (line.flowability)
         text += fmt::format(
-            ", major principal stress {:.4g} Pa, flowability {}, {}", *line.major_principal_stress,
-            std::isinf(*line.flowability) ? "infinite" : fmt::format("{:.3g}", *line.flowability),
-            line.flow_class);
+            ", major principal stress {}, effective angle {}, flowability {}, {}",
+            text_of(*line.major_principal_stress, &Errors::major_principal_stress, " Pa"),
+            text_of(*line.effective_angle, &Errors::effective_angle, " deg", degree),
+            text_of(*line.flowability, &Errors::flowability, ""), line.flow_class);
+    if (!line.errors) text += fmt::format("; errors: not determined by {} points", points);
     return text + ".";
 }
 
@@ -218,13 +236,18 @@ std::vector<std::string> doubts_of(const YieldLocus& locus) {
 
 std::vector<std::string> yield_locus_lines(const FileView& view) {
     std::vector<std::string> lines;
+    if (view.file.table_of_points && !view.loci.empty())
+        lines.emplace_back(
+            "Each row counts as the peak of one test. If the rows are steady shear, read them in "
+            "[[readings]] without state = \"failure\".");
     for (const YieldLocus& locus : view.loci) {
         std::string heading = "Yield locus";
         if (!locus.test.empty()) heading += " of " + locus.test;
         if (locus.preshear)
-            heading +=
-                fmt::format(", preshear with normal stress {:.4g} Pa, shear stress {:.4g} Pa",
-                            locus.preshear->normal_stress, locus.preshear->shear_stress);
+            heading += fmt::format(", preshear with normal stress {:.4g} Pa",
+                                   locus.preshear->normal_stress);
+        if (locus.preshear && std::isfinite(locus.preshear->shear_stress))
+            heading += fmt::format(", shear stress {:.4g} Pa", locus.preshear->shear_stress);
         if (locus.preshear && locus.preshear->bulk_density)
             heading += fmt::format(", bulk density {:.4g} kg/m^3", *locus.preshear->bulk_density);
         if (locus.preshear && !locus.preshear->plateau)
@@ -241,21 +264,31 @@ std::vector<std::string> yield_locus_lines(const FileView& view) {
                 point.at_end ? "  at the last rows: failure may not have been reached" : ""));
         for (const std::string& line : doubts_of(locus))
             lines.push_back("  " + line);
-        if (locus.line) lines.push_back(strength_line("Largest sample:", *locus.line));
+        if (locus.line)
+            lines.push_back(strength_line("Largest sample:", *locus.line, locus.points.size()));
         const bool rows = std::ranges::any_of(locus.points, [](const FailurePoint& point) {
             return point.smoothed_end > point.smoothed_begin + 1;
         });
         if (locus.smoothed && rows)
-            lines.push_back(strength_line("Smoothed peak:", *locus.smoothed));
-        if (locus.line && !locus.preshear)
+            lines.push_back(strength_line("Smoothed peak:", *locus.smoothed, locus.points.size()));
+        if (locus.line && !locus.line->flowability)
             lines.emplace_back(
-                "  (No preshear was recorded: major principal stress and flowability are "
+                "  (The stresses of a preshear are not known: major principal stress and "
+                "flowability are "
                 "unknown.)");
     }
     return lines;
 }
 
 std::string missing_sentence(const FileView& view) {
+    const auto lacks = [&](const char* name) {
+        return std::ranges::find(view.missing, name) != view.missing.end();
+    };
+    const bool other_tests = std::ranges::all_of(
+        view.roles, [](const IntervalRole& each) { return each.role == "other"; });
+    if (other_tests && !lacks("torque or shear stress") && !lacks("normal force or normal stress"))
+        return "No interval is steady shear or shear to failure: a study reads nothing of this "
+               "file.";
     if (view.missing.empty() || view.file.layout == "yield-locus-report") return "";
     std::string text = fmt::format(
         "The file has no {}: steady shear with a solid fraction cannot be read from it.",
@@ -267,12 +300,11 @@ std::string missing_sentence(const FileView& view) {
     constexpr std::size_t most = 4;  // of many columns in pascals, none is more likely than another
     for (const BlockColumn& column : view.candidates | std::views::take(most)) {
         // Units of the other layouts stand in a row of their own.
-        const std::string name = view.file.layout == "plain"
-                                     ? fmt::format("{} [{}]", column.quantity, column.unit)
-                                     : column.quantity;
-        text +=
-            fmt::format(" Column '{} [{}]' is not used; if it is the {}, name it '{}' in the file.",
-                        column.name, column.unit, quantity(column.quantity).meaning, name);
+        text += fmt::format(
+            " Column '{} [{}]' is not used; if it is the {}, state it in [[recording]], or for one "
+            "file by --columns: {}",
+            column.name, column.unit, quantity(column.quantity).meaning,
+            line_to_name(column.quantity, column.name, column.unit));
     }
     if (view.candidates.size() > most)
         text += fmt::format(" {} further columns are not used.", view.candidates.size() - most);
@@ -346,8 +378,7 @@ Output import_output(const Measurements& measurements, const std::filesystem::pa
     return output;
 }
 
-Output file_output(const FileView& view, std::size_t guesses, const std::filesystem::path& toml,
-                   bool all) {
+Output file_output(const FileView& view, bool all) {
     Output output;
     output.answer(file_sentence(view));
     output.line(encoding_sentence(view));
@@ -356,14 +387,15 @@ Output file_output(const FileView& view, std::size_t guesses, const std::filesys
     output.table(checks_lines(view, all), 10);
     output.lines(yield_locus_lines(view));
     if (const std::string missing = missing_sentence(view); !missing.empty()) output.note(missing);
-    if (guesses > 0) {
-        output.line(fmt::format(
-            "{} of the values in {} {}, marked GUESS, since the file does not state {}: replace {} "
-            "before the study is calibrated.",
-            guesses, toml.string(), guesses == 1 ? "is a guess" : "are guesses",
-            guesses == 1 ? "it" : "them", guesses == 1 ? "it" : "them"));
-    }
     return output;
+}
+
+std::string guesses_sentence(std::size_t guesses, const std::filesystem::path& toml) {
+    return fmt::format(
+        "{} of the values in {} {}, marked GUESS, since the file does not state {}: replace {} "
+        "before the study is calibrated.",
+        guesses, toml.string(), guesses == 1 ? "is a guess" : "are guesses",
+        guesses == 1 ? "it" : "them", guesses == 1 ? "it" : "them");
 }
 
 }  // namespace pendular

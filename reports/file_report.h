@@ -34,12 +34,14 @@ std::vector<std::string> checks_lines(const FileView& view, bool all);
 
 /// Returns tables of the yield loci; empty if there are none. Each lists normal and shear stress
 /// [Pa] of the points of failure, at the data point of largest shear stress and at the smoothed
-/// peak, then results of the fitted line, such as cohesion and unconfined strength [Pa].
+/// peak, then results of the fitted line, such as cohesion and unconfined strength [Pa], with their
+/// standard errors.
 std::vector<std::string> yield_locus_lines(const FileView& view);
 
 /// Returns the quantities that readings of steady shear need but the file lacks, such as the gap
 /// height, and asks the user to export them; with yield loci it says that points of failure need
-/// only the stresses. Empty if nothing is lacking or the file is a report of yield loci.
+/// only the stresses. If all intervals are of other tests, it says that nothing is read. Empty if
+/// nothing is lacking or the file is a report of yield loci.
 std::string missing_sentence(const FileView& view);
 
 /// Returns what `pendular import STUDY` says of the readings of a study.
@@ -49,8 +51,9 @@ Output import_output(const Measurements& measurements, const std::filesystem::pa
                      const std::string& study, bool all);
 
 /// Returns what `pendular import FILE` says of a file.
-/// @param guesses number of guessed values in `toml`, the study.toml that was written
-Output file_output(const FileView& view, std::size_t guesses, const std::filesystem::path& toml,
-                   bool all);
+Output file_output(const FileView& view, bool all);
+
+/// Returns a sentence on the number of guessed values in `toml`, the study.toml that was written.
+std::string guesses_sentence(std::size_t guesses, const std::filesystem::path& toml);
 
 }  // namespace pendular

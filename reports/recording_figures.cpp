@@ -325,6 +325,13 @@ std::vector<Figure> yield_locus_figures(const FileView& view) {
     return figures;
 }
 
+std::string unused_name(const std::string& name, const std::vector<Figure>& figures) {
+    std::string unused = name;
+    for (int k = 2; std::ranges::find(figures, unused, &Figure::name) != figures.end(); ++k)
+        unused = fmt::format("{}_{}", name, k);
+    return unused;
+}
+
 std::vector<Figure> file_figures(const FileView& view) {
     std::vector<Figure> figures = {recording_figure(view)};
     const bool results = std::ranges::all_of(  // a report, without the course of any interval

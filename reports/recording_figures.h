@@ -57,6 +57,9 @@ class RecordingCourse {
     bool shear_, is_stress_ = false;
 };
 
+/// Returns a name that no figure has: with a number at its end if one has it.
+std::string unused_name(const std::string& name, const std::vector<Figure>& figures);
+
 /// Returns the figures of a file that belongs to no study: `recording_figure`, unless the file
 /// contains only results (at most one row per interval), and `yield_locus_figures`.
 std::vector<Figure> file_figures(const FileView& view);

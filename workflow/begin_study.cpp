@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "data/files/file_access.h"
+#include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
 #include "data/input_error.h"
 #include "data/quantities/number.h"
@@ -34,7 +35,8 @@ std::string texts_of(const FileView& view) {
         if (text.empty()) text = block.test;
     for (const std::string key : {"Sample name", "Name"})
         text += " | " + view.file.fact(key);
-    text += " | " + std::filesystem::path(view.file.file).stem().string();
+    text += " | " + file_to_open(view.file.file).stem().string();
+    if (const auto sheet = as_sheet(view.file.file)) text += " | " + sheet->sheet;
     for (const std::string key : {"Project", "Projet", "Projekt"})
         text += " | " + view.file.fact(key);
     return text;
@@ -210,7 +212,12 @@ std::string format_text(const FileFormat& format) {
     std::vector<std::string> columns;
     for (const std::string& column : format.columns)
         columns.push_back(toml_string(column));
-    if (!columns.empty()) text += fmt::format("columns = [{}]\n", fmt::join(columns, ", "));
+    for (const auto& [quantity, column] : format.named_columns)
+        columns.push_back(fmt::format("{} = {}", quantity, toml_string(column)));
+    const bool named = !format.named_columns.empty();
+    if (!columns.empty())
+        text += fmt::format("columns = {}{}{}\n", named ? "{ " : "[", fmt::join(columns, ", "),
+                            named ? " }" : "]");
     return text;
 }
 
@@ -255,79 +262,128 @@ std::string roles_text(const FileView& view) {
     return roles.empty() ? "" : fmt::format("intervals = {{ {} }}\n", fmt::join(roles, ", "));
 }
 
+/// @param suffix of the names of tables
 /// @param steady whether there is a table of preshears
-std::string entries_text(const FileView& view, const FileFormat& format, bool steady,
-                         const std::string& liquid_content) {
+std::string entries_text(const FileView& view, const FileFormat& format, const std::string& suffix,
+                         bool steady, const std::string& liquid_content) {
     std::string text;
     if (has_steady_recording(view))
         text += fmt::format(
             "[[recording]]                    # intervals of steady shear\nfile = {}\n{}{}{}\n",
-            toml_string(as_pattern(std::filesystem::path(view.file.file).filename().string())),
+            toml_string(as_pattern(file_to_open(view.file.file).filename().string())),
             format_text(format), roles_text(view), liquid_content);
     if (steady)
         text += fmt::format(
             "[[readings]]                     # ends of the preshears, in steady "
-            "shear\nfile = \"steady.csv\"\n{}\n",
-            liquid_content);
+            "shear\nfile = \"steady{}.csv\"\n{}\n",
+            suffix, liquid_content);
     if (!view.loci.empty())
         text += fmt::format(
             "[[readings]]                     # points of failure: peaks, which may lie above "
-            "steady shear\nfile = \"failure.csv\"\nstate = \"failure\"\n{}\n",
+            "steady shear\nfile = \"failure{}.csv\"\nstate = \"failure\"{}\n{}\n",
+            suffix,
+            view.file.table_of_points
+                ? "                # GUESS: peaks; remove the line for steady shear"
+                : "",
             liquid_content);
     return text;
 }
 
 }  // namespace
 
-std::map<std::string, std::string> begin_study(const FileView& view, const FileFormat& format) {
-    const std::string name = std::filesystem::path(view.file.file).filename().string();
-    if (printable(name) != name)
-        throw InputError({view.file.file},
-                         "has a name that study.toml cannot hold; rename the file");
-    const std::string texts = texts_of(view);
-    const double mass_ratio = guessed_mass_ratio(texts);
-    std::string steady = steady_table(view, mass_ratio);
+namespace {
+
+/// Whether the cell is known, or needed for a recording.
+bool has_cell(const FileView& view) {
+    return view.missing.empty() || view.cell.inner_radius || states_radii(view);
+}
+
+std::string liquid_content_text(double mass_ratio) {
+    if (mass_ratio == 0) return "liquid_content = 0                # GUESS: dry\n";
+    return fmt::format(
+        "liquid_content = {:<15g} # GUESS: volume of water over volume of "
+        "glass, from the names of file and test\n",
+        mass_ratio * glass_density / water_density);
+}
+
+/// How study.toml states that a sheet or file is to be read.
+FileFormat format_of_entry(const FileView& view, FileFormat format, bool one_of_several) {
+    const auto sheet = as_sheet(view.file.file);
+    if (sheet && (one_of_several || !format.sheet.empty())) format.sheet = sheet->sheet;
+    return format;
+}
+
+std::string grains_text(const std::string& name, const std::string& texts, bool wet) {
     std::string text = fmt::format(
         "# Begun by pendular import from {}.\n# Check every line marked GUESS: the file does not "
         "state it.\n\n[grains]\n",
         comment_text(name));
     text += entry("diameter", guessed_diameter(texts));
     text += entry("density", {"2500 kg/m^3", "GUESS: glass"}) + "\n";
-    std::string content;
-    if (mass_ratio > 0) {
+    if (wet)
         text += "[liquid]\n" + entry("surface_tension", {"72.8 mN/m", "GUESS: water"}) +
                 entry("contact_angle", {"0 deg", "GUESS: the liquid wets the beads"}) + "\n";
-        content = fmt::format(
-            "liquid_content = {:<15g} # GUESS: volume of water over volume of "
-            "glass, from the names of file and test\n",
-            mass_ratio * glass_density / water_density);
-    }
-    if (view.missing.empty() || view.cell.inner_radius || states_radii(view))
-        text += cell_text(view);
-    const std::string entries = entries_text(view, format, !steady.empty(), content);
-    if (entries.empty())
-        throw InputError(
-            {view.file.file},
-            fmt::format("shows neither steady shear nor points of failure, so that no study can "
-                        "begin with it; it has no {}",
-                        view.missing.empty() ? "interval of either"
-                                             : fmt::format("{}", fmt::join(view.missing, ", "))));
-    text += entries;
-    text += fmt::format(
-        "[instrument]                     # errors that all readings share\n"
-        "class = {:<24} # GUESS: typical ones; state your own in place of it\n\n",
-        view.missing.empty() || view.cell.inner_radius || states_radii(view) ? "\"rheometer\""
-                                                                             : "\"table\"");
-    text += "[model]\n";
-    text += mass_ratio > 0
+    return text;
+}
+
+/// @throws InputError that says what a file lacks to begin a study with
+[[noreturn]] void refuse_to_begin(const FileView& view) {
+    throw InputError(
+        {view.file.file},
+        fmt::format("shows neither steady shear nor points of failure, so that no study can "
+                    "begin with it; it has no {}",
+                    view.missing.empty() ? "interval of either"
+                                         : fmt::format("{}", fmt::join(view.missing, ", "))));
+}
+
+std::string end_text(bool cell, bool all_wet) {
+    return fmt::format(
+               "[instrument]                     # errors that all readings share\n"
+               "class = {:<24} # GUESS: typical ones; state your own in place of it\n\n",
+               cell ? "\"rheometer\"" : "\"table\"") +
+           "[model]\n" +
+           (all_wet
                 ? "fit_to = \"all\"                   # no dry reading: wet readings are fitted\n"
-                : "fit_to = \"dry\"\n";
-    std::map<std::string, std::string> files = {{"study.toml", text}};
-    if (!view.loci.empty()) files["failure.csv"] = failure_table(view);
-    if (!steady.empty()) files["steady.csv"] = std::move(steady);
-    if (has_steady_recording(view) &&
-        !files.emplace(name, read_bytes(view.file.file, largest_table)).second)
-        throw InputError({view.file.file},
+                : "fit_to = \"dry\"\n");
+}
+
+}  // namespace
+
+bool begins_study(const FileView& view) {
+    return !view.loci.empty() || has_steady_recording(view);
+}
+
+std::map<std::string, std::string> begin_study(const std::vector<FileView>& views,
+                                               const FileFormat& format) {
+    const std::filesystem::path path = file_to_open(views.front().file.file);
+    const std::string name = path.filename().string();
+    if (printable(name) != name)
+        throw InputError({path.string()},
+                         "has a name that study.toml cannot hold; rename the file");
+    std::vector<double> mass_ratios;
+    for (const FileView& view : views)
+        mass_ratios.push_back(guessed_mass_ratio(texts_of(view)));
+    const bool wet = std::ranges::any_of(mass_ratios, [](double ratio) { return ratio > 0; });
+    std::map<std::string, std::string> files;
+    std::string entries;
+    for (std::size_t k = 0; k < views.size(); ++k) {
+        const FileView& view = views[k];
+        const std::string suffix = views.size() == 1 ? "" : fmt::format("_{}", k + 1);
+        std::string steady = steady_table(view, mass_ratios[k]);
+        entries += entries_text(view, format_of_entry(view, format, views.size() > 1), suffix,
+                                !steady.empty(), wet ? liquid_content_text(mass_ratios[k]) : "");
+        if (!view.loci.empty()) files[fmt::format("failure{}.csv", suffix)] = failure_table(view);
+        if (!steady.empty()) files[fmt::format("steady{}.csv", suffix)] = std::move(steady);
+    }
+    if (entries.empty()) refuse_to_begin(views.front());
+    const auto cell = std::ranges::find_if(views, has_cell);
+    const bool dry = std::ranges::any_of(mass_ratios, [](double ratio) { return ratio == 0; });
+    files["study.toml"] = grains_text(name, texts_of(views.front()), wet) +
+                          (cell == views.end() ? "" : cell_text(*cell)) + entries +
+                          end_text(cell != views.end(), !dry);
+    if (std::ranges::any_of(views, has_steady_recording) &&
+        !files.emplace(name, read_bytes(path, largest_table)).second)
+        throw InputError({path.string()},
                          "has the name of a file of the study; rename it, to recording.csv say");
     return files;
 }
@@ -335,38 +391,57 @@ std::map<std::string, std::string> begin_study(const FileView& view, const FileF
 namespace {
 
 /// Names of the quantities of which any interval has a column.
-std::vector<std::string_view> quantities_of(const FileView& view) {
+std::vector<std::string_view> quantities_of(const std::vector<FileView>& views) {
     std::vector<std::string_view> names;
-    for (const auto& [name, values] : series_columns())
-        if (std::ranges::any_of(view.series, [column = values](const IntervalSeries& each) {
-                return !(each.*column).empty();
-            }))
+    for (const auto& [name, values] : series_columns()) {
+        const auto has = [column = values](const IntervalSeries& each) {
+            return !(each.*column).empty();
+        };
+        if (std::ranges::any_of(
+                views, [&](const FileView& view) { return std::ranges::any_of(view.series, has); }))
             names.push_back(name);
+    }
     return names;
+}
+
+/// Name of the test of an interval, or of its sheet where the file has several sheets.
+std::string test_in_table(const FileView& view, std::size_t interval, bool several) {
+    const std::string& test = view.file.blocks[interval].test;
+    const auto sheet = as_sheet(view.file.file);
+    if (!several || !sheet) return test;
+    return test.empty() ? sheet->sheet : fmt::format("{}, {}", sheet->sheet, test);
+}
+
+/// Rows of an interval in a table of the quantities `names`.
+void add_rows(const IntervalSeries& series, const std::string& begin,
+              const std::vector<std::string_view>& names, std::string& text) {
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        text += fmt::format("{},{}", begin, series.line[i]);
+        for (const std::string_view name : names) {
+            const auto& column = series.column(name);
+            const bool known = i < column.size() && std::isfinite(column[i]);
+            text += known ? fmt::format(",{:.10g}", column[i]) : ",";
+        }
+        text += "\n";
+    }
 }
 
 }  // namespace
 
-std::string tidy_table(const FileView& view) {
-    const std::vector<std::string_view> names = quantities_of(view);
+std::string tidy_table(const std::vector<FileView>& views) {
+    const std::vector<std::string_view> names = quantities_of(views);
     std::string text = tidy_table_begin, units = ",1,,1";
     for (const std::string_view name : names) {
         text += fmt::format(",{}", name);
         units += fmt::format(",{}", quantity(name).unit);
     }
     text += "\n" + units + "\n";
-    for (std::size_t k = 0; k < view.series.size(); ++k) {
-        const IntervalSeries& series = view.series[k];
-        const std::string begin = fmt::format("{},{},{}", csv_text_cell(view.file.blocks[k].test),
-                                              view.file.blocks[k].number, view.roles[k].role);
-        for (std::size_t i = 0; i < series.size(); ++i) {
-            text += fmt::format("{},{}", begin, series.line[i]);
-            for (const std::string_view name : names) {
-                const auto& column = series.column(name);
-                const bool known = i < column.size() && std::isfinite(column[i]);
-                text += known ? fmt::format(",{:.10g}", column[i]) : ",";
-            }
-            text += "\n";
+    for (const FileView& view : views) {
+        for (std::size_t k = 0; k < view.series.size(); ++k) {
+            const std::string begin =
+                fmt::format("{},{},{}", csv_text_cell(test_in_table(view, k, views.size() > 1)),
+                            view.file.blocks[k].number, view.roles[k].role);
+            add_rows(view.series[k], begin, names, text);
         }
     }
     return text;

@@ -3,13 +3,15 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "data/recordings/file_view.h"
 
 namespace pendular {
 
-/// Returns the files of a new study made from one file of measurements, as a map from the name of
-/// each file to its text:
+/// Returns the files of a new study made from one file of measurements, or from the sheets of a
+/// workbook, as a map from the name of each file to its text. Each sheet is an entry of its own,
+/// and its tables have its number ("failure_2.csv").
 /// - study.toml, in which "GUESS" marks guessed values, such as the density of the grains;
 /// - a copy of the file of measurements, if it contains steady shear;
 /// - steady.csv with the states at the end of the preshears, if there are any;
@@ -19,7 +21,12 @@ namespace pendular {
 ///         of the file contains a character that study.toml cannot contain or is the name of
 ///         another file of the study, or if neither number, name nor test tells an interval from
 ///         all intervals with other roles, such as "preshear"
-std::map<std::string, std::string> begin_study(const FileView& view, const FileFormat& format);
+std::map<std::string, std::string> begin_study(const std::vector<FileView>& views,
+                                               const FileFormat& format);
+
+/// Whether a study can begin with a file: it has points of failure, or steady shear with all that a
+/// recording needs.
+bool begins_study(const FileView& view);
 
 /// First characters of every table that `tidy_table` returns, by which the program recognises an
 /// earlier table before a new one replaces it.
@@ -28,7 +35,8 @@ constexpr const char* tidy_table_begin = "test,interval,role,line";
 /// Returns the data points of all intervals of a file of measurements as one CSV table in SI units.
 /// The first row contains the names of the columns, the second their units: test, number and role
 /// of the interval, line of the file, and every quantity that an interval contains. Cells without a
-/// value are empty. Origin and pandas (header=[0, 1]) can read the table.
-std::string tidy_table(const FileView& view);
+/// value are empty. Of several sheets, the test begins with the name of the sheet. Origin and
+/// pandas (header=[0, 1]) can read the table.
+std::string tidy_table(const std::vector<FileView>& views);
 
 }  // namespace pendular

@@ -14,6 +14,7 @@
 #include "calib/emulator/known_runs.h"
 #include "calib/model/mohr_coulomb.h"
 #include "data/files/file_access.h"
+#include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
@@ -30,7 +31,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> inputs_of(const Study& study) {
     std::vector<fs::path> inputs = {study.file};
     for (const Source& source : study.sources) {
-        inputs.insert(inputs.end(), source.files.begin(), source.files.end());
+        std::ranges::transform(source.files, std::back_inserter(inputs), file_to_open);
     }
     return inputs;
 }

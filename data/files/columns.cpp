@@ -218,13 +218,25 @@ const Columns::Column* Columns::find(std::string_view name, bool deviation) cons
     return found;
 }
 
+std::string Columns::advice_on_unused(std::string_view name) const {
+    std::string advice;
+    for (const std::size_t i : unknown_) {
+        const HeaderCell& cell = cells_[i];
+        if (cell.deviation() || cell.unit.empty() || !unit_fits(cell.unit, name)) continue;
+        advice += fmt::format("; if it is '{}', write columns = {{ {} = \"{} [{}]\" }}",
+                              table_.header.cells[i].text, name, cell.name, cell.unit);
+    }
+    return advice;
+}
+
 void Columns::require(std::string_view name) const {
     if (has(name)) return;
     const std::string wanted = fmt::format("'{} [{}]'", name, quantity(name).unit);
     refuse_missing(name == "height" ? wanted +
                                           " (the gap; without a gap sensor, enter the solid "
                                           "fractions in a table [[readings]])"
-                                    : wanted);
+                                    : wanted,
+                   advice_on_unused(name));
 }
 
 std::string_view Columns::require_one_of(std::string_view first, std::string_view second) const {
@@ -233,17 +245,18 @@ std::string_view Columns::require_one_of(std::string_view first, std::string_vie
                          fmt::format("both '{}' and '{}' are given; remove one", first, second));
     if (!has(first) && !has(second))
         refuse_missing(fmt::format("'{} [{}]' or '{} [{}]'", first, quantity(first).unit, second,
-                                   quantity(second).unit));
+                                   quantity(second).unit),
+                       advice_on_unused(first) + advice_on_unused(second));
     return has(first) ? first : second;
 }
 
-void Columns::refuse_missing(std::string_view wanted) const {
+void Columns::refuse_missing(std::string_view wanted, const std::string& advice) const {
     std::vector<std::string> found;
     for (const Cell& cell : table_.header.cells)
         found.push_back(cell.text);
-    throw InputError(
-        {table_.file, table_.header.line},
-        fmt::format("column {} is missing; the header has '{}'", wanted, fmt::join(found, "', '")));
+    throw InputError({table_.file, table_.header.line},
+                     fmt::format("column {} is missing; the header has '{}'{}", wanted,
+                                 fmt::join(found, "', '"), advice));
 }
 
 double Columns::number(const Row& row, const Column& column) const {
@@ -259,6 +272,15 @@ double Columns::number(const Row& row, const Column& column) const {
     std::string wrong =
         fmt::format("\"{}\" is not a finite number; correct it or remove the line", text);
     if (text.empty()) wrong = "the cell is empty; fill it in or remove the line";
+    if (text.starts_with('='))
+        wrong = fmt::format(
+            "the formula \"{}\" has no stored result; open the workbook in a spreadsheet program "
+            "and "
+            "save it",
+            text);
+    if (text.starts_with('#'))
+        wrong =
+            fmt::format("the formula gives the error \"{}\"; correct it or remove the row", text);
     if (has_decimal_comma(text)) {
         std::ptrdiff_t others = -1;
         for (const Row& each : table_.rows)

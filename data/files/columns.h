@@ -130,7 +130,9 @@ class Columns {
     const NumberOfValues* number_of_values(std::string_view name) const;
     double values_in(const Row& row, const NumberOfValues& column) const;
     double number(const Row& row, const Column& column) const;
-    [[noreturn]] void refuse_missing(std::string_view wanted) const;
+    /// Advice to name an unused column in the unit of a quantity; empty if there is none.
+    std::string advice_on_unused(std::string_view name) const;
+    [[noreturn]] void refuse_missing(std::string_view wanted, const std::string& advice) const;
 
     const Table& table_;
     std::vector<HeaderCell> cells_;  ///< of the header

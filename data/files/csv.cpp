@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "data/files/markup.h"
+#include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
 #include "data/quantities/number.h"
 
@@ -23,14 +24,19 @@ int characters(std::string_view text) {
 class LineSplitter {
   public:
     LineSplitter(std::string_view line, char delimiter, const Position& at, InnerQuotes inner)
-        : line_(line), at_(at), delimiter_(delimiter), inner_(inner) {}
+        : line_(line),
+          at_(at),
+          delimiter_(delimiter),
+          inner_(inner),
+          of_sheet_(at.file.ends_with(']') && as_sheet(at.file)) {}
 
     Row split() {
         Row row{at_.line, {}};
         while (true) {
             const std::size_t begin = std::min(after_blanks(next_), line_.size());
             const bool quoted = begin < line_.size() && line_[begin] == '"';
-            row.cells.push_back({quoted ? quoted_cell(begin) : plain_cell(begin), column(begin)});
+            const int place = of_sheet_ ? static_cast<int>(row.cells.size()) + 1 : column(begin);
+            row.cells.push_back({quoted ? quoted_cell(begin) : plain_cell(begin), place});
             if (next_ == std::string_view::npos) return row;
             if (row.cells.size() == most_cells_of_line)
                 throw InputError(at_, fmt::format("more than {} cells on one line; put the values "
@@ -96,6 +102,7 @@ class LineSplitter {
     const Position& at_;
     char delimiter_;
     InnerQuotes inner_;
+    bool of_sheet_;  ///< whether columns are those of a spreadsheet, not characters of the line
     std::size_t next_ = 0;  ///< byte at which the next cell begins; npos: no further cell
     std::size_t counted_ = 0;
     int column_ = 0;

@@ -12,7 +12,8 @@ namespace pendular {
 /// Cell of a table that was read from a text file.
 struct Cell {
     std::string text;  ///< without the blanks and quotes around it
-    int column = 0;    ///< number of the cell's first character in its line, from 1
+    /// Number of the cell's first character in its line, from 1; of its column in a sheet.
+    int column = 0;
 };
 
 /// Row of a table that was read from a text file.

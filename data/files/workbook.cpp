@@ -1,7 +1,6 @@
 #include "data/files/workbook.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <zip.h>
 
 #include <algorithm>
@@ -9,12 +8,11 @@
 #include <map>
 #include <memory>
 #include <pugixml.hpp>
-#include <regex>
-#include <vector>
+#include <utility>
 
-#include "data/files/csv.h"
+#include "data/files/sheet_path.h"
+#include "data/files/xml_nodes.h"
 #include "data/input_error.h"
-#include "data/quantities/number.h"
 
 namespace pendular {
 namespace {
@@ -33,6 +31,13 @@ class Archive {
         const std::string reason = zip_error_strerror(&error);
         zip_error_fini(&error);
         if (!archive_) refuse(reason);
+    }
+
+    /// Stated size of a part, unpacked [bytes]; 0 if there is none.
+    std::uintmax_t size_of(const std::string& name) const {
+        zip_stat_t status;
+        zip_stat_init(&status);
+        return zip_stat(archive_.get(), name.c_str(), 0, &status) == 0 ? status.size : 0;
     }
 
     /// Content of a part; empty if there is none.
@@ -91,18 +96,6 @@ void parse(const Archive& archive, const std::string& name, std::string& content
             fmt::format("{} at byte {} of {}", result.description(), result.offset, name));
 }
 
-/// Name of an element or attribute without its namespace.
-std::string_view local_name(const char* name) {
-    const std::string_view whole = name;
-    return whole.substr(whole.find(':') + 1);  // npos + 1 is 0
-}
-
-pugi::xml_node child(const pugi::xml_node& node, std::string_view name) {
-    for (const pugi::xml_node& each : node.children())
-        if (local_name(each.name()) == name) return each;
-    return {};
-}
-
 /// Parts of a workbook that a part names: by identifier, and by the last word of their kinds, such
 /// as "officeDocument" or "sharedStrings".
 struct Relations {
@@ -130,177 +123,56 @@ Relations relations_of(Archive& archive, const std::filesystem::path& part) {
     return relations;
 }
 
-/// Part with the sheet of a name, or with the first sheet, of the workbook in part `book`.
-/// @throws InputError if there is none, naming the sheets
-std::string part_of_sheet(Archive& archive, const std::string& book, const Relations& relations,
-                          const std::string& file, const std::string& wanted) {
-    std::string identifier;
-    std::vector<std::string> names;
+/// Sheets of a workbook, in its order, with the identifiers of their parts; and whether dates count
+/// from 1904.
+struct Contents {
+    std::vector<std::pair<std::string, std::string>> sheets;
+    bool from_1904 = false;
+};
+
+Contents contents_of(Archive& archive, const std::string& book) {
+    Contents contents;
     pugi::xml_document workbook;
     std::string content = archive.part(book);
     parse(archive, book, content, workbook);
-    for (const pugi::xml_node& each : child(workbook.document_element(), "sheets").children()) {
+    const pugi::xml_node root = workbook.document_element();
+    for (const pugi::xml_node& each : child_named(root, "sheets").children()) {
         if (local_name(each.name()) != "sheet") continue;
-        names.emplace_back(each.attribute("name").value());
-        if (!identifier.empty() || (!wanted.empty() && names.back() != wanted)) continue;
+        std::string identifier;
         for (const pugi::xml_attribute& attribute : each.attributes())
             if (std::string_view(attribute.name()).ends_with(":id")) identifier = attribute.value();
+        contents.sheets.emplace_back(each.attribute("name").value(), identifier);
     }
-    if (identifier.empty()) {
-        throw InputError({file}, fmt::format("has no sheet \"{}\"; it has \"{}\"", wanted,
-                                             fmt::join(names, "\", \"")));
-    }
-    const auto found = relations.by_identifier.find(identifier);
-    if (found == relations.by_identifier.end())
-        archive.refuse("it does not say which part holds the sheet");
-    return found->second;
+    contents.from_1904 = child_named(root, "workbookPr").attribute("date1904").as_bool();
+    return contents;
 }
 
-/// Text of a node `si` or `is`: of its child `t`, or of the runs `r`, without phonetic guides.
-std::string text_of_item(const pugi::xml_node& item) {
-    std::string text;
-    for (const pugi::xml_node& each : item.children()) {
-        const std::string_view name = local_name(each.name());
-        if (name == "t") text += each.child_value();
-        if (name == "r") text += child(each, "t").child_value();
-    }
-    return text;
+/// Name of the part with the workbook itself.
+std::string part_of_book(Archive& archive) {
+    const auto books = relations_of(archive, "").by_kind;
+    const auto book = books.find("officeDocument");
+    return book == books.end() ? "xl/workbook.xml" : book->second;
 }
 
-std::vector<std::string> shared_strings(Archive& archive, const Relations& relations) {
-    std::vector<std::string> strings;
-    const auto found = relations.by_kind.find("sharedStrings");
-    if (found == relations.by_kind.end()) return strings;
-    std::string content = archive.part(found->second);
-    pugi::xml_document document;
-    parse(archive, found->second, content, document);
-    for (const pugi::xml_node& item : document.document_element().children())
-        if (local_name(item.name()) == "si") strings.push_back(text_of_item(item));
-    return strings;
+/// Returns the texts and the formats of cells that all sheets use.
+SharedParts shared_parts(Archive& archive, const Relations& relations, bool from_1904) {
+    SharedParts shared;
+    const auto with_part = [&](const char* kind, const auto& take) {
+        const auto found = relations.by_kind.find(kind);
+        if (found == relations.by_kind.end()) return;
+        std::string content = archive.part(found->second);
+        pugi::xml_document document;
+        parse(archive, found->second, content, document);
+        take(document.document_element());
+    };
+    with_part("sharedStrings", [&](const pugi::xml_node& root) {
+        for (const pugi::xml_node& item : root.children())
+            if (local_name(item.name()) == "si") shared.strings.push_back(text_of_item(item));
+    });
+    with_part("styles",
+              [&](const pugi::xml_node& root) { shared.formats = CellFormats(root, from_1904); });
+    return shared;
 }
-
-/// Column, from 0, of a reference such as "AB12"; `next` if there is none. Long references end
-/// before the number overflows, far beyond the columns that are read.
-std::size_t column_of(std::string_view reference, std::size_t next) {
-    std::size_t column = 0;
-    for (const char c : reference) {
-        if (c < 'A' || c > 'Z' || column > 100'000) break;
-        column = 26 * column + static_cast<std::size_t>(c - 'A') + 1;
-    }
-    return column == 0 ? next : column - 1;
-}
-
-/// Text with the escapes of ASCII characters, such as "_x000D_" for a carriage return, replaced.
-std::string unescaped(const std::string& text) {
-    static const std::regex escape("_x00([0-7][0-9A-Fa-f])_");
-    std::string result;
-    auto from = text.begin();
-    for (std::sregex_iterator each(text.begin(), text.end(), escape), end; each != end; ++each) {
-        result.append(from, text.begin() + each->position());
-        result += static_cast<char>(std::stoi((*each)[1].str(), nullptr, 16));
-        from = text.begin() + each->position() + each->length();
-    }
-    return result.append(from, text.end());
-}
-
-/// Whether a node is a cell with a value; blank cells may have a style alone.
-bool has_value(const pugi::xml_node& node) {
-    return local_name(node.name()) == "c" && (child(node, "v") || child(node, "is"));
-}
-
-/// Text of a cell, without tabs and line ends.
-std::string text_of_cell(const pugi::xml_node& cell, const std::vector<std::string>& shared) {
-    const std::string_view type = cell.attribute("t").value();
-    std::string text = type == "inlineStr" ? text_of_item(child(cell, "is"))
-                                           : std::string(child(cell, "v").child_value());
-    if (type == "s") {
-        const auto index = parse_number(text);
-        const bool known = index && *index >= 0 && *index < static_cast<double>(shared.size());
-        text = known ? shared[static_cast<std::size_t>(*index)] : "";
-    }
-    if (type == "e") text.clear();  // an error such as #DIV/0! is no value
-    text = unescaped(text);
-    for (char& c : text)
-        if (c == '\t' || c == '\n' || c == '\r') c = ' ';
-    text = trimmed(text);
-    const std::string cell_text = csv_cell(text);  // delimiters and quotes within are none
-    return cell_text.starts_with('#') ? '"' + cell_text + '"' : cell_text;  // no comment
-}
-
-/// Writes the rows of a sheet as lines.
-class SheetWriter {
-  public:
-    SheetWriter(const std::string& file, const std::vector<std::string>& shared)
-        : file_(file), shared_(shared) {}
-
-    std::string text_of(const pugi::xml_node& data) {
-        std::size_t width = 0;
-        for (const pugi::xml_node& row : data.children())
-            width = std::max(width, width_of(row));
-        std::size_t cells = 0;
-        for (const pugi::xml_node& row : data.children()) {
-            if (local_name(row.name()) != "row") continue;
-            const std::size_t number = row.attribute("r").as_uint(0);
-            if (number > most_rows) refuse_rows(number);
-            while (lines_ + 1 < number)
-                add_line("");
-            if (width_of(row) == 0) {
-                add_line("");
-                continue;
-            }
-            check_cell_count(cells += width, file_, static_cast<int>(lines_) + 1);
-            add_row(row, width);
-        }
-        return std::move(text_);
-    }
-
-  private:
-    static constexpr std::size_t most_rows = 1'048'576;  // 2^20, the limit of the format
-
-    [[noreturn]] void refuse_rows(std::size_t number) const {
-        throw InputError({file_},
-                         fmt::format("row {}: a sheet has at most {} rows", number, most_rows));
-    }
-
-    std::size_t width_of(const pugi::xml_node& row) const {
-        std::size_t next = 0, width = 0;
-        for (const pugi::xml_node& cell : row.children()) {
-            if (local_name(cell.name()) != "c") continue;
-            next = column_of(cell.attribute("r").value(), next) + 1;
-            if (has_value(cell)) width = next;
-        }
-        return width;
-    }
-
-    void add_line(std::string_view line) {
-        text_ += line;
-        text_ += '\n';
-        ++lines_;
-    }
-
-    void add_row(const pugi::xml_node& row, std::size_t width) {
-        std::size_t next = 0, written = 0;  // columns
-        for (const pugi::xml_node& cell : row.children()) {
-            if (local_name(cell.name()) != "c") continue;
-            const std::size_t column = column_of(cell.attribute("r").value(), next);
-            if (column < next)
-                throw InputError({file_, static_cast<int>(lines_) + 1},
-                                 "the cells of this row are not in order; save the workbook anew");
-            next = column + 1;
-            if (!has_value(cell)) continue;
-            text_.append(column - written + (written > 0 ? 1 : 0), '\t');
-            text_ += text_of_cell(cell, shared_);
-            written = next;
-        }
-        text_.append(width - written, '\t');
-        add_line("");
-    }
-
-    const std::string& file_;
-    const std::vector<std::string>& shared_;
-    std::string text_;
-    std::size_t lines_ = 0;
-};
 
 }  // namespace
 
@@ -308,19 +180,84 @@ bool is_archive(std::string_view bytes) {
     return bytes.starts_with("PK\x03\x04");
 }
 
-std::string sheet_text(const std::string& bytes, const std::string& file,
-                       const std::string& sheet) {
-    Archive archive(bytes, file);
-    const auto books = relations_of(archive, "").by_kind;
-    const auto book = books.find("officeDocument");
-    const std::string name = book == books.end() ? "xl/workbook.xml" : book->second;
-    const Relations relations = relations_of(archive, name);
-    const std::string part = part_of_sheet(archive, name, relations, file, sheet);
-    const std::vector<std::string> shared = shared_strings(archive, relations);
-    std::string content = archive.part(part);
-    pugi::xml_document document;
-    parse(archive, part, content, document);
-    return SheetWriter(file, shared).text_of(child(document.document_element(), "sheetData"));
+namespace {
+
+/// An open workbook.
+struct Book {
+    Book(const std::string& bytes, const std::string& path)
+        : file(path),
+          archive(bytes, file),
+          name(part_of_book(archive)),
+          relations(relations_of(archive, name)),
+          contents(contents_of(archive, name)) {}
+
+    /// @throws InputError for names of sheets that `as_sheet` would not give back, and for more
+    ///         sheets than can be read one by one: each needs the texts that all share
+    void check_sheets() const {
+        constexpr std::size_t most_sheets = 1000;
+        constexpr std::uintmax_t most_work = std::uintmax_t(1) << 30;  // some seconds
+        if (contents.sheets.empty()) archive.refuse("it has no sheet");
+        const auto strings = relations.by_kind.find("sharedStrings");
+        const std::uintmax_t shared =
+            strings == relations.by_kind.end() ? 0 : archive.size_of(strings->second);
+        if (contents.sheets.size() > most_sheets || contents.sheets.size() * shared > most_work)
+            archive.refuse(fmt::format("it has {} sheets with {} MB of texts, too many",
+                                       contents.sheets.size(), shared >> 20));
+        for (const auto& [sheet, identifier] : contents.sheets)
+            if (!is_sheet_name(sheet))
+                throw InputError({file}, fmt::format("has a sheet \"{}\", a name that spreadsheets "
+                                                     "do not allow; rename the sheet",
+                                                     sheet));
+    }
+
+    SharedParts shared() { return shared_parts(archive, relations, contents.from_1904); }
+
+    SheetText rows(const std::string& sheet, const std::string& identifier,
+                   const SharedParts& shared) {
+        const auto part = relations.by_identifier.find(identifier);
+        if (part == relations.by_identifier.end())
+            archive.refuse("it does not say which part holds the sheet");
+        std::string content = archive.part(part->second);
+        pugi::xml_document document;
+        parse(archive, part->second, content, document);
+        return rows_of_sheet(document.document_element(), path_of_sheet(file, sheet).string(),
+                             shared);
+    }
+
+    const std::string& file;
+    Archive archive;
+    std::string name;  ///< of the part with the workbook itself
+    Relations relations;
+    Contents contents;
+};
+
+}  // namespace
+
+std::vector<std::string> sheet_names(const std::string& bytes, const std::string& file) {
+    const Book book(bytes, file);
+    book.check_sheets();
+    std::vector<std::string> names;
+    for (const auto& [name, identifier] : book.contents.sheets)
+        names.push_back(name);
+    return names;
+}
+
+void for_each_sheet(const std::string& bytes, const std::string& file,
+                    const std::function<void(const std::string& name, const SheetText&)>& take) {
+    Book book(bytes, file);
+    book.check_sheets();
+    const SharedParts shared = book.shared();
+    for (const auto& [name, identifier] : book.contents.sheets)
+        take(name, book.rows(name, identifier, shared));
+}
+
+SheetText sheet_text(const std::string& bytes, const std::string& file, const std::string& sheet) {
+    Book book(bytes, file);
+    const auto& sheets = book.contents.sheets;
+    const auto found =
+        std::ranges::find(sheets, sheet, [](const auto& each) { return each.first; });
+    if (found == sheets.end()) book.archive.refuse(fmt::format("it has no sheet {}", sheet));
+    return book.rows(sheet, found->second, book.shared());
 }
 
 }  // namespace pendular

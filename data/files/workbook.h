@@ -1,8 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "data/files/sheet_rows.h"
 
 namespace pendular {
 
@@ -13,16 +17,22 @@ constexpr std::uintmax_t largest_unpacked = 256u << 20;
 /// Whether bytes are the beginning of a ZIP archive, such as a workbook (.xlsx).
 bool is_archive(std::string_view bytes);
 
-/// Returns a sheet of a workbook (.xlsx) as text in UTF-8: one line per row, with cells separated
-/// by tabs. Each row with values has as many cells as the widest row, and each row without values
-/// is an empty line. Numbers have a decimal point and all digits that the workbook stores. A
-/// formula becomes its stored result, an error such as #DIV/0! an empty cell, and tabs and line
-/// ends within a cell become blanks.
-/// @param file path of the file, for error messages
-/// @param sheet empty: the first sheet of the workbook
+/// Returns the names of the sheets of a workbook (.xlsx), in its order.
+/// @param file path of the workbook, for error messages
+/// @throws InputError if the bytes are no workbook, a sheet has a name that `is_sheet_name`
+///         excludes, or there are so many sheets that reading all of them would take minutes
+std::vector<std::string> sheet_names(const std::string& bytes, const std::string& file);
+
+/// Calls a function with the name and the rows of each sheet. Together, the sheets may unpack to
+/// `largest_unpacked`.
+/// @throws InputError as `sheet_names` and `sheet_text`
+void for_each_sheet(const std::string& bytes, const std::string& file,
+                    const std::function<void(const std::string& name, const SheetText&)>& take);
+
+/// Returns a sheet of a workbook (.xlsx) as text in UTF-8 (`rows_of_sheet`).
+/// @param file path of the workbook, for error messages
 /// @throws InputError if the bytes are no workbook, lack the sheet, unpack to more than
-///         `largest_unpacked`, or have more than `most_cells` cells
-/// Source: ECMA-376, Office Open XML File Formats, part 1, section 18 (SpreadsheetML).
-std::string sheet_text(const std::string& bytes, const std::string& file, const std::string& sheet);
+///         `largest_unpacked`, have more than `most_cells` cells, or as `rows_of_sheet`
+SheetText sheet_text(const std::string& bytes, const std::string& file, const std::string& sheet);
 
 }  // namespace pendular

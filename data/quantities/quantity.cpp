@@ -23,6 +23,8 @@ const std::vector<Quantity>& table() {
          "shear rate at the mean radius",
          {"gamma dot", "γ̇", "strain rate"}},
         {"preshear_stress", "σ_p", "Pa", "normal stress of the preshear before a point of failure"},
+        {"preshear_shear_stress", "τ_p", "Pa",
+         "shear stress at the end of the preshear before a point of failure"},
         {"bulk_density",
          "ρ_b",
          "kg/m^3",
@@ -99,7 +101,8 @@ const std::vector<Quantity>& table() {
          "",
          "1",
          "number of the step of constant set points",
-         {"step", "segment", "interval number", "step number"}},
+         {"step", "segment", "interval number", "step number", "Intervall", "Abschnitt", "Schritt",
+          "intervalle", "étape", "intervalo", "segmento", "intervallo"}},
         // Origin of a reading.
         {"sampled_seconds", "", "s",
          "duration of the steady part over which a reading was averaged"},

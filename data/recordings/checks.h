@@ -40,6 +40,9 @@ std::vector<Remark> contradictions(const Recording& recording, const AnnularCell
 /// agree with it within 2 % or two steps of the resolution.
 std::vector<Remark> missed_set_points(const BlockFile& file);
 
+/// Returns a fault if the workbook of a file hides rows that are read.
+std::vector<Remark> hidden_rows(const BlockFile& file);
+
 /// Finds recordings whose angular velocities differ from those of most others by the factor between
 /// two units. It must hold within 0.2 % at all steps, at least two, that two recordings took at
 /// equal normal stress and liquid content. Returns one remark for each factor; none for more than
@@ -57,6 +60,9 @@ std::vector<Remark> incomplete_files(const Study& study, const Measurements& mea
 
 /// Finds patterns of study.toml that match no file: one remark for each.
 std::vector<Remark> patterns_without_file(const Study& study);
+
+/// Finds workbooks with sheets that no entry of study.toml reads: one remark for each.
+std::vector<Remark> unread_sheets(const Study& study);
 
 /// Finds readings whose liquid content is beyond separate bridges, with the saturation of their
 /// pores.

@@ -282,6 +282,36 @@ CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series) {
 
 namespace {
 
+/// A fault for each column of which some rows of an interval have no value.
+std::vector<Remark> check_missing(const std::vector<IntervalSeries>& series) {
+    std::vector<Remark> faults;
+    for (const auto& [name, values] : series_columns()) {
+        if (name == "shear_rate") continue;  // computed by instruments, and read by no study
+        Remark fault{.kind = Kind::missing_values, .quantity = std::string(name), .count = 0};
+        for (const IntervalSeries& each : series) {
+            const auto& column = each.*values;
+            const auto is_known = [](double value) { return std::isfinite(value); };
+            const auto known = static_cast<std::size_t>(std::ranges::count_if(column, is_known));
+            if (known == 0) continue;
+            fault.of += column.size();
+            fault.count += column.size() - known;
+            for (std::size_t i = 0; i < column.size(); ++i)
+                if (!is_known(column[i])) add_line(fault.lines, each.line[i]);
+        }
+        if (fault.count > 0) faults.push_back(std::move(fault));
+    }
+    return faults;
+}
+
+}  // namespace
+
+std::vector<Remark> hidden_rows(const BlockFile& file) {
+    if (file.hidden.empty()) return {};
+    return {{.kind = Kind::hidden_rows, .files = {file.file}, .lines = file.hidden}};
+}
+
+namespace {
+
 /// Intervals of one test.
 std::vector<IntervalSeries> series_of_test(const BlockFile& file,
                                            const std::vector<IntervalSeries>& series,
@@ -323,6 +353,8 @@ std::vector<Remark> check_file(const BlockFile& file, const std::vector<Interval
     if (tests.size() == 1)
         append(faults, header_against_columns(file, cell.stress_per_torque, cell.stress_per_force));
     append(faults, missed_set_points(file));
+    append(faults, hidden_rows(file));
+    append(faults, check_missing(series));
     for (Remark& fault : faults)
         fault.files = {file.file};
     return faults;

@@ -8,6 +8,7 @@
 
 #include "data/files/column_names.h"
 #include "data/files/columns.h"
+#include "data/recordings/test_kinds.h"
 
 namespace pendular {
 namespace {
@@ -109,6 +110,27 @@ void split_by_interval(BlockFile& file) {
     }
 }
 
+/// Divides a table of points into one block per row.
+void split_points(BlockFile& file) {
+    if (file.blocks.size() != 1 || !file.blocks.front().stated_role.empty() ||
+        !is_table_of_points(file.blocks.front(), series_of(file.blocks.front())))
+        return;
+    const Block whole = std::move(file.blocks.front());
+    const Columns columns(whole.table);
+    file.blocks.clear();
+    file.table_of_points = true;
+    for (const Row& row : whole.table.rows) {
+        count_interval(file, row.line, whole.columns.size());
+        Block& block = file.blocks.emplace_back();
+        block.test = whole.test;
+        block.preshear_normal_stress = columns.value_if_any(row, "preshear_stress");
+        block.preshear_shear_stress = columns.value_if_any(row, "preshear_shear_stress");
+        block.number = static_cast<int>(file.blocks.size());
+        block.columns = whole.columns;
+        block.table = {whole.table.file, whole.table.header, {row}, whole.table.delimiter};
+    }
+}
+
 }  // namespace
 
 FileView view_of_file(const std::filesystem::path& path, const FileFormat& format,
@@ -117,6 +139,7 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
     view.file = read_blocks(path, format);
     refuse_unused_file(view.file);
     split_by_interval(view.file);
+    split_points(view.file);
     for (const Block& block : view.file.blocks)
         view.series.push_back(series_of(block));
     view.roles = roles_of(view.file, view.series, format);

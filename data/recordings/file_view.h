@@ -38,6 +38,8 @@ CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series);
 /// - rows that repeat the preceding row
 /// - several tests in one file
 /// - constants or radii in the header that contradict the columns
+/// - columns of which some rows have no value
+/// - rows that a workbook hides
 /// - measured values that do not follow their set points
 /// @param series in the order of the file's blocks
 /// @param cell from `cell_from_columns`; not used for a file with several tests

@@ -12,6 +12,7 @@
 #include "data/quantities/statistics.h"
 #include "data/recordings/plausibility.h"
 #include "data/recordings/step_series.h"
+#include "data/recordings/test_kinds.h"
 #include "data/recordings/time_series.h"
 
 namespace pendular {
@@ -26,6 +27,7 @@ struct Loading {
     double normal = 0;              ///< median normal stress or force
     std::optional<double> angle;    ///< angle by which the lid turned [rad], if known
     std::optional<SpeedRamp> ramp;  ///< speeds between which the lid's speed changed, if it did
+    std::optional<std::string> load_ramp;  ///< as text, if the normal stress changed throughout
 };
 
 double largest_known(const std::vector<double>& values) {
@@ -98,6 +100,7 @@ std::vector<Loading> loadings(const std::vector<IntervalSeries>& series) {
                           (!stresses || largest_known(each.shear()) < most_ratio * loading.normal);
         loading.angle = angle_turned(each);
         loading.ramp = speed_ramp(each.angular_velocity);
+        loading.load_ramp = load_ramp(each);
         result.push_back(loading);
     }
     return result;
@@ -142,6 +145,7 @@ IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& 
         return {"other", fmt::format("the speed of the lid changes {}: no steady shear",
                                      own.ramp->change())};
     if (!own.pressed) return {"steady", "sheared, but not under a normal stress as grains are"};
+    if (own.angle && *own.angle > long_turn && own.load_ramp) return {"other", *own.load_ramp};
     if (own.angle && *own.angle > long_turn)
         return {"steady", fmt::format("the lid turned by {:.2g} rad", *own.angle)};
     const auto before = sheared_neighbour(file, loading, i, -1);
@@ -159,6 +163,7 @@ IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& 
     if (own.angle && *own.angle < short_turn)
         return {"failure", fmt::format("the lid turned by {:.2g} rad, too little for steady shear",
                                        *own.angle)};
+    if (own.load_ramp) return {"other", *own.load_ramp};
     return {"steady", "sheared at constant set points"};
 }
 
@@ -188,6 +193,11 @@ std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<Inte
             roles.push_back({stated, "stated by the user"});
         else if (!file.blocks[i].stated_role.empty())
             roles.push_back({file.blocks[i].stated_role, "stated by the file"});
+        else if (const auto kind = kind_shown_by_columns(file.blocks[i]))
+            roles.push_back({"other", *kind});
+        else if (file.table_of_points)
+            roles.push_back(
+                {"failure", "a table of points: one row is one test, taken for a peak"});
         else if (largest_known(series[i].normal()) == 0 || !any_known(series[i].shear()))
             roles.push_back({"other", "no values of shear stress or of normal stress"});
         else if (!loading[i].sheared)

@@ -1,11 +1,14 @@
 #include "data/recordings/measurements.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <span>
 #include <utility>
 
 #include "data/files/formats/layouts.h"
+#include "data/files/sheet_path.h"
 #include "data/recordings/checks.h"
 #include "data/recordings/copies.h"
 #include "data/recordings/findings/detectors.h"
@@ -41,6 +44,7 @@ Recording read_checked(const std::filesystem::path& path, const FileFormat& form
     Recording recording = recording_of(file, format);
     append(found, header_against_study(file, cell));
     append(found, missed_set_points(file));
+    append(found, hidden_rows(file));
     append(found, std::exchange(recording.left_out, {}));
     return recording;
 }
@@ -128,6 +132,7 @@ constexpr StudyCheck checks_before_pooling[] = {
     [](const Study&, const Measurements& all) { return saturated_columns(all.remarks); },
     [](const Study&, const Measurements& all) { return other_speed_units(all.readings); },
     [](const Study& study, const Measurements&) { return patterns_without_file(study); },
+    [](const Study& study, const Measurements&) { return unread_sheets(study); },
     incomplete_files};
 
 constexpr StudyCheck checks_after_pooling[] = {
@@ -144,6 +149,21 @@ void check(std::span<const StudyCheck> checks, const Study& study, Measurements&
     }
 }
 
+/// Readings of one file of an entry.
+Measurements measurements_of(const std::filesystem::path& file, const Source& source,
+                             const Study& study, FilesBefore& before) {
+    try {
+        return source.kind == Source::Kind::readings ? read_points(file, source, study)
+                                                     : measure(file, source, study, before);
+    } catch (const InputError& error) {
+        if (!as_sheet(file) || !source.format.sheet.empty()) throw;
+        throw InputError(
+            fmt::format("{}. If this sheet is not to be read, name those that are in "
+                        "line {} of study.toml: sheet = \"...\"",
+                        error.what(), source.position.line));
+    }
+}
+
 }  // namespace
 
 Measurements read_measurements(const Study& study) {
@@ -151,9 +171,7 @@ Measurements read_measurements(const Study& study) {
     FilesBefore before;
     for (const Source& source : study.sources) {
         for (const std::filesystem::path& file : source.files) {
-            Measurements of_file = source.kind == Source::Kind::readings
-                                       ? read_points(file, source, study)
-                                       : measure(file, source, study, before);
+            Measurements of_file = measurements_of(file, source, study, before);
             all.readings.insert(all.readings.end(), of_file.readings.begin(),
                                 of_file.readings.end());
             append(all.remarks, decide(std::move(of_file.remarks), study.import.keep_implausible));

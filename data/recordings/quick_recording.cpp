@@ -11,6 +11,9 @@
 #include "data/files/columns.h"
 #include "data/files/file_access.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/formats/missing_values.h"
+#include "data/files/formats/number_style.h"
+#include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
 #include "data/quantities/number.h"
 #include "data/recordings/recording_rows.h"
@@ -21,7 +24,8 @@ namespace {
 bool states_nothing(const FileFormat& format) {
     return (format.layout.empty() || format.layout == "plain") && format.encoding.empty() &&
            (format.decimal.empty() || format.decimal == ".") && format.sheet.empty() &&
-           format.columns.empty() && format.roles.empty() && !format.repair;
+           format.columns.empty() && format.named_columns.empty() && format.roles.empty() &&
+           format.missing.empty() && !format.repair;
 }
 
 /// Reads the rows of one file. Every function returns false where the file needs the general
@@ -58,6 +62,13 @@ class QuickReader {
     std::optional<Recording> finish() {
         if (!rest_.empty() && !read_line(rest_, true)) return std::nullopt;
         if (!rows_) return std::nullopt;
+        if (point_open_ && !point_known_) {
+            if (too_large_)
+                throw InputError({file_},
+                                 "no number shows whether its point is a decimal point; "
+                                 "write decimal = \".\" in [[recording]]");
+            return std::nullopt;
+        }
         Recording recording{rows_->finish(), file_, rows_->averaged_rows(),
                             rows_->unused_columns()};
         return recording.size() > 1 ? std::optional(std::move(recording)) : std::nullopt;
@@ -89,6 +100,7 @@ class QuickReader {
             return false;
         }
         numbers_.resize(table_.header.cells.size());
+        point_known_ = table_.delimiter == ',' || !format_.decimal.empty();
         return std::ranges::none_of(table_.header.cells, [](const Cell& cell) {
             const HeaderCell parts = parse_header_cell(cell.text);
             return !set_point_of(parts.name, parts.unit).empty();
@@ -102,8 +114,16 @@ class QuickReader {
         if (split(line) && rows_->add(line_, numbers_)) return true;
         if (printable(line) != line) return false;
         if (holds_no_row(line)) return true;
-        if (too_large_) rows_->add(row_of(table_, line, line_, last));
+        if (too_large_) add_text_row(row_of(table_, line, line_, last));
         return too_large_;
+    }
+
+    /// Adds a row of a file that is too long to be read as text, where no row is left out.
+    void add_text_row(const Row& row) {
+        for (std::size_t i = 0; i < row.cells.size(); ++i)
+            if (rows_->needs(i) && parse_number(row.cells[i].text) == usual_missing_value)
+                throw InputError(table_.at(row, i), "the value is missing; remove the line");
+        rows_->add(row);
     }
 
     /// Sets `numbers_` from a line that has nothing but numbers.
@@ -117,13 +137,22 @@ class QuickReader {
             if (i > 0 && !pass(table_.delimiter)) return false;
             while (pass(' '))
                 continue;
+            const std::string_view begin = line;
             const auto number = take_number(line);
             if (!number) return false;
+            if (*number == usual_missing_value && rows_->needs(i)) return false;
+            if (!point_known_) look_at_point(begin.substr(0, begin.size() - line.size()));
             numbers_[i] = *number;
             while (pass(' '))
                 continue;
         }
         return line.empty();
+    }
+
+    /// Notes whether a number shows that its point is a decimal point: "2.8", but not "2.800".
+    void look_at_point(std::string_view number) {
+        if (number.find('.') == std::string_view::npos) return;
+        (point_may_group(number) ? point_open_ : point_known_) = true;
     }
 
     const FileFormat& format_;
@@ -132,6 +161,7 @@ class QuickReader {
     bool too_large_;
     std::string rest_;  ///< begin of a line whose end is in the next part
     int line_ = 0;
+    bool point_known_ = false, point_open_ = false;
     Table table_;  ///< of the header and the first row
     std::optional<Columns> columns_;
     std::optional<RecordingRows> rows_;
@@ -142,7 +172,7 @@ class QuickReader {
 
 std::optional<Recording> quick_recording(const std::filesystem::path& path,
                                          const FileFormat& format, std::size_t most_rows) {
-    if (!states_nothing(format)) return std::nullopt;
+    if (!states_nothing(format) || as_sheet(path)) return std::nullopt;
     std::error_code unknown;
     const std::uintmax_t size = std::filesystem::file_size(path, unknown);
     QuickReader reader(path, format, most_rows, !unknown && size > largest_table);

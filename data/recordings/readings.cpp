@@ -45,6 +45,7 @@ const std::vector<std::string_view> reading_columns = {"normal_stress",
                                                        "replicates",
                                                        "failure",
                                                        "preshear_stress",
+                                                       "preshear_shear_stress",
                                                        "file",
                                                        "line"};
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
+#include "data/quantities/statistics.h"
 #include "data/recordings/recording_rows.h"
 
 namespace pendular {
@@ -24,6 +26,72 @@ std::vector<Lines> lines_of(const Row& first, const Row& last) {
     return {{first.line, last.line}};
 }
 
+/// Lets the slower columns of a table lack values: those with a value in less than half of the rows
+/// in which others have one, but in at least two.
+void allow_slower_columns(const Table& table, const Columns& columns, RecordingRows& rows) {
+    for (const std::string_view name : rows.needed()) {
+        if (name == "time" || name == "interval") continue;
+        const auto known =
+            static_cast<std::size_t>(std::ranges::count_if(table.rows, [&](const Row& row) {
+                return columns.value_if_any(row, name).has_value();
+            }));
+        if (known >= 2 && 2 * known < table.rows.size()) rows.allow_missing(name);
+    }
+}
+
+/// Fills the missing values of a column between those of one interval by straight lines, so that
+/// their mean is that of the rows that have them, and up to half of a usual distance before the
+/// first and after the last of them by these.
+void fill_between(const IntervalSeries& series, std::vector<double>& column) {
+    std::vector<std::size_t> known;
+    for (std::size_t i = 0; i < column.size(); ++i)
+        if (std::isfinite(column[i])) known.push_back(i);
+    if (known.size() < 2 || known.size() == column.size()) return;
+    const auto same = [&](std::size_t a, std::size_t b) {
+        return series.interval.empty() || series.interval[a] == series.interval[b];
+    };
+    std::vector<double> distances;
+    for (std::size_t k = 1; k < known.size(); ++k)
+        distances.push_back(static_cast<double>(known[k] - known[k - 1]));
+    const auto usual = static_cast<std::size_t>(median(distances));
+    for (std::size_t k = 0; k + 1 < known.size(); ++k) {
+        const std::size_t from = known[k], to = known[k + 1];
+        // A longer pause is no slower rate: its rows stay without a value.
+        if (!same(from, to) || to - from > 3 * usual) continue;
+        for (std::size_t i = from + 1; i < to; ++i) {
+            const double part = static_cast<double>(i - from) / static_cast<double>(to - from);
+            column[i] = (1 - part) * column[from] + part * column[to];
+        }
+    }
+    for (const std::size_t at : known) {
+        for (std::size_t i = at + 1; i < column.size() && i - at < usual && same(at, i); ++i)
+            if (std::isnan(column[i])) column[i] = column[at];
+        for (std::size_t i = at; i-- > 0 && at - i < usual && same(at, i);)
+            if (std::isnan(column[i])) column[i] = column[at];
+    }
+}
+
+/// Rows that slower columns still lack after `fill_between` are left out.
+void fill_slower_columns(IntervalSeries& series, const RecordingRows& rows, const std::string& file,
+                         const std::string& interval, std::vector<Remark>& left_out) {
+    std::vector<bool> lacking(series.size(), false);
+    for (const SeriesColumn& column : series_columns()) {
+        if (!rows.may_lack(column.name)) continue;
+        std::vector<double>& values = series.*column.values;
+        fill_between(series, values);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (lacking[i] || std::isfinite(values[i])) continue;
+            lacking[i] = true;
+            leave_out(left_out, {.kind = Remark::Kind::no_value,
+                                 .quantity = std::string(column.name),
+                                 .files = {file},
+                                 .lines = {{series.line[i], series.line[i]}},
+                                 .names = {interval}});
+        }
+    }
+    series.erase_rows(lacking);
+}
+
 /// Adds the rows of an interval, but lists those without a value in a needed column.
 void add_rows(const Block& block, RecordingRows& rows, std::vector<Remark>& left_out) {
     for (const Row& row : block.table.rows) {
@@ -37,6 +105,16 @@ void add_rows(const Block& block, RecordingRows& rows, std::vector<Remark>& left
                                  .lines = lines_of(row, row),
                                  .names = {name_of(block)}});
     }
+}
+
+/// Series of an interval from its rows.
+IntervalSeries finished_rows(const Block& block, const Columns& columns, RecordingRows& rows,
+                             std::vector<Remark>& left_out) {
+    allow_slower_columns(block.table, columns, rows);
+    add_rows(block, rows, left_out);
+    IntervalSeries series = rows.finish();
+    fill_slower_columns(series, rows, block.table.file, name_of(block), left_out);
+    return series;
 }
 
 /// Appends the rows of an interval, whose number becomes `number`. Columns that only one of the two
@@ -76,14 +154,15 @@ bool has_other_role(const Block& block, const FileFormat& format, const std::str
     return true;
 }
 
-/// Recording of a plain table, every row of which must be valid, without the intervals to which the
-/// user gave another role.
-Recording recording_of_table(const Table& table, const FileFormat& format) {
+/// Recording of a plain table, without the intervals to which the user gave another role.
+Recording recording_of_table(const Block& block, const FileFormat& format) {
+    const Table& table = block.table;
     const Columns columns(table);
     RecordingRows rows(columns);
-    for (const Row& row : table.rows)
-        rows.add(row);
-    Recording recording{rows.finish(), table.file, 1, rows.unused_columns()};
+    std::vector<Remark> left_out;
+    IntervalSeries series = finished_rows(block, columns, rows, left_out);
+    Recording recording{std::move(series), table.file, 1, rows.unused_columns(),
+                        std::move(left_out)};
     if (recording.interval.empty() || format.roles.empty()) return recording;
     std::vector<bool> marked;
     for (std::size_t i = 0; i < recording.size(); ++i) {
@@ -100,7 +179,7 @@ Recording recording_of_table(const Table& table, const FileFormat& format) {
 }  // namespace
 
 Recording recording_of(const BlockFile& file, const FileFormat& format) {
-    if (file.layout == "plain") return recording_of_table(file.blocks.front().table, format);
+    if (file.layout == "plain") return recording_of_table(file.blocks.front(), format);
     Recording whole;
     whole.file = file.file;
     const bool own_numbers = numbers_tell_apart(file.blocks);
@@ -123,8 +202,7 @@ Recording recording_of(const BlockFile& file, const FileFormat& format) {
                                        .names = {name_of(block)}});
             continue;
         }
-        add_rows(block, *rows, whole.left_out);
-        const IntervalSeries part = rows->finish();
+        const IntervalSeries part = finished_rows(block, columns, *rows, whole.left_out);
         if (part.size() > 0) append_interval(whole, part, own_numbers ? block.number : count);
     }
     if (whole.size() == 0 && !first_error.empty())

@@ -63,15 +63,39 @@ RecordingRows::RecordingRows(const Columns& columns, std::size_t most)
 }
 
 double RecordingRows::value(const Row& row, const ReadColumn& column) const {
-    if (column.needed) return columns_.value(row, column.series.name);
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    if (column.may_lack) return columns_.value_if_any(row, column.series.name).value_or(none);
+    if (column.needed) return columns_.value(row, column.series.name);
     return or_else([&] { return columns_.value_if_any(row, column.series.name).value_or(none); },
                    none);
 }
 
+std::vector<std::string_view> RecordingRows::needed() const {
+    std::vector<std::string_view> names;
+    for (const ReadColumn& column : read_)
+        if (column.needed) names.push_back(column.series.name);
+    return names;
+}
+
+void RecordingRows::allow_missing(std::string_view quantity) {
+    for (ReadColumn& column : read_)
+        column.may_lack = column.may_lack || column.series.name == quantity;
+}
+
+bool RecordingRows::may_lack(std::string_view quantity) const {
+    return std::ranges::any_of(read_, [&](const ReadColumn& column) {
+        return column.may_lack && column.series.name == quantity;
+    });
+}
+
+bool RecordingRows::needs(std::size_t column) const {
+    return std::ranges::any_of(
+        read_, [&](const ReadColumn& each) { return each.needed && each.from.index == column; });
+}
+
 std::string_view RecordingRows::missing(const Row& row) const {
     for (const ReadColumn& column : read_)
-        if (column.needed && !columns_.value_if_any(row, column.series.name))
+        if (column.needed && !column.may_lack && !columns_.value_if_any(row, column.series.name))
             return column.series.name;
     return {};
 }

@@ -30,8 +30,17 @@ class RecordingRows {
     explicit RecordingRows(const Columns& columns,
                            std::size_t most = std::numeric_limits<std::size_t>::max());
 
+    /// Returns the needed quantities.
+    std::vector<std::string_view> needed() const;
+    /// Lets empty cells of a needed quantity other than time and interval be NaN, since the
+    /// instrument records it less often.
+    void allow_missing(std::string_view quantity);
+    /// Whether `allow_missing` was called for a quantity that is read.
+    bool may_lack(std::string_view quantity) const;
     /// Returns a needed quantity whose cell is empty in a row of the table; empty if there is none.
     std::string_view missing(const Row& row) const;
+    /// Whether a column of the table is read as a needed quantity.
+    bool needs(std::size_t column) const;
     /// Adds a row of the table.
     /// @throws InputError at a cell without a number, a gap that is not positive, an interval that
     ///         is not a whole number, and a time that goes back within an interval; at the interval
@@ -51,7 +60,8 @@ class RecordingRows {
     struct ReadColumn {
         SeriesColumn series;
         Columns::Conversion from;
-        bool needed;  ///< in every row; other cells without a number are NaN
+        bool needed;            ///< in every row; other cells without a number are NaN
+        bool may_lack = false;  ///< although needed
     };
     struct Fault {
         std::string_view quantity;

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
 
+#include "data/files/formats/sheets.h"
+#include "data/files/sheet_path.h"
 #include "data/grains.h"
 
 namespace pendular {
@@ -26,6 +31,21 @@ std::vector<Remark> patterns_without_file(const Study& study) {
         if (!source.files.empty()) continue;
         found.push_back({.kind = Kind::pattern_without_file, .names = {source.pattern}});
         found.back().add(source.position);
+    }
+    return found;
+}
+
+std::vector<Remark> unread_sheets(const Study& study) {
+    std::map<std::filesystem::path, std::set<std::string>> read;
+    for (const Source& source : study.sources)
+        for (const std::filesystem::path& file : source.files)
+            if (const auto sheet = as_sheet(file)) read[sheet->book].insert(sheet->sheet);
+    std::vector<Remark> found;
+    for (const auto& [book, names] : read) {
+        Remark remark{.kind = Kind::unread_sheets, .files = {book.string()}};
+        for (const std::string& sheet : sheets_in(book))
+            if (!names.contains(sheet)) remark.names.push_back(sheet);
+        if (!remark.names.empty()) found.push_back(std::move(remark));
     }
     return found;
 }

@@ -67,6 +67,8 @@ std::optional<PreshearPoint> preshear_before(const BlockFile& file,
                                              const std::vector<IntervalSeries>& series,
                                              const std::vector<IntervalRole>& roles,
                                              std::size_t i) {
+    if (const auto normal = file.blocks[i].preshear_normal_stress)
+        return PreshearPoint{*normal, file.blocks[i].preshear_shear_stress.value_or(std::nan(""))};
     while (i-- > 0 && file.blocks[i].test == file.blocks[i + 1].test)
         if (roles[i].role == "preshear" && !series[i].shear_stress.empty() &&
             !series[i].normal_stress.empty()) {
@@ -107,6 +109,59 @@ std::optional<LinearYieldLocus> fitted(const YieldLocus& locus, double FailurePo
 
 }  // namespace
 
+namespace {
+
+/// Results of a line of given intercept [Pa] and slope [1].
+LinearYieldLocus locus_of_line(double intercept, double slope,
+                               const std::optional<PreshearPoint>& preshear) {
+    LinearYieldLocus locus;
+    locus.intercept = intercept;
+    locus.cohesion = std::max(locus.intercept, 0.0);
+    locus.slope_angle = std::atan(slope);
+    if (locus.cohesion > 0)  // a line that does not rise meets the axis nowhere on this side
+        locus.tensile_strength = slope > 0 ? -locus.cohesion / slope : -INFINITY;
+    locus.unconfined_strength =
+        2 * locus.cohesion * std::cos(locus.slope_angle) / (1 - std::sin(locus.slope_angle));
+    if (preshear && std::isfinite(preshear->shear_stress)) add_preshear(locus, *preshear);
+    return locus;
+}
+
+/// Variances and covariance of a line's intercept [Pa] and slope [1].
+struct LineCovariance {
+    double intercept = 0, slope = 0, both = 0;
+};
+
+/// Standard errors by central differences over a thousandth of the errors of the line.
+LocusErrors propagated_errors(const LinearYieldLocus& locus, double slope,
+                              const std::optional<PreshearPoint>& preshear,
+                              const LineCovariance& line) {
+    constexpr double part = 1e-3;
+    const double da = part * std::sqrt(line.intercept), db = part * std::sqrt(line.slope);
+    const auto at = [&](double a, double b) {
+        return locus_of_line(locus.intercept + a, slope + b, preshear);
+    };
+    const LinearYieldLocus more = at(da, 0), less = at(-da, 0), steeper = at(0, db),
+                           flatter = at(0, -db);
+    const auto error = [&](const auto& value) {
+        if (!(da > 0) || !(db > 0)) return 0.0;
+        const double by_a = (value(more) - value(less)) / (2 * da),
+                     by_b = (value(steeper) - value(flatter)) / (2 * db);
+        return std::sqrt(std::max(0.0, by_a * by_a * line.intercept + by_b * by_b * line.slope +
+                                           2 * by_a * by_b * line.both));
+    };
+    using Locus = const LinearYieldLocus&;
+    return {.cohesion = std::sqrt(line.intercept),
+            .slope_angle = error([](Locus l) { return l.slope_angle; }),
+            .tensile_strength = error([](Locus l) { return l.tensile_strength; }),
+            .unconfined_strength = error([](Locus l) { return l.unconfined_strength; }),
+            .major_principal_stress =
+                error([](Locus l) { return l.major_principal_stress.value_or(0); }),
+            .effective_angle = error([](Locus l) { return l.effective_angle.value_or(0); }),
+            .flowability = error([](Locus l) { return l.flowability.value_or(0); })};
+}
+
+}  // namespace
+
 LinearYieldLocus linear_yield_locus(const std::vector<double>& normal_stress,
                                     const std::vector<double>& shear_stress,
                                     const std::optional<PreshearPoint>& preshear) {
@@ -120,15 +175,17 @@ LinearYieldLocus linear_yield_locus(const std::vector<double>& normal_stress,
     }
     if (!(squares > 0)) throw std::invalid_argument("a line needs two different normal stresses");
     const double slope = products / squares;
-    LinearYieldLocus locus;
-    locus.intercept = y - slope * x;
-    locus.cohesion = std::max(locus.intercept, 0.0);
-    locus.slope_angle = std::atan(slope);
-    if (locus.cohesion > 0)  // a line that does not rise meets the axis nowhere on this side
-        locus.tensile_strength = slope > 0 ? -locus.cohesion / slope : -INFINITY;
-    locus.unconfined_strength =
-        2 * locus.cohesion * std::cos(locus.slope_angle) / (1 - std::sin(locus.slope_angle));
-    if (preshear) add_preshear(locus, *preshear);
+    LinearYieldLocus locus = locus_of_line(y - slope * x, slope, preshear);
+    double residuals = 0;
+    for (std::size_t i = 0; i < normal_stress.size(); ++i)
+        residuals += std::pow(shear_stress[i] - y - slope * (normal_stress[i] - x), 2);
+    constexpr std::size_t fewest_points = 4;
+    if (normal_stress.size() < fewest_points) return locus;
+    const double variance = residuals / (n - 2);
+    locus.errors = propagated_errors(locus, slope, preshear,
+                                     {.intercept = variance * (1 / n + x * x / squares),
+                                      .slope = variance / squares,
+                                      .both = -variance * x / squares});
     return locus;
 }
 

@@ -27,13 +27,27 @@ struct FailurePoint {
 /// State at the end of a preshear, the steady shear that consolidates the sample before it is
 /// sheared to failure: means over the last tenth of the rows.
 struct PreshearPoint {
-    double normal_stress = 0;           ///< [Pa]
-    double shear_stress = 0;            ///< [Pa]
+    double normal_stress = 0;  ///< [Pa]
+    /// [Pa]; NaN if a table of points states the normal stress alone, without which there is no
+    /// Mohr circle.
+    double shear_stress = 0;
     double shear_stress_deviation = 0;  ///< standard deviation over the last tenth [Pa]
     std::size_t begin = 0;              ///< index of the first row of the last tenth
     /// Whether the shear stress differs by at most 2 % from that over the preceding tenth.
     bool plateau = true;
     std::optional<double> bulk_density = {};  ///< with the liquid [kg/m^3], if the file states it
+};
+
+/// Standard errors of the results of a linear yield locus, from the scatter of its points about the
+/// line; those of results that the locus lacks are 0.
+struct LocusErrors {
+    double cohesion = 0;                ///< [Pa]
+    double slope_angle = 0;             ///< [rad]
+    double tensile_strength = 0;        ///< [Pa]
+    double unconfined_strength = 0;     ///< [Pa]
+    double major_principal_stress = 0;  ///< [Pa]
+    double effective_angle = 0;         ///< [rad]
+    double flowability = 0;             ///< [1]
 };
 
 /// Linear yield locus: straight line of shear stress against normal stress at failure, with the
@@ -53,6 +67,8 @@ struct LinearYieldLocus {
     /// Major principal stress over unconfined strength [1]; infinite if the strength is 0.
     std::optional<double> flowability;
     std::string flow_class;  ///< class of flowability, such as "cohesive"
+    /// Empty for fewer than four points: with one degree of freedom, the scatter is not known.
+    std::optional<LocusErrors> errors;
 };
 
 /// Returns the straight line through points of failure [Pa] by ordinary least squares. Its slope
@@ -64,6 +80,10 @@ struct LinearYieldLocus {
 /// preshear is above the line, the circle touches the line at s instead. The major principal stress
 /// is C + r, and sin(effective angle) = r/C. The class of flowability is "not flowing" below 1,
 /// "very cohesive" below 2, "cohesive" below 4, "easy-flowing" below 10, and else "free-flowing".
+///
+/// The variance of intercept and slope is that of ordinary least squares, with the residual
+/// variance over n - 2; other errors follow by first-order propagation with their covariance. The
+/// error of the preshear is not in them.
 /// @throws std::invalid_argument if there are fewer than two different normal stresses
 /// Source: Jenike, Bulletin 123, University of Utah (1964); Schulze, Powders and Bulk Solids
 /// (2008).

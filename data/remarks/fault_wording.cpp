@@ -247,6 +247,11 @@ std::string file_text(const Remark& fault) {
         case Kind::header_constant:
         case Kind::header_cell:
             return header_text(fault);
+        case Kind::missing_values:
+            return fmt::format("{} of {} rows have no value of the {}.", fault.count, fault.of,
+                               words_for_quantity(fault.quantity));
+        case Kind::hidden_rows:
+            return "the workbook hides these rows.";
         default:
             throw std::logic_error("a fault of a file has no words");
     }
@@ -280,6 +285,12 @@ std::string done_about(const Remark& fault) {
             return "The columns are used.";
         case Kind::header_cell:
             return "The cell of study.toml is used; correct [cell] if the header is right.";
+        case Kind::missing_values:
+            return 2 * fault.count > fault.of
+                       ? "The column counts as recorded less often than the others."
+                       : "A study leaves these rows out.";
+        case Kind::hidden_rows:
+            return "They are read; delete them if they are not to count.";
         default:
             return "The measured values are used, not the set points; check the control of the "
                    "instrument and the gap.";

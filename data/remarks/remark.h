@@ -42,6 +42,8 @@ struct Remark {
         header_constant,  ///< the header contradicts the columns
         header_cell,      ///< the header contradicts study.toml
         missed_set_point,
+        missing_values,
+        hidden_rows,  ///< a workbook hides rows, which are read
         // Values that are probably wrong.
         repaired_torques,
         restated_copy,  ///< study.toml states other contents for a copy than for the original
@@ -101,6 +103,7 @@ struct Remark {
         quasi_static_table,         ///< all inertial numbers are 0 or far below those of any lid
         copied_readings,
         pattern_without_file,
+        unread_sheets,  ///< sheets of a workbook that no entry of study.toml names
         recordings_without_reading,
         ends_early,
         lacks_step,

@@ -210,6 +210,15 @@ std::string near_copy_text(const Remark& note) {
         file_name_of(note.files[1]));
 }
 
+}  // namespace
+
+std::string unread_sheets_text(const std::string& file, const std::vector<std::string>& sheets) {
+    return fmt::format("{}: {} not read: '{}'.", file_name_of(file),
+                       sheets.size() == 1 ? "a sheet is" : "sheets are", fmt::join(sheets, "', '"));
+}
+
+namespace {
+
 std::string note_on_file(const Remark& note) {
     switch (note.kind) {
         case Kind::averaged_rows:
@@ -272,6 +281,8 @@ std::string note_on_file(const Remark& note) {
                 "No file matches \"{}\" (line {} of study.toml): nothing is read "
                 "for this entry.",
                 note.names[0], note.first_line());
+        case Kind::unread_sheets:
+            return unread_sheets_text(note.file(), note.names);
         case Kind::recordings_without_reading:
             return lost_recordings_text(note);
         case Kind::ends_early:

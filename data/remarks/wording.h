@@ -52,6 +52,9 @@ std::string fault_text(const Remark& fault);
 /// Returns a sentence on what the program does about a fault of a file.
 std::string done_about(const Remark& fault);
 
+/// Returns a sentence on the sheets of a workbook that are not read.
+std::string unread_sheets_text(const std::string& file, const std::vector<std::string>& sheets);
+
 /// Returns ranges of lines as text, such as "12-15, 20", with at most `most` ranges and the number
 /// of those left out.
 std::string text_of_lines(const std::vector<Lines>& lines, std::size_t most = 8);

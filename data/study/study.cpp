@@ -8,7 +8,9 @@
 
 #include "data/files/file_access.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/formats/sheets.h"
 #include "data/files/text_file.h"
+#include "data/quantities/quantity.h"
 #include "data/study/study_table.h"
 
 namespace pendular {
@@ -23,11 +25,11 @@ const Keys grains_keys = {"diameter", "density", "youngs_modulus", "poisson_rati
 const Keys liquid_keys = {"surface_tension", "contact_angle", "viscosity"};
 const Keys cell_keys = {"inner_radius", "outer_radius", "bead_mass", "bead_volume",
                         "torque_formula"};
-const Keys readings_keys = {"file",     "liquid_content", "bead_mass", "bead_volume",
-                            "encoding", "decimal",        "state",     "sheet"};
+const Keys readings_keys = {"file",    "liquid_content", "bead_mass", "bead_volume", "encoding",
+                            "decimal", "state",          "sheet",     "missing",     "columns"};
 const Keys recording_keys = {"file",      "liquid_content", "bead_mass", "bead_volume",
                              "encoding",  "layout",         "decimal",   "columns",
-                             "intervals", "repair",         "sheet"};
+                             "intervals", "repair",         "sheet",     "missing"};
 const Keys import_keys = {"keep_implausible", "least_strain"};
 const Keys model_keys = {"base", "calibrate", "fit_to", "effects", "bridge_force", "discrepancy"};
 
@@ -40,6 +42,24 @@ constexpr double largest_discrepancy = 0.2;
 
 constexpr double right_angle = 1.5707963267948966;
 
+/// Columns by the quantities as which they are read.
+/// @throws InputError at a key that names no quantity
+std::map<std::string, std::string> read_named_columns(const StudyTable& table) {
+    std::map<std::string, std::string> columns;
+    for (const std::string& key : table.keys()) {
+        const Quantity* const known = find_quantity(key);
+        if (!known) {
+            std::vector<std::string> names;
+            for (const Quantity& each : quantities())
+                names.emplace_back(each.name);
+            throw InputError(table.at(key),
+                             fmt::format("'{}' is no quantity; {}", key, did_you_mean(key, names)));
+        }
+        columns[std::string(known->name)] = table.text(key).value_or("");
+    }
+    return columns;
+}
+
 /// File format that an entry [[recording]] or [[readings]] states.
 /// @throws InputError at the key for an unknown layout, role of an interval or decimal mark
 FileFormat read_file_format(const StudyTable& entry) {
@@ -48,7 +68,11 @@ FileFormat read_file_format(const StudyTable& entry) {
     if (entry.has("decimal")) format.decimal = entry.choice("decimal", {".", ","});
     format.sheet = entry.text("sheet").value_or("");
     format.encoding = entry.text("encoding").value_or("");
-    format.columns = entry.words("columns", {});
+    if (entry.holds_table("columns"))
+        format.named_columns = read_named_columns(*entry.open_table("columns"));
+    else
+        format.columns = entry.words("columns", {});
+    format.missing = entry.words("missing", {});
     format.repair = entry.flag("repair").value_or(false);
     if (const auto intervals = entry.table("intervals", interval_roles())) {
         for (const std::string& role : interval_roles())
@@ -223,7 +247,10 @@ Source read_source(const StudyTable& table, Source::Kind kind, const Study& stud
     const auto pattern = table.text("file");
     if (!pattern) throw InputError(table.position(), "lacks 'file'; add file = \"....csv\"");
     source.pattern = *pattern;
-    source.files = files_of(table, source.pattern, study, allow_outside);
+    for (const auto& file : files_of(table, source.pattern, study, allow_outside)) {
+        const auto sheets = chosen_sheets(file, source.format.sheet).read;
+        source.files.insert(source.files.end(), sheets.begin(), sheets.end());
+    }
     source.liquid_content = table.quantity("liquid_content", "1");
     if (source.liquid_content.value_or(0) < 0)
         table.refuse("liquid_content", "must not be negative");

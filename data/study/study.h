@@ -21,9 +21,11 @@ namespace pendular {
 struct Source {
     enum class Kind { recording, readings };
     Kind kind = Kind::recording;
-    std::string pattern;                       ///< of file paths, relative to the study's folder
-    std::vector<std::filesystem::path> files;  ///< those that match the pattern, sorted by path
-    std::optional<double> liquid_content;      ///< [1]; empty: not stated
+    std::string pattern;  ///< of file paths, relative to the study's folder
+    /// Files that match the pattern, sorted by path; of workbooks the sheets that are read, in the
+    /// order of the workbook (`SheetPath`).
+    std::vector<std::filesystem::path> files;
+    std::optional<double> liquid_content;  ///< [1]; empty: not stated
     /// Solid volume of the grains in the cell [m^3]; empty: the volume in [cell] holds.
     std::optional<double> bead_volume;
     bool at_failure = false;  ///< points of failure (state = "failure") rather than steady shear

@@ -54,6 +54,11 @@ bool StudyTable::has(std::string_view key) const {
     return table_->contains(key);
 }
 
+bool StudyTable::holds_table(std::string_view key) const {
+    const toml::node* const node = table_->get(key);
+    return node && node->is_table();
+}
+
 Position StudyTable::at(std::string_view key) const {
     const toml::node* const node = table_->get(key);
     return node ? position_of(*node) : position_;

@@ -46,6 +46,8 @@ class StudyTable {
     static StudyTable read(const std::filesystem::path& file, const std::vector<std::string>& keys);
 
     bool has(std::string_view key) const;
+    /// Whether the value of a key is a table.
+    bool holds_table(std::string_view key) const;
     /// Returns the position of a key's value, or of the table if the key is missing.
     Position at(std::string_view key) const;
     const Position& position() const { return position_; }

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
 #include "tests/support/app_support.h"
 
 namespace app_import_file_test {
@@ -89,6 +92,34 @@ TEST(ImportFile, BeginsAStudyOfSteadyShearWithItsRecording) {
     ASSERT_EQ(run_pendular("import '" + file.string() + "' --study " + study).code, 0);
     expect_told({content_of(study + "/study.toml")});
     EXPECT_EQ(run_pendular("import " + study).code, 0);
+}
+
+TEST(ImportFile, ReadsEverySheetOfAWorkbookAndBeginsAStudyWithThem) {
+    const TemporaryFolder folder;
+    std::string low = "Zeit;Drehmoment;Normalkraft;Spalt;Drehzahl\ns;mN m;N;mm;1/min\n", high = low;
+    for (int i = 0; i < 60; ++i) {
+        low += fmt::format("{};20.{};5;6.2;5\n", i, 1 + i % 3);
+        high += fmt::format("{};40.{};10;6.2;5\n", i, 1 + i % 3);
+    }
+    const std::string points =
+        "sigma pre [Pa];tau pre [Pa];Normal stress [Pa];Shear stress [Pa]\n"
+        "3000;1550;500;310\n3000;1550;1000;555\n3000;1550;1500;812\n3000;1550;2000;1050\n";
+    const auto book = folder.path() / "book.xlsx", study = folder.path() / "study";
+    const std::string command = fmt::format(
+        "python3 {}/tests/data/make_workbook.py {} Cover={} '3 kPa'={} '6 kPa'={} Points={}",
+        PENDULAR_SOURCE_DIR, book.string(), folder.write("c.csv", "Powder;glass\n").string(),
+        folder.write("l.csv", low).string(), folder.write("h.csv", high).string(),
+        folder.write("p.csv", points).string());
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    const Outcome run = run_pendular("import " + book.string() + " --study " + study.string());
+    EXPECT_EQ(run.code, 0) << run.errors;
+    expect_told({run.output, content_of(study / "study.toml")});
+    const Outcome read = run_pendular("import " + study.string() + " --json -");
+    EXPECT_EQ(read.code, 0) << read.errors;
+    const auto json =
+        nlohmann::json::parse(run_pendular("import " + book.string() + " --json -").output);
+    EXPECT_EQ(json["further_sheets"].size(), 2u);
+    EXPECT_EQ(json["further_sheets"][1]["yield_loci"][0]["points"].size(), 4u);
 }
 
 TEST(ImportFile, TakesColumnsAsMessagesStateThem) {

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 
 #include "data/annular_cell.h"
+#include "data/files/text_file.h"
 #include "data/recordings/file_view.h"
+#include "data/recordings/measurements.h"
 #include "data/recordings/recording.h"
 #include "tests/support/golden.h"
 
@@ -149,6 +151,94 @@ TEST_F(TableOfOnesOwn, IsReadWhateverItsOtherColumnsAre) {
         write("Zeit,Messzeit [s],Torque [mN m],Normal force [N],Gap [mm],Speed [rpm]",
               "9,0,20.1,5.0,6.20,2.0\n9,1,20.2,5.0,6.21,2.0\n");
     EXPECT_THAT(read_recording(speeds).time, ElementsAre(0, 1));
+}
+
+/// Cells of a row of a Markdown table.
+std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells;
+    for (const Cell& cell : split_cells(line, '|', {}, InnerQuotes::kept).cells)
+        cells.push_back(cell.text);
+    return cells;
+}
+
+/// Rows of the table of names in docs/instruments.md: quantity, unit and names in five languages.
+std::vector<std::vector<std::string>> names_in_manual() {
+    std::vector<std::vector<std::string>> rows;
+    bool within = false;
+    for (const std::string& line : read_lines(PENDULAR_SOURCE_DIR "/docs/instruments.md")) {
+        if (within && !line.starts_with('|')) break;
+        if (within && !line.starts_with("|---")) rows.push_back(cells_of(line));
+        within = within || line.starts_with("| quantity | unit, for example |");
+    }
+    return rows;
+}
+
+TEST(NamesInTheManual, AreReadWithUnitsInSixWays) {
+    const TemporaryFolder folder;
+    const auto read_as = [&](const std::string& text) {
+        return read_blocks(folder.write("t.csv", text)).blocks.at(0).columns.at(0).quantity;
+    };
+    std::size_t cells = 0;
+    for (const auto& row : names_in_manual()) {
+        ASSERT_EQ(row.size(), 9u);  // seven columns and what is outside of the table
+        const std::string &quantity = row[1], &unit = row[2];
+        for (std::size_t language = 3; language < 8; ++language, ++cells) {
+            for (const Cell& name : split_cells(row[language], ',', {}, InnerQuotes::kept).cells) {
+                for (const std::string header :
+                     {name.text + " [" + unit + "]", name.text + " (" + unit + ")",
+                      name.text + " in " + unit, name.text + " / " + unit, name.text + ", " + unit})
+                    EXPECT_EQ(read_as(header + ";Remark;Note\n1.5;2;4\n2.5;3;4\n"), quantity)
+                        << header;
+                for (const std::string units : {unit + ";s;", "[" + unit + "];[s];"})
+                    EXPECT_EQ(read_as(name.text + ";Delay;Note\n" + units + "\n1.5;2;4\n2.5;3;4\n"),
+                              quantity)
+                        << name.text << " above " << units;
+            }
+        }
+    }
+    EXPECT_GE(cells, 60u);
+}
+
+TEST(NamedColumns, AreReadInPlaceOfOthers) {
+    const TemporaryFolder folder;
+    const auto path = folder.write(
+        "t.csv",
+        "Time [s],Torque [mN m],Moment am Deckel [uN m],Normal force [N],Gap [mm],Speed [rpm]\n"
+        "0,20,7,5,6.2,2\n1,20,8,5,6.2,2\n");
+    FileFormat format;
+    format.named_columns = {{"torque", "Moment am Deckel [uN m]"}};
+    EXPECT_NEAR(read_recording(path, format).torque[1], 8e-6, 1e-15);
+    format.named_columns = {{"torque", "Moment am Deckel"}};
+    EXPECT_NEAR(read_recording(path, format).torque[1], 8e-6, 1e-15);
+    format.named_columns = {{"torque", "Md [uN m]"}};
+    FileFormat two;
+    two.columns = {"Time [s]", "Torque [N m]"};
+    FileFormat vendor;
+    vendor.columns = {"Time [s]"};
+    const auto trios = std::string(PENDULAR_SOURCE_DIR "/tests/data/formats/trios.csv");
+    const auto odd = folder.write(
+        "o.csv",
+        "Time [s],Mx [mN m],Normal force [N],Gap [mm],Speed [rpm]\n0,1,1,1,1\n1,1,1,1,1\n");
+    expect_told({input_error([&] { read_recording(path, format); }),
+                 input_error([&] { read_recording(path, two); }),
+                 input_error([&] { read_recording(trios, vendor); }),
+                 input_error([&] { read_recording(odd); })});
+}
+
+TEST(NamedColumns, MayBeOfATableOfReadings) {
+    const TemporaryFolder folder;
+    folder.write("p.csv",
+                 "Normalspannung [kPa];Tau am Deckel [Pa];Packungsdichte;Trägheitszahl\n"
+                 "1,0;401,5;0,60;0,003\n2,0;803,5;0,60;0,003\n");
+    const Study study = read_study(folder.write(
+        "study.toml",
+        "[grains]\ndiameter = \"500 um\"\ndensity = \"2500 kg/m^3\"\n[[readings]]\nfile = "
+        "\"p.csv\"\ncolumns = { shear_stress = \"Tau am Deckel\" }\n"));
+    const Measurements read = read_measurements(study);
+    ASSERT_EQ(read.readings.size(), 2u);
+    EXPECT_NEAR(read.readings[1].condition.normal_stress, 2000, 1e-9);
+    EXPECT_NEAR(read.readings[1].value[0], 803.5, 1e-9);
+    EXPECT_NEAR(read.readings[1].value[1], 0.6, 1e-12);
 }
 
 }  // namespace pendular::data_column_names_test

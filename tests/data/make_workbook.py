@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Writes a workbook (.xlsx) whose sheets hold the rows of CSV files.
 
-    make_workbook.py OUT.xlsx NAME=FILE.csv...
+    make_workbook.py OUT.xlsx [--1904] NAME=FILE.csv...
 
-Numbers are stored as numbers, "#DIV/0!" as an error of a formula. Every other text is shared, every other one in its cell, as different
+Numbers are stored as numbers, "#DIV/0!" as an error of a formula, "=A1*2" as a formula without a result, "date:45352.5" and "clock:0.25" as
+days in the format of a date or of a clock time. Lines "!merge A2:A5" and "!hide 3" concern the sheet. Every other text is shared, every other one in its cell, as different
 programs write them. Rows without cells are left out.
 """
 import csv
@@ -28,6 +29,11 @@ def cell(text, row, column, shared):
         return f"<c {place}><v>{text}</v></c>"
     except ValueError:
         pass
+    if text.startswith("="):
+        return f"<c {place}><f>{escape(text[1:])}</f></c>"
+    for style, kind in (1, "date:"), (2, "clock:"):
+        if text.startswith(kind):
+            return f'<c {place} s="{style}"><v>{text.removeprefix(kind)}</v></c>'
     if text == "#DIV/0!":
         return f'<c {place} t="e"><v>{text}</v></c>'
     if (row + column) % 2:
@@ -37,18 +43,26 @@ def cell(text, row, column, shared):
 
 
 def sheet(rows, shared):
-    text = ""
-    for number, row in enumerate(rows, 1):
+    text, merged, hidden = "", "", set()
+    rows = list(rows)
+    for line in [row[0] for row in rows if row and row[0].startswith("!")]:
+        word, place = line.split()
+        merged += f'<mergeCell ref="{place}"/>' if word == "!merge" else ""
+        hidden |= {place} if word == "!hide" else set()
+    for number, row in enumerate([row for row in rows if not row or not row[0].startswith("!")], 1):
         cells = "".join(cell(each, number, k, shared) for k, each in enumerate(row) if each)
         if cells:
-            text += f'<row r="{number}">{cells}</row>\n'
-    return f'<?xml version="1.0"?><worksheet xmlns="x"><sheetData>{text}</sheetData></worksheet>'
+            hide = ' hidden="1"' if str(number) in hidden else ""
+            text += f'<row r="{number}"{hide}>{cells}</row>\n'
+    merged = f"<mergeCells>{merged}</mergeCells>" if merged else ""
+    return f'<?xml version="1.0"?><worksheet xmlns="x"><sheetData>{text}</sheetData>{merged}</worksheet>'
 
 
 def main():
     types = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
     shared, parts, names, links = [], {}, "", ""
-    for number, argument in enumerate(sys.argv[2:], 1):
+    arguments = [each for each in sys.argv[2:] if each != "--1904"]
+    for number, argument in enumerate(arguments, 1):
         name, path = argument.split("=", 1)
         text = open(path, encoding="utf-8").read()
         delimiter = max("\t;,", key=text.count)
@@ -56,7 +70,13 @@ def main():
         names += f'<sheet name={quoteattr(name)} sheetId="{number}" r:id="rId{number}"/>'
         links += f'<Relationship Id="rId{number}" Type="{types}/worksheet" Target="worksheets/sheet{number}.xml"/>'
     links += f'<Relationship Id="rId0" Type="{types}/sharedStrings" Target="/xl/texts/shared.xml"/>'
-    parts["xl/workbook.xml"] = f'<workbook xmlns="x" xmlns:r="r"><sheets>{names}</sheets></workbook>'
+    links += f'<Relationship Id="rIdS" Type="{types}/styles" Target="styles.xml"/>'
+    parts["xl/styles.xml"] = (
+        '<styleSheet xmlns="x"><numFmts><numFmt numFmtId="164" formatCode="dd/mm/yyyy\\ hh:mm:ss"/></numFmts>'
+        '<cellXfs><xf numFmtId="0"/><xf numFmtId="164"/><xf numFmtId="46"/></cellXfs></styleSheet>'
+    )
+    calendar = '<workbookPr date1904="1"/>' if "--1904" in sys.argv else ""
+    parts["xl/workbook.xml"] = f'<workbook xmlns="x" xmlns:r="r">{calendar}<sheets>{names}</sheets></workbook>'
     parts["xl/_rels/workbook.xml.rels"] = f'<Relationships xmlns="x">{links}</Relationships>'
     strings = "".join(f"<si><r><t>{escape(each[:2])}</t></r><r><t>{escape(each[2:])}</t></r></si>" for each in shared)
     parts["xl/texts/shared.xml"] = f'<sst xmlns="x">{strings}</sst>'

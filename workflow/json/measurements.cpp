@@ -43,6 +43,17 @@ Json interval_json(const FileView& view, std::size_t i) {
             {"columns", columns_json(block)}};
 }
 
+Json errors_json(const std::optional<LocusErrors>& errors) {
+    if (!errors) return {};
+    return {{"cohesion", errors->cohesion},
+            {"slope_angle", errors->slope_angle},
+            {"tensile_strength", number_or_null(errors->tensile_strength)},
+            {"unconfined_strength", errors->unconfined_strength},
+            {"major_principal_stress", number_or_null(errors->major_principal_stress)},
+            {"effective_angle", number_or_null(errors->effective_angle)},
+            {"flowability", number_or_null(errors->flowability)}};
+}
+
 Json line_json(const std::optional<LinearYieldLocus>& line) {
     if (!line) return {};
     return {{"cohesion", line->cohesion},
@@ -53,7 +64,8 @@ Json line_json(const std::optional<LinearYieldLocus>& line) {
             {"major_principal_stress", number_or_null(line->major_principal_stress)},
             {"effective_angle", number_or_null(line->effective_angle)},
             {"flowability", number_or_null(line->flowability)},
-            {"flow_class", line->flow_class}};
+            {"flow_class", line->flow_class},
+            {"stderr", errors_json(line->errors)}};
 }
 
 Json locus_json(const YieldLocus& locus) {
@@ -70,7 +82,7 @@ Json locus_json(const YieldLocus& locus) {
     Json preshear;
     if (locus.preshear)
         preshear = {{"normal_stress", locus.preshear->normal_stress},
-                    {"shear_stress", locus.preshear->shear_stress},
+                    {"shear_stress", number_or_null(locus.preshear->shear_stress)},
                     {"plateau", locus.preshear->plateau}};
     return {{"test", locus.test},
             {"preshear", preshear},

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "data/files/column_names.h"
+#include "data/files/missing_mark.h"
 #include "data/quantities/number.h"
 #include "data/quantities/units.h"
 
@@ -19,11 +20,6 @@ bool same_word(std::string_view a, std::string_view b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
         return std::tolower(x) == std::tolower(y);
     });
-}
-
-/// Whether a cell is a mark for a value that the instrument did not measure, such as "******".
-bool marks_no_value(std::string_view text) {
-    return text.size() >= 2 && text.find_first_not_of("*-") == std::string_view::npos;
 }
 
 /// Refuses a unit that is none, of a column whose name is that of a quantity.

@@ -38,6 +38,8 @@ struct Block {
     int number = 0;                           ///< of the interval in its test, from 1
     std::string stated_role = {};             ///< one of `interval_roles`
     std::optional<double> bulk_density = {};  ///< of the sample with its liquid [kg/m^3]
+    /// Normal and shear stress of the preshear of a point of failure [Pa], if the file states them.
+    std::optional<double> preshear_normal_stress = {}, preshear_shear_stress = {};
     std::optional<std::size_t> declared_rows;
     std::vector<BlockColumn> columns;
     /// Rows of the interval, with decimal points. Header cells of used columns read `quantity
@@ -65,9 +67,11 @@ struct BlockFile {
     std::string encoding;
     char delimiter = ',';
     NumberStyle numbers;
-    std::vector<Fact> facts;      ///< each key once; upper and lower case count as equal
-    std::vector<Block> blocks;    ///< in the order of the file
-    std::vector<Remark> skipped;  ///< rows that were not read, in the order of reading
+    std::vector<Fact> facts;       ///< each key once; upper and lower case count as equal
+    std::vector<Block> blocks;     ///< in the order of the file
+    std::vector<Remark> skipped;   ///< rows that were not read, in the order of reading
+    std::vector<Lines> hidden;     ///< rows that a workbook hides; they are read
+    bool table_of_points = false;  ///< whether each row is a test of its own, and a block
     FileCounts counts;
     std::set<std::string> known_keys;  ///< keys of `facts`, in lower case
 

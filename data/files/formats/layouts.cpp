@@ -1,9 +1,16 @@
 #include "data/files/formats/layouts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "data/files/formats/clock_times.h"
+#include "data/files/formats/missing_values.h"
+#include "data/files/formats/named_columns.h"
 #include "data/files/formats/preamble.h"
+#include "data/files/formats/sheets.h"
 #include "data/files/markup.h"
+#include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
 #include "data/files/workbook.h"
 
@@ -18,9 +25,22 @@ const Layout& layout_of(const SourceLines& source, const FileFormat& format) {
     return found == all.end() ? all.back() : *found;
 }
 
+/// @throws InputError if the user states all columns of a layout that has names and units itself
+void refuse_columns(const Layout& layout, const FileFormat& format, const std::string& file) {
+    const bool takes = layout.name == "plain" || layout.name == "unit-row" ||
+                       layout.name == "headerless" || layout.name == "transposed";
+    if (format.columns.empty() || takes) return;
+    throw InputError({file},
+                     fmt::format("the layout \"{}\" has names and units of its own, so that "
+                                 "'columns' cannot state all; name single ones as in {}, or "
+                                 "leave 'columns' out",
+                                 layout.name, line_to_name("torque", "M", "mN m")));
+}
+
 /// Rewrites all numbers of a file with a decimal point.
 void unify_numbers(BlockFile& file, const FileFormat& format) {
-    NumberStyleFinder finder;
+    // Workbooks store numbers, and a comma between cells is no decimal mark.
+    NumberStyleFinder finder(as_sheet(file.file) || file.delimiter == ',');
     for (const Block& block : file.blocks)
         finder.look_at(block.table);
     file.numbers = finder.style(format.decimal);
@@ -28,18 +48,25 @@ void unify_numbers(BlockFile& file, const FileFormat& format) {
         rewrite_numbers(block.table, file.numbers);
 }
 
-/// Text of a file, or of a sheet of a workbook.
-DecodedText text_of_file(const std::filesystem::path& path, const FileFormat& format) {
-    std::string bytes = read_bytes(path, largest_table);
-    if (is_archive(bytes))
-        return {sheet_text(bytes, path.string(), format.sheet), "UTF-8, of a sheet of a workbook"};
-    if (!format.sheet.empty())
-        throw InputError({path.string()},
-                         "is no workbook (.xlsx), so that 'sheet' cannot name a "
-                         "part of it; leave 'sheet' out");
+/// Text of a file.
+struct FileText {
+    DecodedText decoded;
+    std::vector<Lines> hidden;
+};
+
+FileText text_of_file(const std::filesystem::path& path, const FileFormat& format) {
+    if (const auto part = as_sheet(path)) {
+        const std::string bytes = read_bytes(part->book, largest_table);
+        SheetText sheet = sheet_text(bytes, part->book.string(), part->sheet);
+        FileText result{{std::move(sheet.text), "UTF-8, of a sheet of a workbook"}, {}};
+        for (const auto& [first, last] : sheet.hidden)
+            result.hidden.push_back({first, last});
+        return result;
+    }
+    const std::string bytes = read_bytes(path, largest_table);
     DecodedText decoded = decode_bytes(bytes, path, format.encoding);
     refuse_markup(path, decoded.text);
-    return decoded;
+    return {std::move(decoded), {}};
 }
 
 }  // namespace
@@ -66,21 +93,29 @@ const std::vector<std::string>& interval_roles() {
     return roles;
 }
 
-BlockFile read_blocks(const std::filesystem::path& path, const FileFormat& format) {
-    const DecodedText decoded = text_of_file(path, format);
-    SourceLines source{path.string(), split_lines(decoded.text)};
+BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileFormat& format) {
+    const std::filesystem::path path = as_sheet(file_or_book)
+                                           ? file_or_book
+                                           : chosen_sheets(file_or_book, format.sheet).read.front();
+    const FileText text = text_of_file(path, format);
+    SourceLines source{path.string(), split_lines(text.decoded.text)};
     BlockFile file;
     file.file = source.file;
-    file.encoding = decoded.encoding;
+    file.encoding = text.decoded.encoding;
+    file.hidden = text.hidden;
     const std::string first = layout_of(source, format).name;
     if (first == "plain" || first == "unit-row") take_preamble(source, file);
     const Layout& layout = layout_of(source, format);
     file.layout = layout.name;
+    refuse_columns(layout, format, source.file);
     layout.read(source, format, file);
+    use_named_columns(file, format);
     if (std::ranges::all_of(file.blocks, [](const Block& b) { return b.table.rows.empty(); }))
         throw InputError({file.file},
                          "no rows of numbers were found; is this the export of the raw data?");
+    read_clock_times(file);
     unify_numbers(file, format);
+    clear_missing_values(file, format);
     return file;
 }
 

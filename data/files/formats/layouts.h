@@ -31,7 +31,9 @@ std::vector<std::string> layout_names();
 const std::vector<std::string>& interval_roles();
 
 /// Reads a file of measurements in any known layout. Layout, encoding, delimiter and decimal mark
-/// are determined from the content of the file unless `format` states them.
+/// are determined from the content of the file unless `format` states them. Of a workbook, the
+/// first sheet of `chosen_sheets` is read.
+/// @param path of a file, or of a sheet of a workbook (`SheetPath`)
 /// @throws InputError if the file cannot be read, has no rows or no units, or has text that its
 ///         layout does not allow
 BlockFile read_blocks(const std::filesystem::path& path, const FileFormat& format = {});

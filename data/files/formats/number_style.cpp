@@ -109,9 +109,25 @@ void NumberStyleFinder::look_at(const Table& table, const Row& row, std::size_t 
         if (well_grouped(number->whole, '.', ',')) keep(comma_), keep(grouped_);
     } else if (number->commas == 1) {
         keep(may_group(*number, ',') ? open_ : comma_);
-    } else if (!may_group(*number, '.')) {  // "2.800" decides nothing
-        keep(point_);
+    } else {
+        keep(points_are_decimal_ || !may_group(*number, '.') ? point_ : open_point_);
     }
+}
+
+/// Refuses a number whose mark may be either.
+/// @param other number in which the other mark may be either; empty: none
+void NumberStyleFinder::refuse_open(const Example& open, char mark, const Example& other) {
+    std::string as_decimal = open.text, as_grouped = open.text;
+    as_decimal[as_decimal.find(mark)] = '.';
+    as_grouped.erase(as_grouped.find(mark), 1);
+    throw InputError(
+        open.at,
+        fmt::format(
+            "\"{}\" can be {} (decimal {}) or {} (thousands separator), "
+            "and no number of the file decides it; state it in "
+            "[[recording]]: decimal = \",\" or decimal = \".\"{}",
+            open.text, as_decimal, mark == ',' ? "comma" : "point", as_grouped,
+            other.text.empty() ? "" : fmt::format(" (\"{}\" has the other mark)", other.text)));
 }
 
 NumberStyle NumberStyleFinder::style(const std::string& decimal) const {
@@ -130,17 +146,16 @@ NumberStyle NumberStyleFinder::style(const std::string& decimal) const {
                                    "or decimal = \".\"",
                                    comma_.text, point_.text, point_.at.line));
     if (!comma_.text.empty()) return {',', true};
-    if (!open_.text.empty() && point_.text.empty()) {
-        std::string decimal_reading = open_.text, grouped_reading = open_.text;
-        decimal_reading[decimal_reading.find(',')] = '.';
-        grouped_reading.erase(grouped_reading.find(','), 1);
-        throw InputError(
-            open_.at, fmt::format("\"{}\" can be {} (decimal comma) or {} (thousands separator), "
-                                  "and no number of the file decides it; state it in "
-                                  "[[recording]]: decimal = \",\" or decimal = \".\"",
-                                  open_.text, decimal_reading, grouped_reading));
+    if (point_.text.empty()) {
+        if (!open_.text.empty()) refuse_open(open_, ',', open_point_);
+        if (!open_point_.text.empty()) refuse_open(open_point_, '.', open_);
     }
     return {'.', !grouped_.text.empty() || !open_.text.empty()};
+}
+
+bool point_may_group(std::string_view text) {
+    const auto number = number_text(text);
+    return number && number->points == 1 && number->commas == 0 && may_group(*number, '.');
 }
 
 std::string rewritten(const std::string& text, const NumberStyle& style) {

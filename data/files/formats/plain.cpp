@@ -40,6 +40,18 @@ void refuse_lists(const Table& table) {
         }
 }
 
+/// Replaces the header by the columns that the user states.
+/// @throws InputError if their number is another
+void state_columns(Table& table, const FileFormat& format) {
+    if (format.columns.empty()) return;
+    if (format.columns.size() != table.header.cells.size())
+        throw InputError({table.file, table.header.line},
+                         fmt::format("the header has {} columns, 'columns' states {}; state all",
+                                     table.header.cells.size(), format.columns.size()));
+    for (std::size_t i = 0; i < format.columns.size(); ++i)
+        table.header.cells[i].text = format.columns[i];
+}
+
 /// Reads facts such as "# Inner radius: 21 mm" before the header.
 void read_comments(const SourceLines& source, int header, BlockFile& file) {
     for (int line = 1; line < header; ++line) {
@@ -56,9 +68,10 @@ void read_comments(const SourceLines& source, int header, BlockFile& file) {
 /// The program's own layout: one header of cells `name [unit]`, one row per sample.
 Layout plain_layout() {
     return {"plain", "table with one header", [](const SourceLines&) { return true; },
-            [](const SourceLines& source, const FileFormat&, BlockFile& file) {
+            [](const SourceLines& source, const FileFormat& format, BlockFile& file) {
                 Block block;
                 block.table = table_of(source.file, source.lines);
+                state_columns(block.table, format);
                 refuse_lists(block.table);
                 const Row written = block.table.header;
                 use_names_of_quantities(block.table.header);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "data/files/column_names.h"
+#include "data/files/missing_mark.h"
 #include "data/quantities/number.h"
 
 namespace pendular {
@@ -29,7 +30,7 @@ ExaminedLine examined(const Row& row, std::size_t index) {
     ExaminedLine line{.index = index, .cells = row.cells.size()};
     line.comment = row.cells[0].text.starts_with('#');
     for (const auto& [text, column] : row.cells) {
-        if (text.empty()) continue;
+        if (marks_no_value(text)) continue;
         if (parse_number(text) || has_decimal_comma(text))
             ++line.numbers;
         else if (text.starts_with('[') && text.ends_with(']'))
@@ -124,6 +125,18 @@ void take_preamble(SourceLines& source, BlockFile& file) {
         add_stated(source.row(line.index, delimiter), file);
         source.lines[line.index] = {};
     }
+}
+
+bool holds_table(const SourceLines& source) {
+    const char delimiter = consistent_delimiter(source, 0, source.lines.size());
+    bool named = false;
+    for (std::size_t i = 0; i < std::min(source.lines.size(), most_lines); ++i) {
+        const Row row = source.row(i, delimiter);
+        if (row.cells.size() > most_cells_examined) return true;  // its reader has its say
+        if (named && examined(row, i).is_row()) return true;
+        named = named || named_quantities(row) > 0;
+    }
+    return false;
 }
 
 }  // namespace pendular

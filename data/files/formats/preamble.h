@@ -11,4 +11,8 @@ namespace pendular {
 /// quantities. Lines are left alone where no line is that, or where the names come first.
 void take_preamble(SourceLines& source, BlockFile& file);
 
+/// Whether the lines of a sheet hold a table of measurements: a row of numbers below a line in
+/// which a cell names a quantity.
+bool holds_table(const SourceLines& source);
+
 }  // namespace pendular

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "data/files/column_names.h"
+#include "data/files/formats/clock_times.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/formats/stacked_rows.h"
 #include "data/quantities/number.h"
@@ -22,15 +23,31 @@ bool is_unit_row(const Row& row) {
     return units > 0;
 }
 
+/// Whether a row holds units without brackets, at least one of which is that of the quantity named
+/// above it: "s", "mN m", "N".
+bool is_bare_unit_row(const Row& names, const Row& row) {
+    int units = 0, fitting = 0;
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+        const std::string unit = bare_unit(row.cells[i].text);
+        if (unit.empty() || unit == "-") continue;
+        if (!is_unit(unit) || parse_number(unit)) return false;
+        ++units;
+        fitting += i < names.cells.size() &&
+                   !meaning_of_column(names.cells[i].text, unit).quantity.empty();
+    }
+    return units >= 2 && fitting >= 1;
+}
+
 /// Index of the line of units below the names of the line `header`; the number of lines if there is
 /// none. Up to two lines of remarks, such as "Waveform", may stand between.
 std::size_t line_of_units(const SourceLines& source, std::size_t header, char delimiter) {
     std::size_t line = header;
+    const Row names = source.row(header, delimiter);
     for (int between = 0; between < 3; ++between) {
         line = first_filled_line(source, line + 1);
         if (line >= source.lines.size()) break;
         const Row row = source.row(line, delimiter);
-        if (is_unit_row(row)) return line;
+        if (is_unit_row(row) || is_bare_unit_row(names, row)) return line;
         const bool numbers = std::ranges::any_of(row.cells, [](const Cell& cell) {
             return parse_number(cell.text) || has_decimal_comma(cell.text);
         });
@@ -99,10 +116,12 @@ NamesAndUnits columns_of(const Row& header, const Row& units) {
     return columns;
 }
 
-/// Whether a column that names a quantity has no unit.
-bool lacks_unit(const NamesAndUnits& columns) {
+/// Whether a column that names a quantity has no unit, which clock times do not need.
+/// @param row first one below the names
+bool lacks_unit(const NamesAndUnits& columns, const Row& row) {
     for (std::size_t i = 0; i < columns.names.size(); ++i)
         if (columns.units[i].empty() && !counts_points(columns.names[i]) &&
+            !(i < row.cells.size() && clock_time(row.cells[i].text)) &&
             !meaning_of_column(columns.names[i], "").quantity.empty())
             return true;
     return std::ranges::all_of(columns.units, &std::string::empty);
@@ -126,7 +145,9 @@ void read_unit_row_table(const SourceLines& source, const FileFormat& format, Bl
                 fmt::format("the header has {} columns, 'columns' states {}; state all",
                             columns.names.size(), format.columns.size()));
         columns = stated_columns(format);
-    } else if (!has_units && lacks_unit(columns)) {
+    } else if (!has_units &&
+               lacks_unit(columns,
+                          next < source.lines.size() ? source.row(next, file.delimiter) : Row{})) {
         const bool none = std::ranges::all_of(columns.units, &std::string::empty);
         throw InputError(
             {source.file, header.line},

@@ -115,7 +115,7 @@ std::size_t separate_sets(const FileComparison& comparison) {
 }
 
 /// Readings at conditions that at least two files share.
-std::vector<Reading> repeated_readings(const std::vector<Reading>& readings) {
+std::vector<Reading> readings_of_repeats(const std::vector<Reading>& readings) {
     std::vector<Reading> result;
     for (const auto& group : replicate_groups(readings)) {
         const bool shared = std::ranges::any_of(group, [&](std::size_t k) {
@@ -251,7 +251,7 @@ Eigen::VectorXd of_each(const std::vector<Reading>& readings, const Function& fu
 
 std::vector<Remark> level_change_tests(const std::vector<Reading>& readings,
                                        const AnnularCell& cell) {
-    std::vector<Reading> compared = repeated_readings(readings);
+    std::vector<Reading> compared = readings_of_repeats(readings);
     FileComparison files = by_repetition(compared);
     if (files.freedom < least_freedom) {
         compared = largest_filling(readings);

@@ -1,0 +1,80 @@
+#include "data/files/formats/sheets.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+#include "data/files/file_access.h"
+#include "data/files/formats/preamble.h"
+#include "data/files/sheet_path.h"
+#include "data/files/text_file.h"
+#include "data/files/workbook.h"
+#include "data/input_error.h"
+
+namespace pendular {
+namespace {
+
+/// Whether a file begins as a workbook does. Its first bytes tell, so that long recordings are not
+/// read for it.
+bool is_workbook(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return false;
+    std::string begin(4, '\0');
+    std::ifstream file(path, std::ios::binary);
+    return file.read(begin.data(), 4) && is_archive(begin);
+}
+
+/// Names of the sheets that hold a table.
+std::set<std::string> sheets_with_table(const std::string& bytes, const std::string& file) {
+    std::set<std::string> names;
+    for_each_sheet(bytes, file, [&](const std::string& name, const SheetText& sheet) {
+        if (holds_table({file, split_lines(sheet.text)})) names.insert(name);
+    });
+    return names;
+}
+
+}  // namespace
+
+std::vector<std::string> sheets_in(const std::filesystem::path& path) {
+    if (!is_workbook(path)) return {};
+    return sheet_names(read_bytes(path, largest_table), path.string());
+}
+
+ChosenSheets chosen_sheets(const std::filesystem::path& path, const std::string& wanted) {
+    if (!is_workbook(path)) {
+        if (!wanted.empty())
+            throw InputError({path.string()},
+                             "is no workbook (.xlsx), so that 'sheet' cannot name a "
+                             "part of it; leave 'sheet' out");
+        return {{path}, {}};
+    }
+    const std::string bytes = read_bytes(path, largest_table);
+    const std::vector<std::string> names = sheet_names(bytes, path.string());
+    const std::set<std::string> with_table =
+        wanted.empty() ? sheets_with_table(bytes, path.string()) : std::set<std::string>();
+    const bool named = std::ranges::find(names, wanted) != names.end();
+    ChosenSheets chosen;
+    for (const std::string& name : names) {
+        const bool read = wanted.empty() ? with_table.contains(name)
+                          : named        ? name == wanted
+                                         : fnmatch(wanted.c_str(), name.c_str(), 0) == 0;
+        if (read)
+            chosen.read.push_back(path_of_sheet(path, name));
+        else
+            chosen.others.push_back(name);
+    }
+    if (chosen.read.empty() && !wanted.empty())
+        throw InputError({path.string()}, fmt::format("has no sheet \"{}\"; it has \"{}\"", wanted,
+                                                      fmt::join(names, "\", \"")));
+    if (chosen.read.empty()) {
+        chosen.read.push_back(path_of_sheet(path, names.front()));
+        chosen.others.erase(chosen.others.begin());
+    }
+    return chosen;
+}
+
+}  // namespace pendular

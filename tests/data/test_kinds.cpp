@@ -1,0 +1,119 @@
+// Kinds of tests other than shear at constant speed.
+#include "data/recordings/test_kinds.h"
+
+#include <cmath>
+
+#include "data/recordings/file_view.h"
+#include "data/recordings/yield_locus.h"
+#include "tests/support/golden.h"
+
+namespace pendular::data_test_kinds_test {
+
+using testing::Each;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::vector<std::string> told_roles(const FileView& view) {
+    std::vector<std::string> roles;
+    for (const IntervalRole& role : view.roles)
+        roles.push_back(role.role + ": " + role.reason);
+    return roles;
+}
+
+std::string recording(const std::string& more_header, const std::string& more_cell,
+                      double force_at_end = 5) {
+    std::string text = "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]" +
+                       more_header + "\n";
+    for (int i = 0; i < 60; ++i)
+        text +=
+            fmt::format("{},20,{},6.2,0.5{}\n", i, 5 + (force_at_end - 5) * i / 59.0, more_cell);
+    return text;
+}
+
+TEST(KindsOfTest, AreShownByColumns) {
+    const TemporaryFolder folder;
+    const auto told = [&](const std::string& text) {
+        return told_roles(view_of_file(folder.write("t.csv", text))).at(0);
+    };
+    expect_told({told(recording(",Storage Modulus [Pa]", ",1200")),
+                 told(recording(",Frequenz [Hz]", ",1")),  // of the motor: the lid turns
+                 told(recording(",Creep Compliance [1/Pa]", ",1e-3")), told(recording("", "", 10)),
+                 told(recording("", "")), told(recording(",Storage Modulus [Pa]", ","))});
+}
+
+TEST(KindsOfTest, AreShownByAFrequencyWithoutASpeed) {
+    const TemporaryFolder folder;
+    std::string text = "Time [s],Angular Frequency [rad/s],Shear stress [Pa],Normal stress [Pa]\n";
+    for (int i = 0; i < 5; ++i)
+        text += fmt::format("{},{},30,60\n", i, 1 + i);
+    expect_told(told_roles(view_of_file(folder.write("t.csv", text))));
+}
+
+TEST(TableOfPoints, StatesItsPreshear) {
+    const TemporaryFolder folder;
+    // As Schulze writes the results of ring shear testers: two levels of preshear.
+    std::string text = "sigma pre [Pa],tau pre [Pa],Normal stress [Pa],Shear stress [Pa]\n";
+    for (const double pre : {2000.0, 4000.0})
+        for (const double part : {0.25, 0.5, 0.75})
+            text += fmt::format("{},{},{},{}\n", pre, 0.5 * pre, part * pre,
+                                0.1 * pre + 0.4 * part * pre);
+    const FileView view = view_of_file(folder.write("locus.csv", text));
+    ASSERT_EQ(view.loci.size(), 2u);
+    for (std::size_t k = 0; k < 2; ++k) {
+        // c = 0.1 p and tan(phi) = 0.4 scale with the preshear p, and so does all else.
+        EXPECT_NEAR(view.loci[k].line->cohesion, k == 0 ? 200 : 400, 1e-9);
+        EXPECT_NEAR(view.loci[k].preshear->normal_stress, k == 0 ? 2000 : 4000, 1e-9);
+        ASSERT_TRUE(view.loci[k].line->flowability);
+    }
+    EXPECT_NEAR(*view.loci[0].line->flowability, *view.loci[1].line->flowability, 1e-9);
+    // The normal stress alone divides the points, but gives no Mohr circle.
+    std::string less = "sigma pre [Pa],Normal stress [Pa],Shear stress [Pa]\n";
+    for (const double part : {0.25, 0.5, 0.75})
+        less += fmt::format("2000,{},{}\n", part * 2000, 200 + 0.4 * part * 2000);
+    const FileView without = view_of_file(folder.write("less.csv", less));
+    ASSERT_EQ(without.loci.size(), 1u);
+    EXPECT_FALSE(without.loci[0].line->flowability);
+}
+
+TEST(TableOfPoints, IsOneTestInEachRow) {
+    const TemporaryFolder folder;
+    // On the line 53 Pa + 0.512 s.
+    std::string text = "Normal stress [Pa]\tShear stress [Pa]\n";
+    for (const double s : {438.0, 442.0, 880.0, 1320.0, 2200.0})
+        text += fmt::format("{}\t{}\n", s, 53 + 0.512 * s);
+    const FileView view = view_of_file(folder.write("peaks.txt", text));
+    EXPECT_EQ(view.roles.size(), 5u);
+    EXPECT_THAT(told_roles(view), Each(testing::StartsWith("failure")));
+    ASSERT_EQ(view.loci.size(), 1u);
+    EXPECT_NEAR(view.loci[0].line->cohesion, 53, 1e-9);
+    EXPECT_NEAR(std::tan(view.loci[0].line->slope_angle), 0.512, 1e-12);
+    // Steps of a recording without time, of many rows each, are none.
+    std::string steps = "Normal stress [Pa],Shear stress [Pa]\n";
+    for (const double s : {500.0, 1000.0, 2000.0})
+        for (int i = 0; i < 20; ++i)
+            steps += fmt::format("{},{}\n", s, 0.5 * s);
+    EXPECT_EQ(view_of_file(folder.write("steps.csv", steps)).roles.size(), 1u);
+}
+
+TEST(LinearYieldLocus, HasErrorsFromTheScatterOfItsPoints) {
+    // Residuals +1, -1, -1, +1 about 100 + 0.5 s at s = 0, 1000, 2000, 3000: they are orthogonal to
+    // 1 and s, so that the line is 100 + 0.5 s. The variance is 4/(4 - 2) = 2; with mean 1500 and
+    // squares 5e6, var(slope) = 2/5e6 and var(intercept) = 2 (1/4 + 1500^2/5e6) = 1.4.
+    const std::vector<double> s = {0, 1000, 2000, 3000}, t = {101, 599, 1099, 1601};
+    const LinearYieldLocus locus = linear_yield_locus(s, t, PreshearPoint{4000, 2100});
+    ASSERT_TRUE(locus.errors);
+    EXPECT_NEAR(locus.errors->cohesion, std::sqrt(1.4), 1e-9);
+    const double slope_error = std::sqrt(2 / 5e6);
+    EXPECT_NEAR(locus.errors->slope_angle, slope_error / 1.25, 1e-6 * slope_error);  // d atan
+    // fc = 2 c (m + sqrt(1 + m^2)) with m the slope: cos/(1 - sin) of atan(m).
+    const double root = std::sqrt(1.25), by_c = 2 * (0.5 + root), by_m = 2 * 100 * (1 + 0.5 / root),
+                 both = -2.0 * 1500 / 5e6;
+    EXPECT_NEAR(locus.errors->unconfined_strength,
+                std::sqrt(by_c * by_c * 1.4 + by_m * by_m * 2 / 5e6 + 2 * by_c * by_m * both),
+                1e-6);
+    EXPECT_GT(locus.errors->major_principal_stress, 0);
+    EXPECT_GT(locus.errors->flowability, 0);
+    EXPECT_FALSE(linear_yield_locus({0, 1000, 2000}, {101, 599, 1101}, {}).errors);
+}
+
+}  // namespace pendular::data_test_kinds_test
