@@ -183,7 +183,7 @@ TEST_F(ReadPoints, RefusesMissingColumns) {
 
 TEST_F(ReadPoints, RefusesAMisspeltColumnButNotARemark) {
     expect_told({error(head + ",solid_fractoin_sd\n1000,0.3,0.6,0,0.01\n"),
-                 text_of(read(head + ",Remark\n1000,0.3,0.6,0,fine\n").notes().at(0))});
+                 text_of(read(head + ",Remark\n1000,0.3,0.6,0.01,fine\n").notes().at(0))});
 }
 
 TEST_F(ReadPoints, RefusesImpossibleValues) {
