@@ -57,7 +57,7 @@ void bind_files(py::module_& module) {
     module.def("begin_study", [](const std::filesystem::path& path, const std::string& sheet) {
         const FileFormat format{.sheet = sheet};
         const py::gil_scoped_release release;
-        return begin_study(view_of_file(path, format, std::nullopt), format);
+        return begin_study({view_of_file(path, format, std::nullopt)}, format);
     });
 }
 
