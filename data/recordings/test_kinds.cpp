@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
 #include "data/files/missing_mark.h"
+#include "data/quantities/number.h"
 #include "data/recordings/step_series.h"
 
 namespace pendular {
@@ -45,10 +47,12 @@ const std::vector<KindOfTest>& kinds_of_test() {
     return all;
 }
 
-/// Whether any cell of a column holds a text.
+/// Whether any cell of a column holds a number other than 0, which instruments write where they
+/// measure nothing.
 bool holds_values(const Block& block, std::size_t column) {
-    return std::ranges::any_of(block.table.rows,
-                               [&](const Row& row) { return !row.cells[column].text.empty(); });
+    return std::ranges::any_of(block.table.rows, [&](const Row& row) {
+        return parse_number(row.cells[column].text).value_or(0) != 0;
+    });
 }
 
 }  // namespace
@@ -81,14 +85,23 @@ std::optional<std::string> load_ramp(const IntervalSeries& series) {
                        series.normal_stress.empty() ? "force" : "stress", ramp->change());
 }
 
+bool has_column_of_readings(const Block& block) {
+    constexpr std::array<std::string_view, 6> names = {"shear_velocity", "shear_rate",
+                                                       "height",         "solid_fraction",
+                                                       "bulk_density",   "inertial_number"};
+    return std::ranges::any_of(block.columns, [&](const BlockColumn& column) {
+        return std::ranges::find(names, column.quantity) != names.end();
+    });
+}
+
 bool is_table_of_points(const Block& block, const IntervalSeries& series) {
     constexpr std::size_t most_points = 1000, fewest_points = 3;
     // Two thirds of the least step between set points that steps.cpp tells apart.
     constexpr double jump = 0.05;
     const bool stresses = !series.shear_stress.empty() && !series.normal_stress.empty();
     if (!stresses || !series.time.empty() || !series.angular_velocity.empty() ||
-        !series.interval.empty() || block.declared_rows || series.size() < fewest_points ||
-        series.size() > most_points)
+        !series.interval.empty() || has_column_of_readings(block) || block.declared_rows ||
+        series.size() < fewest_points || series.size() > most_points)
         return false;
     std::size_t jumps = 0;
     for (std::size_t i = 1; i < series.size(); ++i) {

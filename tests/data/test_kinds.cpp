@@ -38,7 +38,10 @@ TEST(KindsOfTest, AreShownByColumns) {
     expect_told({told(recording(",Storage Modulus [Pa]", ",1200")),
                  told(recording(",Frequenz [Hz]", ",1")),  // of the motor: the lid turns
                  told(recording(",Creep Compliance [1/Pa]", ",1e-3")), told(recording("", "", 10)),
-                 told(recording("", "")), told(recording(",Storage Modulus [Pa]", ","))});
+                 told(recording("", "")), told(recording(",Storage Modulus [Pa]", ",")),
+                 told(recording(",Storage Modulus [Pa]", ",---")),
+                 told(recording(",Storage Modulus [Pa]", ",NaN")),
+                 told(recording(",Storage Modulus [Pa]", ",0"))});
 }
 
 TEST(KindsOfTest, AreShownByAFrequencyWithoutASpeed) {
@@ -93,6 +96,20 @@ TEST(TableOfPoints, IsOneTestInEachRow) {
         for (int i = 0; i < 20; ++i)
             steps += fmt::format("{},{}\n", s, 0.5 * s);
     EXPECT_EQ(view_of_file(folder.write("steps.csv", steps)).roles.size(), 1u);
+}
+
+TEST(TableOfPoints, HasNoColumnThatReadingsOfSteadyShearHave) {
+    const TemporaryFolder folder;
+    const auto blocks = [&](const std::string& column) {
+        std::string text = "Normal stress [Pa],Shear stress [Pa]," + column + "\n";
+        for (const double s : {500.0, 1000.0, 2000.0, 4000.0})
+            text += fmt::format("{},{},0.6\n", s, 0.5 * s);
+        return view_of_file(folder.write("t.csv", text)).file.table_of_points;
+    };
+    EXPECT_TRUE(blocks("Humidity [1]"));
+    for (const std::string column : {"Solid fraction", "Bulk density [g/cm^3]", "Shear rate [1/s]",
+                                     "Shear velocity [mm/s]", "Gap [mm]", "Inertial number"})
+        EXPECT_FALSE(blocks(column)) << column;
 }
 
 TEST(LinearYieldLocus, HasErrorsFromTheScatterOfItsPoints) {

@@ -93,7 +93,8 @@ const std::vector<std::string>& interval_roles() {
     return roles;
 }
 
-BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileFormat& format) {
+BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileFormat& format,
+                      std::vector<ClearedCell>* cleared) {
     const std::filesystem::path path = as_sheet(file_or_book)
                                            ? file_or_book
                                            : chosen_sheets(file_or_book, format.sheet).read.front();
@@ -115,7 +116,7 @@ BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileForma
                          "no rows of numbers were found; is this the export of the raw data?");
     read_clock_times(file);
     unify_numbers(file, format);
-    clear_missing_values(file, format);
+    clear_missing_values(file, format, cleared);
     return file;
 }
 
