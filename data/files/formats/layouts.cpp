@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "data/files/formats/clock_times.h"
 #include "data/files/formats/missing_values.h"
@@ -13,6 +14,8 @@
 #include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
 #include "data/files/workbook.h"
+#include "data/quantities/number.h"
+#include "data/quantities/quantity.h"
 
 namespace pendular {
 namespace {
@@ -46,6 +49,29 @@ void unify_numbers(BlockFile& file, const FileFormat& format) {
     file.numbers = finder.style(format.decimal);
     for (Block& block : file.blocks)
         rewrite_numbers(block.table, file.numbers);
+}
+
+/// Whether a column has no text but whole numbers.
+bool has_whole_numbers(const Table& table, std::size_t column) {
+    return std::ranges::all_of(table.rows, [&](const Row& row) {
+        const std::string& text = row.cells[column].text;
+        const auto number = parse_number(text);
+        return text.empty() || (number && *number == std::floor(*number));
+    });
+}
+
+/// Does not read columns called "Abschnitt" or the like as numbers of intervals if they hold other
+/// texts: people use these words for names and lengths too.
+void drop_other_intervals(BlockFile& file) {
+    for (Block& block : file.blocks)
+        for (std::size_t i = 0; i < block.columns.size(); ++i) {
+            BlockColumn& column = block.columns[i];
+            if (column.quantity != "interval" || find_quantity(column.name) ||
+                has_whole_numbers(block.table, i))
+                continue;
+            column.quantity.clear();
+            block.table.header.cells[i].text = fmt::format("{}, column {}", column.name, i + 1);
+        }
 }
 
 /// Text of a file.
@@ -145,6 +171,7 @@ BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileForma
     read_clock_times(file);
     unify_numbers(file, format);
     clear_missing_values(file, format, cleared);
+    drop_other_intervals(file);
     return file;
 }
 
