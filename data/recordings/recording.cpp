@@ -9,6 +9,7 @@
 #include "data/files/formats/layouts.h"
 #include "data/quantities/statistics.h"
 #include "data/recordings/recording_rows.h"
+#include "data/recordings/test_kinds.h"
 
 namespace pendular {
 namespace {
@@ -201,24 +202,59 @@ bool numbers_tell_apart(const std::vector<Block>& blocks) {
     return true;
 }
 
-/// Leaves rows of an interval out if the user stated another role than steady shear for it.
+/// Leaves rows of an interval out if the user stated another role than steady shear for it or, if
+/// he stated none, its columns show another kind of test.
 bool has_other_role(const Block& block, const FileFormat& format, const std::string& file,
                     std::vector<Lines> lines, std::vector<Remark>& left_out) {
     const std::string role = stated_role(block, format);
-    if (role.empty() || role == "steady") return false;
-    leave_out(left_out, {.kind = Remark::Kind::stated_role,
+    const auto kind = role.empty() ? kind_shown_by_columns(block) : std::nullopt;
+    if (role == "steady" || (role.empty() && !kind)) return false;
+    leave_out(left_out, {.kind = kind ? Remark::Kind::other_test : Remark::Kind::stated_role,
                          .files = {file},
                          .lines = std::move(lines),
-                         .names = {name_of(block), role}});
+                         .names = {name_of(block), kind ? *kind : role}});
     return true;
 }
 
+/// Intervals of a plain table, each with the columns and the header of the table.
+std::vector<Block> intervals_of(const Block& whole) {
+    const Columns columns(whole.table);
+    std::vector<Block> blocks;
+    std::optional<double> before;
+    for (const Row& row : whole.table.rows) {
+        const auto number = columns.value_if_any(row, "interval");
+        if (blocks.empty() || number != before) {
+            Block& block = blocks.emplace_back();
+            block.number = static_cast<int>(std::clamp(number.value_or(0), 0.0, 1e9));
+            block.columns = whole.columns;
+            block.table = {whole.table.file, whole.table.header, {}, whole.table.delimiter};
+        }
+        blocks.back().table.rows.push_back(row);
+        before = number;
+    }
+    return blocks;
+}
+
+/// A plain table without the intervals that are another kind of test.
+Block without_other_tests(const Block& whole, const FileFormat& format,
+                          std::vector<Remark>& left_out) {
+    Block rest = whole;
+    rest.table.rows.clear();
+    for (const Block& block : intervals_of(whole)) {
+        const auto& rows = block.table.rows;
+        if (!has_other_role(block, format, whole.table.file, lines_of(rows.front(), rows.back()),
+                            left_out))
+            rest.table.rows.insert(rest.table.rows.end(), rows.begin(), rows.end());
+    }
+    return rest;
+}
+
 /// Recording of a plain table, without the intervals to which the user gave another role.
-Recording recording_of_table(const Block& block, const FileFormat& format) {
+Recording recording_of_rows(const Block& block, const FileFormat& format,
+                            std::vector<Remark> left_out) {
     const Table& table = block.table;
     const Columns columns(table);
     RecordingRows rows(columns);
-    std::vector<Remark> left_out;
     IntervalSeries series = finished_rows(block, columns, rows, left_out);
     Recording recording{std::move(series), table.file, 1, rows.unused_columns(),
                         std::move(left_out)};
@@ -233,6 +269,18 @@ Recording recording_of_table(const Block& block, const FileFormat& format) {
     }
     recording.erase_rows(marked);
     return recording;
+}
+
+/// Recording of a plain table, without the intervals that are no steady shear.
+Recording recording_of_table(const Block& block, const FileFormat& format) {
+    std::vector<Remark> left_out;
+    if (!kind_shown_by_columns(block)) return recording_of_rows(block, format, {});
+    const Block rest = without_other_tests(block, format, left_out);
+    if (!rest.table.rows.empty()) return recording_of_rows(rest, format, std::move(left_out));
+    Recording nothing;
+    nothing.file = block.table.file;
+    nothing.left_out = std::move(left_out);
+    return nothing;
 }
 
 }  // namespace
