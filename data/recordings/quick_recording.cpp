@@ -16,8 +16,8 @@
 #include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
 #include "data/quantities/number.h"
+#include "data/recordings/column_kinds.h"
 #include "data/recordings/recording_rows.h"
-#include "data/recordings/test_kinds.h"
 
 namespace pendular {
 namespace {

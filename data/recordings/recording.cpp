@@ -8,8 +8,8 @@
 #include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
 #include "data/quantities/statistics.h"
+#include "data/recordings/column_kinds.h"
 #include "data/recordings/recording_rows.h"
-#include "data/recordings/test_kinds.h"
 
 namespace pendular {
 namespace {

@@ -7,13 +7,6 @@
 
 namespace pendular {
 
-/// Kind of test, other than shear at constant speed, that the columns of an interval show, with the
-/// evidence: "oscillation: the file has 'Storage Modulus', so that its stresses are amplitudes".
-/// Kinds are oscillation (moduli, a phase angle, a frequency, waveforms), creep (a compliance) and
-/// relaxation (a relaxation modulus). Columns without a number other than 0 count for none. Empty
-/// where no column shows one.
-std::optional<std::string> kind_shown_by_columns(const Block& block);
-
 /// Normal stress (or force) between which an interval is loaded throughout: as `speed_ramp` for the
 /// speed of the lid. Empty where it is constant, or has settled.
 std::optional<std::string> load_ramp(const IntervalSeries& series);

@@ -250,6 +250,9 @@ TEST(NamedColumns, TakeTheirErrorsAlong) {
     EXPECT_THAT(read("Wand [Pa],Wand_sd [Pa],Wand_n", "400,8,4"), exactly(400, 4));
     EXPECT_THAT(read("shear_stress [Pa],shear_stress_se [Pa],Wand [Pa],Wand_se [Pa]", "1,2,400,8"),
                 exactly(400, 8));
+    EXPECT_THAT(read("shear_stress [Pa],shear_stress_sd [Pa],shear_stress_n,Wand [Pa],Wand_se [Pa]",
+                     "1,2,4,400,8"),
+                exactly(400, 8));
     // Errors of the column that is replaced are not those of the other.
     EXPECT_THAT(read("shear_stress [Pa],shear_stress_se [Pa],Wand [Pa]", "1,2,400"),
                 exactly(400, 0));
@@ -283,7 +286,7 @@ TEST(ColumnNames, OfIntervalsAreThoseOfWholeNumbers) {
     };
     EXPECT_THAT(intervals("Abschnitt", {"1", "1", "2"}), testing::ElementsAre(1, 1, 2));
     EXPECT_THAT(intervals("Schritt [1]", {"1", "1", "2"}), testing::ElementsAre(1, 1, 2));
-    EXPECT_THAT(intervals("Abschnitt", {"Anlauf", "Anlauf", "Ende"}), testing::IsEmpty());
+    EXPECT_THAT(intervals("Abschnitt", {"Anlauf", "Anlauf", "Lauf"}), testing::IsEmpty());
     EXPECT_THAT(intervals("Abschnitt", {"0.5", "1", "1.5"}), testing::IsEmpty());
     EXPECT_THAT(intervals("Schritt [mm]", {"1", "1", "2"}), testing::IsEmpty());
 }

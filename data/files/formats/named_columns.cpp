@@ -65,7 +65,7 @@ void stop_using(Block& block, std::size_t index) {
 /// Columns of a block that have to do with a quantity that another column is to be, by index.
 struct Relatives {
     std::vector<std::size_t> values;      ///< that are the quantity so far
-    std::vector<std::size_t> errors;      ///< of these
+    std::vector<std::size_t> errors;      ///< of these, and numbers of values
     std::vector<std::size_t> own_errors;  ///< of the column that is to be the quantity
     std::vector<std::size_t> own_counts;  ///< numbers of values of that column
 };
@@ -83,6 +83,8 @@ Relatives relatives_of(const Block& block, const std::string& quantity, std::siz
             (marked ? found.errors : found.values).push_back(i);
         else if (column.quantity.empty() && column.name == name + "_n")
             found.own_counts.push_back(i);
+        else if (column.quantity.empty() && column.name == quantity + "_n")
+            found.errors.push_back(i);
     }
     return found;
 }
