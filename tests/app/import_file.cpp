@@ -144,6 +144,32 @@ TEST(ImportFile, RefusesAChosenSheetThatCannotBeRead) {
     EXPECT_EQ(run_pendular("import " + study.string()).code, 0);
 }
 
+/// The sheet of points states the radii, and that of steady shear needs the mass of the beads.
+TEST(ImportFile, BeginsAStudyWithTheStatedRadiiAndTheMassOfTheBeads) {
+    const TemporaryFolder folder;
+    std::string steady = "Zeit;Drehmoment;Normalkraft;Spalt;Drehzahl\ns;mN m;N;mm;1/min\n";
+    for (int i = 0; i < 60; ++i)
+        steady += fmt::format("{};20.{};5;6.2;5\n", i, 1 + i % 3);
+    const std::string points =
+        "Inner radius: 21 mm\nOuter radius: 45 mm\nNormal stress [Pa];Shear stress [Pa]\n"
+        "500;310\n1000;555\n1500;812\n2000;1050\n";
+    const auto book = folder.path() / "book.xlsx", study = folder.path() / "study";
+    const auto first = folder.write("s.csv", steady), second = folder.write("p.csv", points);
+    for (const std::string order : {"A={0} B={1}", "A={1} B={0}"}) {
+        const std::string sheets =
+            fmt::format(fmt::runtime(order), first.string(), second.string());
+        const std::string command = fmt::format("python3 {}/tests/data/make_workbook.py {} {}",
+                                                PENDULAR_SOURCE_DIR, book.string(), sheets);
+        ASSERT_EQ(std::system(command.c_str()), 0);
+        std::filesystem::remove_all(study);
+        const Outcome run = run_pendular("import " + book.string() + " --study " + study.string());
+        ASSERT_EQ(run.code, 0) << run.errors;
+        const std::string toml = content_of(study / "study.toml");
+        EXPECT_THAT(toml, HasSubstr("inner_radius = \"21 mm\"")) << order;
+        EXPECT_THAT(toml, HasSubstr("bead_mass = ")) << order;
+    }
+}
+
 TEST(ImportFile, NamesTheTableOfReadingsThatAFileIs) {
     const TemporaryFolder folder;
     const auto file =
