@@ -112,7 +112,7 @@ struct ReadFile {
     std::vector<std::string> not_read;  ///< sentences on sheets that are not read
 };
 
-/// @throws InputError if nothing can be read
+/// @throws InputError if nothing can be read, or a sheet that the user chose cannot
 ReadFile read_file(const std::filesystem::path& path, const FileFormat& format) {
     const ChosenSheets sheets = chosen_sheets(path, format.sheet);
     const auto cell = cell_beside(path);
@@ -121,7 +121,7 @@ ReadFile read_file(const std::filesystem::path& path, const FileFormat& format) 
         try {
             result.views.push_back(view_of_file(each, format, cell));
         } catch (const InputError& error) {
-            if (sheets.read.size() == 1) throw;
+            if (sheets.read.size() == 1 || !format.sheet.empty()) throw;
             result.not_read.push_back(fmt::format("A sheet is not read: {}.", error.what()));
         }
     }
