@@ -40,6 +40,14 @@ TEST(RunBudget, AffordsTheRunsThatEndInItsTime) {
     EXPECT_EQ(RunBudget().batch(runs, {measured}, 2), 20u);
 }
 
+TEST(RunBudget, HasNoLimitWhereTheTimeHasNone) {
+    EXPECT_FALSE(RunBudget(INFINITY).limited());
+    EXPECT_FALSE(RunBudget(1e300).limited());
+    EXPECT_TRUE(RunBudget(1e6).limited());
+    EXPECT_THROW(RunBudget(-1), InputError);
+    EXPECT_THROW(RunBudget(NAN), InputError);
+}
+
 TEST(RunBudget, KeepsTheRunsThatEndedInItsTime) {
     const TemporaryFolder folder;
     RunStore store(folder.path() / "runs.sqlite");
