@@ -26,7 +26,8 @@ std::shared_ptr<const EffectModel> predictor_of(const Study& study) {
 
 Fit fit_of(const Study& study, const std::vector<Reading>& readings) {
     const auto predictor = predictor_of(study);
-    const std::vector<DirectMeasurement> direct = direct_measurements(study, EffectCatalogue());
+    const ResolvedStudy resolved(study);
+    const std::vector<DirectMeasurement>& direct = resolved.direct();
     Fit result = fit(ModelOfReadings(predictor, conditions_of(readings), direct),
                      stack(readings, direct), Eigen::VectorXd::Constant(1, 0.2));
     add_instrument(result, *predictor, readings, direct);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "calib/model/informative_runs.h"
+#include "data/input_error.h"
 #include "sim/dem/simulation_error.h"
 #include "sim/runs/store/run_store.h"
 #include "tests/support/data_support.h"

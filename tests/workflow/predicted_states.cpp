@@ -80,17 +80,16 @@ TEST(PredictedStates, LeaveOutNumbersOutOfRangeAndSayWhy) {
                       {.friction = std::nan("")},
                       {.friction = 0.2},
                       {.friction = 0.2, .reduced_pressure = -1, .liquid_content = 0.01}});
-    EXPECT_EQ(found.why_not, (std::vector<std::string>{
-                                 "", "friction nan: 0 to 1 is needed", "",
-                                 "reduced pressure -1: a positive number is needed"}));
+    EXPECT_EQ(found.why_not,
+              (std::vector<std::string>{"", "friction nan: 0 to 1 is needed", "",
+                                        "reduced pressure -1: a positive number is needed"}));
     for (const int left_out : {1, 3})
         EXPECT_TRUE(found.value.row(left_out).array().isNaN().all());
     for (const int predicted : {0, 2})
-        EXPECT_EQ(found.value(predicted, 0),
-                  predictor()
-                      .at({.friction = predicted == 0 ? 0.1 : 0.2})
-                      .observables.front()
-                      .value.value);
+        EXPECT_EQ(found.value(predicted, 0), predictor()
+                                                 .at({.friction = predicted == 0 ? 0.1 : 0.2})
+                                                 .observables.front()
+                                                 .value.value);
 }
 
 TEST(PredictedStates, RefuseAnAmountOfLiquidWithoutPressure) {
