@@ -54,7 +54,7 @@ std::string called(std::string name, bool as_option) {
     return name;
 }
 
-/// What is wrong with a number of a state, which lies outside of its range; else empty.
+/// Text that says which number of a state lies outside of its range; empty: none does.
 std::string wrong_number(const RequestedState& state, bool as_options) {
     if (!(state.friction >= 0 && state.friction <= 1)) {
         return fmt::format("{} {}: 0 to 1 is needed", called("friction", as_options),
