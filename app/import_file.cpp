@@ -12,13 +12,11 @@
 
 #include "app/command.h"
 #include "data/files/formats/layouts.h"
-#include "data/files/formats/sheets.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/recordings/file_view.h"
-#include "data/remarks/wording.h"
 #include "data/study/study.h"
 #include "reports/file_report.h"
 #include "reports/recording_figures.h"
@@ -106,31 +104,6 @@ std::map<std::string, std::string> files_of_study(const std::filesystem::path& f
     return files;
 }
 
-/// Views of a file, or of the chosen sheets of a workbook.
-struct ReadFile {
-    std::vector<FileView> views;
-    std::vector<std::string> not_read;  ///< sentences on sheets that are not read
-};
-
-/// @throws InputError if nothing can be read, or a sheet that the user chose cannot
-ReadFile read_file(const std::filesystem::path& path, const FileFormat& format) {
-    const ChosenSheets sheets = chosen_sheets(path, format.sheet);
-    const auto cell = cell_beside(path);
-    ReadFile result;
-    for (const std::filesystem::path& each : sheets.read) {
-        try {
-            result.views.push_back(view_of_file(each, format, cell));
-        } catch (const InputError& error) {
-            if (sheets.read.size() == 1 || !format.sheet.empty()) throw;
-            result.not_read.push_back(fmt::format("A sheet is not read: {}.", error.what()));
-        }
-    }
-    if (result.views.empty()) view_of_file(sheets.read.front(), format, cell);  // throws
-    if (!sheets.others.empty())
-        result.not_read.push_back(unread_sheets_text(path.string(), sheets.others));
-    return result;
-}
-
 /// JSON of a file; of several sheets, that of the first with the others in "further_sheets".
 nlohmann::ordered_json json_of(const std::vector<FileView>& views) {
     auto json = to_json(views.front());
@@ -195,7 +168,7 @@ bool is_bare_file(const std::filesystem::path& path) {
 int import_file(const std::filesystem::path& path, const ImportFileOptions& options,
                 Console& console) {
     const FileFormat format = format_of(options);
-    const ReadFile read = read_file(path, format);
+    const SheetViews read = views_of_file(path, format);
     const std::vector<FileView>& views = read.views;
     if (!options.tidy.empty()) {
         demand_writable(options.tidy, "--tidy", false);

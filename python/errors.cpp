@@ -1,4 +1,5 @@
 #include <exception>
+#include <stdexcept>
 
 #include "data/input_error.h"
 #include "python/bindings.h"
@@ -30,6 +31,12 @@ void bind_errors(py::module_& module) {
         "Mistake in a file, key, value or argument that the user gave. The text names the mistake "
         "and what to do; for a file, it begins with file:line:column, which the attributes file, "
         "line and column have too (None: unknown).";
+    for (const char* place : {"file", "line", "column"})
+        input.attr(place) = py::none();  // of an error that Python raises
+    static py::exception<std::domain_error> impossible(module, "ImpossibleState", PyExc_ValueError);
+    impossible.doc() =
+        "Parameters at which no true state of the cell would make the instrument show what it "
+        "shows.";
     static py::exception<dem::SimulationError> simulation(module, "SimulationError",
                                                           PyExc_RuntimeError);
     simulation.doc() = "A simulation that cannot go on, for example since an overlap is too large.";
@@ -40,6 +47,8 @@ void bind_errors(py::module_& module) {
             if (thrown) std::rethrow_exception(thrown);
         } catch (const pendular::InputError& error) {
             set_input_error(input, error);
+        } catch (const std::domain_error& error) {
+            impossible(error.what());
         } catch (const dem::SimulationError& error) {
             simulation(error.what());
         } catch (const dem::Interrupted& error) {

@@ -2,6 +2,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -56,8 +57,15 @@ void bind_files(py::module_& module) {
                });
     module.def("begin_study", [](const std::filesystem::path& path, const std::string& sheet) {
         const FileFormat format{.sheet = sheet};
-        const py::gil_scoped_release release;
-        return begin_study({view_of_file(path, format, std::nullopt)}, format);
+        std::map<std::string, std::string> files;
+        {
+            const py::gil_scoped_release release;
+            files = begin_study(views_of_file(path, format).views, format);
+        }
+        py::dict contents;  // bytes, since a workbook is no text
+        for (const auto& [name, text] : files)
+            contents[py::str(name)] = py::bytes(text);
+        return contents;
     });
 }
 

@@ -1,13 +1,18 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/fit.h"
 #include "calib/fit/parameter_errors.h"
 #include "calib/model/study_model_space.h"
+#include "data/input_error.h"
 #include "python/bindings.h"
 #include "python/convert.h"
 #include "python/long_call.h"
@@ -29,9 +34,8 @@ struct Forward {
         demand_readings(input.study, input.measurements);
         const std::vector<Reading> readings = readings_to_fit(input.measurements);
         check_range(readings, input.study, opened.settings().fidelity);
-        const SessionOptions session{.fidelity = opened.settings().fidelity,
-                                     .store = opened.settings().store.get(),
-                                     .listener = listener};
+        const SessionOptions session{
+            .fidelity = opened.settings().fidelity, .store = opened.store(), .listener = listener};
         space = std::make_unique<StudyModelSpace>(input.study, pendular::conditions_of(readings),
                                                   session.fidelity,
                                                   runs_for_diagnosis(input.study, session));
@@ -52,9 +56,48 @@ py::list parameters_of(const Forward& forward) {
     return list;
 }
 
-py::tuple fit_dict(Fit found) {
+/// Returns values of the parameters, in the order of the model.
+/// @throws InputError if there are more or fewer values than parameters
+const Eigen::VectorXd& checked(const Forward& forward, const Eigen::VectorXd& values) {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : forward.model->parameters())
+        names.push_back(parameter.name);
+    if (values.size() != std::ssize(names)) {
+        throw InputError(fmt::format("the model has {} parameter{} ({}), {} {} given", names.size(),
+                                     names.size() == 1 ? "" : "s", fmt::join(names, ", "),
+                                     values.size(), values.size() == 1 ? "was" : "were"));
+    }
+    return values;
+}
+
+/// Returns the prediction at parameters, computed without the lock of the interpreter.
+Prediction predicted(const Forward& forward, const Eigen::VectorXd& parameters,
+                     PredictionPart part) {
+    checked(forward, parameters);
+    const py::gil_scoped_release release;
+    return forward.model->predict(parameters, part);
+}
+
+/// @throws std::runtime_error where the search does not converge
+Fit fitted(const Forward& forward, const Eigen::VectorXd& start) {
+    Fit found = fit(*forward.model, forward.measured, checked(forward, start));
+    if (!found.converged)
+        throw std::runtime_error(fmt::format("the fit did not converge: {}", found.message));
+    return found;
+}
+
+py::tuple fit_tuple(Fit found) {
     return py::make_tuple(to_numpy(std::move(found.parameters)),
-                          to_numpy(std::move(found.covariance)), found.chi2, found.converged);
+                          to_numpy(std::move(found.covariance)), found.chi2);
+}
+
+/// @throws InputError if the model has no parameter of the number `which`
+std::pair<double, double> profile(const Forward& forward, const Eigen::VectorXd& start,
+                                  Eigen::Index which, double rise) {
+    if (which < 0 || which >= checked(forward, start).size())
+        throw InputError(fmt::format("the model has {} parameters, and none has the number {}",
+                                     start.size(), which));
+    return profile_interval(*forward.model, forward.measured, fitted(forward, start), which, rise);
 }
 
 }  // namespace
@@ -72,46 +115,27 @@ void bind_forward(py::module_& module) {
              [](const Forward& self) { return to_numpy(self.measured.covariance); })
         .def("values",
              [](const Forward& self, const Eigen::VectorXd& parameters) {
-                 Eigen::VectorXd value;
-                 {
-                     const py::gil_scoped_release release;
-                     value = self.model->predict(parameters, PredictionPart::values).value;
-                 }
-                 return to_numpy(std::move(value));
+                 return to_numpy(predicted(self, parameters, PredictionPart::values).value);
              })
         .def("jacobian",
              [](const Forward& self, const Eigen::VectorXd& parameters) {
-                 Eigen::MatrixXd jacobian;
-                 {
-                     const py::gil_scoped_release release;
-                     jacobian = self.model->predict(parameters, PredictionPart::slopes).jacobian;
-                 }
-                 return to_numpy(std::move(jacobian));
+                 return to_numpy(predicted(self, parameters, PredictionPart::slopes).jacobian);
              })
-        .def("covariance",
-             [](const Forward& self, const Eigen::VectorXd& parameters) {
-                 Eigen::MatrixXd covariance;
-                 {
-                     const py::gil_scoped_release release;
-                     covariance =
-                         self.model->predict(parameters, PredictionPart::covariance).covariance;
-                 }
-                 return to_numpy(std::move(covariance));
-             })
+        .def(
+            "covariance",
+            [](const Forward& self, const Eigen::VectorXd& parameters) {
+                return to_numpy(predicted(self, parameters, PredictionPart::covariance).covariance);
+            })
         .def("fit",
              [](const Forward& self, const Eigen::VectorXd& start) {
-                 std::optional<Fit> found;
-                 {
-                     const py::gil_scoped_release release;
-                     found = fit(*self.model, self.measured, start);
-                 }
-                 return fit_dict(std::move(*found));
+                 return fit_tuple(long_call(
+                     py::none(), [&](const auto&, const auto&) { return fitted(self, start); }));
              })
         .def("profile", [](const Forward& self, const Eigen::VectorXd& start, Eigen::Index which,
                            double rise) {
-            const py::gil_scoped_release release;
-            return profile_interval(*self.model, self.measured,
-                                    fit(*self.model, self.measured, start), which, rise);
+            return long_call(py::none(), [&](const auto&, const auto&) {
+                return profile(self, start, which, rise);
+            });
         });
 }
 

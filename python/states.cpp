@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "data/input_error.h"
 #include "python/bindings.h"
 #include "python/convert.h"
 #include "python/long_call.h"
@@ -86,7 +87,8 @@ void bind_states(py::module_& module) {
                                                 .reduced_pressure = reduced_pressure,
                                                 .bridge_volume = bridge_volume,
                                                 .liquid_content = liquid_content};
-                 requested.check_supported();
+                 if (const std::string wrong = requested.why_wrong(); !wrong.empty())
+                     throw InputError(wrong);
                  nlohmann::ordered_json json;
                  {
                      const py::gil_scoped_release release;

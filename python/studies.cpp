@@ -2,7 +2,6 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "data/recordings/recording.h"
@@ -23,8 +22,7 @@ using Path = std::filesystem::path;
 
 FitOptions fit_options(const std::optional<double>& confirm_seconds, bool cold, bool profile) {
     FitOptions fit{.confirm = confirm_seconds.has_value(), .cold = cold, .profile = profile};
-    if (confirm_seconds && *confirm_seconds < std::numeric_limits<double>::infinity())
-        fit.confirming_seconds = confirm_seconds;
+    fit.confirming_seconds = confirm_seconds;
     return fit;
 }
 
@@ -35,14 +33,16 @@ py::dict fit_dict(FitResult result) {
     dict["predicted_covariance"] = to_numpy(std::move(result.predicted_covariance));
     dict["normalised"] = to_numpy(std::move(result.normalised));
     dict["lines"] = py::cast(result.lines);
+    dict["of_means"] = result.of_means;
     return dict;
 }
 
-std::unique_ptr<OpenStudy> open_study(const Path& study, const std::string& fidelity,
+std::unique_ptr<OpenStudy> open_study(const Path& study, const std::optional<std::string>& fidelity,
                                       std::uint64_t seed, int threads,
                                       const std::optional<Path>& store, const Path& results,
                                       const std::vector<WrittenInPython>& effects) {
-    StudySettings settings{.fidelity = fidelity_named(fidelity),
+    StudySettings settings{.fidelity = fidelity_named(fidelity.value_or("standard")),
+                           .fidelity_given = fidelity.has_value(),
                            .seed = seed,
                            .threads = threads,
                            .store = nullptr,
@@ -134,7 +134,9 @@ void bind_studies(py::module_& module) {
         .def("compare",
              [](const OpenStudy& self, const py::object& on_event) {
                  auto [json, fit] =
-                     long_call(on_event, [&](const auto&, const auto&) { return self.compare(); });
+                     long_call(on_event, [&](const auto& stop, const auto& listener) {
+                         return self.compare(stop, listener);
+                     });
                  return std::pair{to_python(json), fit_dict(std::move(fit))};
              })
         .def(
@@ -144,8 +146,10 @@ void bind_studies(py::module_& module) {
                const std::vector<double>& liquid_content) {
                 const auto conditions =
                     conditions_of(normal_stress, inertial_number, liquid_content);
-                return prediction_dict(long_call(
-                    on_event, [&](const auto&, const auto&) { return self.predict(conditions); }));
+                return prediction_dict(
+                    long_call(on_event, [&](const auto& stop, const auto& listener) {
+                        return self.predict(conditions, stop, listener);
+                    }));
             },
             py::arg("listener"), py::arg("normal_stress"), py::arg("inertial_number"),
             py::arg("liquid_content"))

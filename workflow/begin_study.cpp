@@ -18,7 +18,9 @@
 #include "data/input_error.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
+#include "data/remarks/wording.h"
 #include "data/study/study_edit.h"
+#include "workflow/study_input.h"
 
 namespace pendular {
 namespace {
@@ -364,6 +366,24 @@ std::string end_text(bool cell, bool all_wet) {
 }
 
 }  // namespace
+
+SheetViews views_of_file(const std::filesystem::path& path, const FileFormat& format) {
+    const ChosenSheets sheets = chosen_sheets(path, format.sheet);
+    const auto cell = cell_beside(path);
+    SheetViews result;
+    for (const std::filesystem::path& each : sheets.read) {
+        try {
+            result.views.push_back(view_of_file(each, format, cell));
+        } catch (const InputError& error) {
+            if (sheets.read.size() == 1 || !format.sheet.empty()) throw;
+            result.not_read.push_back(fmt::format("A sheet is not read: {}.", error.what()));
+        }
+    }
+    if (result.views.empty()) view_of_file(sheets.read.front(), format, cell);  // throws
+    if (!sheets.others.empty())
+        result.not_read.push_back(unread_sheets_text(path.string(), sheets.others));
+    return result;
+}
 
 bool begins_study(const FileView& view) {
     return !view.loci.empty() || has_steady_recording(view);

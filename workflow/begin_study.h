@@ -9,6 +9,16 @@
 
 namespace pendular {
 
+/// Views of a file of measurements, or of the chosen sheets of a workbook.
+struct SheetViews {
+    std::vector<FileView> views;
+    std::vector<std::string> not_read;  ///< sentences on sheets that are not read
+};
+
+/// Reads a file of measurements, or the sheets of a workbook that `format` chooses.
+/// @throws InputError if nothing can be read
+SheetViews views_of_file(const std::filesystem::path& path, const FileFormat& format);
+
 /// Returns the files of a new study made from one file of measurements, or from the sheets of a
 /// workbook, as a map from the name of each file to its text. Each sheet is an entry of its own,
 /// and its tables have its number ("failure_2.csv").

@@ -35,16 +35,21 @@ class States {
 
     /// Predicts the states from `begin` to `end` - 1.
     void predict(std::size_t begin, std::size_t end) {
+        std::vector<std::size_t> places;
         std::vector<FlowState> asked;
-        for (std::size_t k = begin; k < end; ++k)
+        for (std::size_t k = begin; k < end; ++k) {
+            result_.why_not[k] = requested_[k].why_wrong();
+            if (!result_.why_not[k].empty()) continue;
+            places.push_back(k);
             asked.push_back(predictor_.state_of(requested_[k]));
+        }
         const std::vector<std::string> why_not = predictor_.why_unsupported(asked);
-        std::ranges::copy(why_not, result_.why_not.begin() + static_cast<std::ptrdiff_t>(begin));
         std::vector<Eigen::Index> rows;
         std::vector<FlowState> states;
         for (std::size_t k = 0; k < asked.size(); ++k) {
+            result_.why_not[places[k]] = why_not[k];
             if (!why_not[k].empty()) continue;
-            rows.push_back(static_cast<Eigen::Index>(begin + k));
+            rows.push_back(static_cast<Eigen::Index>(places[k]));
             states.push_back(asked[k]);
             if (!asked[k].dry()) result_.bridge_volume(rows.back()) = asked[k].bridge_volume;
         }
@@ -79,7 +84,7 @@ PredictedStates predict_states(const StatePredictor& predictor,
                                const std::vector<RequestedState>& requested,
                                const StatesRequest& request) {
     for (const RequestedState& each : requested)
-        each.check_supported();
+        static_cast<void>(each.why_wrong());  // throws before any work
     States states(predictor, requested, request.slopes);
     const std::size_t count = requested.size();
     std::atomic<std::size_t> done = 0;

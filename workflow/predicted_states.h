@@ -33,9 +33,10 @@ struct StatesRequest {
     std::function<void(std::size_t)> report = {};
 };
 
-/// Predicts all observables at many states, as `StatePredictor::at` does at one. States that the
-/// earlier runs do not support are left out, each with its reason.
-/// @throws InputError if a number of a state is outside of its range (`check_supported`)
+/// Predicts all observables at many states, as `StatePredictor::at` does at one. States with a
+/// number outside of its range, and those that the earlier runs do not support, are left out, each
+/// with its reason.
+/// @throws InputError if the amount of liquid of a state is not given in exactly one way
 /// @throws dem::Interrupted if a stop is requested
 PredictedStates predict_states(const StatePredictor& predictor,
                                const std::vector<RequestedState>& requested,

@@ -43,39 +43,67 @@ std::string with_liquid_content(const RequestedState& requested, std::string why
     return why.insert(end, fmt::format(" (liquid content {:.4g})", *requested.liquid_content));
 }
 
-}  // namespace
-
 /// Largest pressure, volume or content that is tried, and the inverse of the least [1]: far beyond
 /// all simulations, and small enough that no power of it overflows.
 constexpr double extreme = 1e9;
 
-void RequestedState::check_supported() const {
-    if (!(friction >= 0 && friction <= 1)) {
-        throw InputError(fmt::format("--friction {}: 0 to 1 is needed", friction));
+/// Name of a quantity, such as "bridge-volume": as an option of `pendular predict` or in words.
+std::string called(std::string name, bool as_option) {
+    if (as_option) return "--" + name;
+    std::ranges::replace(name, '-', ' ');
+    return name;
+}
+
+/// Text that says which number of a state lies outside of its range; empty: none does.
+std::string wrong_number(const RequestedState& state, bool as_options) {
+    if (!(state.friction >= 0 && state.friction <= 1)) {
+        return fmt::format("{} {}: 0 to 1 is needed", called("friction", as_options),
+                           state.friction);
     }
-    if (!(inertial_number >= 0 && inertial_number <= dem::largest_inertial_number)) {
-        throw InputError(fmt::format("--inertial-number {}: 0 to {} is needed", inertial_number,
-                                     dem::largest_inertial_number));
+    if (!(state.inertial_number >= 0 && state.inertial_number <= dem::largest_inertial_number)) {
+        return fmt::format("{} {}: 0 to {} is needed", called("inertial-number", as_options),
+                           state.inertial_number, dem::largest_inertial_number);
     }
-    for (const auto& [name, value] :
-         {std::pair("reduced-pressure", reduced_pressure),
-          std::pair("bridge-volume", bridge_volume), std::pair("liquid-content", liquid_content)}) {
+    for (const auto& [name, value] : {std::pair("reduced-pressure", state.reduced_pressure),
+                                      std::pair("bridge-volume", state.bridge_volume),
+                                      std::pair("liquid-content", state.liquid_content)}) {
         if (value && !(*value > 0 && std::isfinite(*value))) {
-            throw InputError(fmt::format("--{} {}: a positive number is needed", name, *value));
+            return fmt::format("{} {}: a positive number is needed", called(name, as_options),
+                               *value);
         }
         if (value && !(*value >= 1 / extreme && *value <= extreme)) {
-            throw InputError(
-                fmt::format("--{} {}: {:g} to {:g} is needed", name, *value, 1 / extreme, extreme));
+            return fmt::format("{} {}: {:g} to {:g} is needed", called(name, as_options), *value,
+                               1 / extreme, extreme);
         }
     }
-    if (reduced_pressure && bridge_volume.has_value() == liquid_content.has_value()) {
-        throw InputError("wet grains need either --bridge-volume or --liquid-content");
+    return {};
+}
+
+/// @throws InputError if the amount of liquid is not given in exactly one way
+void check_amount(const RequestedState& state, bool as_options) {
+    const std::string volume = called("bridge-volume", as_options),
+                      content = called("liquid-content", as_options);
+    if (state.reduced_pressure &&
+        state.bridge_volume.has_value() == state.liquid_content.has_value()) {
+        throw InputError(fmt::format("wet grains need either {} or {}", volume, content));
     }
-    if (!reduced_pressure && (bridge_volume || liquid_content)) {
-        throw InputError(
-            "--bridge-volume and --liquid-content need --reduced-pressure: without it the grains "
-            "are dry");
+    if (!state.reduced_pressure && (state.bridge_volume || state.liquid_content)) {
+        throw InputError(fmt::format("{} and {} need {}: without it the grains are dry", volume,
+                                     content, called("reduced-pressure", as_options)));
     }
+}
+
+}  // namespace
+
+void RequestedState::check_supported() const {
+    if (const std::string wrong = wrong_number(*this, true); !wrong.empty())
+        throw InputError(wrong);
+    check_amount(*this, true);
+}
+
+std::string RequestedState::why_wrong() const {
+    check_amount(*this, false);
+    return wrong_number(*this, false);
 }
 
 FlowState RequestedState::state(const Emulator& emulator, const KnownRange& known) const {

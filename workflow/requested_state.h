@@ -21,6 +21,10 @@ struct RequestedState {
     /// state is given in exactly one way.
     /// @throws InputError if not; the message names the option of `pendular predict` to change
     void check_supported() const;
+    /// Returns what is wrong with a number that lies outside of its range, such as "friction nan: 0
+    /// to 1 is needed"; else empty. For states of a program's user, who gives no options.
+    /// @throws InputError if the amount of liquid of a wet state is not given in exactly one way
+    std::string why_wrong() const;
 
     /// Returns the state in the coordinates of the emulator. A requested liquid content is
     /// converted to a bridge volume with the predicted coordination number.

@@ -1,5 +1,7 @@
 #include "calib/model/run_budget.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <condition_variable>
 #include <limits>
@@ -7,6 +9,7 @@
 #include <stop_token>
 #include <thread>
 
+#include "data/input_error.h"
 #include "sim/dem/simulation_error.h"
 #include "sim/runs/store/run_store.h"
 
@@ -48,7 +51,15 @@ std::vector<dem::RunResult> stored(const std::vector<dem::RunParameters>& runs,
 
 }  // namespace
 
-RunBudget::RunBudget(double seconds) : end_(Clock::now() + duration_of(seconds)) {}
+RunBudget::RunBudget(double seconds) {
+    // Beyond decades, the clock would overflow.
+    constexpr double endless = 1e9;
+    if (!(seconds >= 0)) {
+        throw InputError(
+            fmt::format("time for simulations {} s: a number of 0 or more is needed", seconds));
+    }
+    if (seconds < endless) end_ = Clock::now() + duration_of(seconds);
+}
 
 double RunBudget::seconds_left() const {
     return end_ ? std::max(0.0, std::chrono::duration<double>(*end_ - Clock::now()).count())

@@ -17,7 +17,9 @@ class RunBudget {
   public:
     /// Makes a budget without a time limit.
     RunBudget() = default;
-    /// Makes a budget whose time ends `seconds` [s] after the construction.
+    /// Makes a budget whose time ends `seconds` [s] after the construction; without a time limit if
+    /// this is infinite or at least 1e9 s.
+    /// @throws InputError if `seconds` is negative or no number
     explicit RunBudget(double seconds);
 
     bool limited() const { return end_.has_value(); }

@@ -13,7 +13,7 @@ computes is what the command line computes, with the same numbers.
 
 from typing import TYPE_CHECKING, Any
 
-from pendular._core import InputError, Interrupted, SimulationError, __version__
+from pendular._core import ImpossibleState, InputError, Interrupted, SimulationError, __version__
 from pendular._notify import Note
 from pendular._forward import Forward, Posterior, Whitened, posterior
 from pendular.catalogues import Effects, FileView, Run, Runs
@@ -21,7 +21,7 @@ from pendular.fits import Comparison, Fit, Prediction, Readings, Recording
 from pendular.results import Estimate
 from pendular.simulations import import_file, runs, simulate
 from pendular.states import States, predict
-from pendular.study import PathLike, Study, open
+from pendular.study import PathLike, Study, begin, open
 from pendular.verdicts import Change, Diagnosis, NextMeasurement
 from pendular._written import instrument_effect
 
@@ -37,6 +37,7 @@ __all__ = [
     "FileView",
     "Fit",
     "Forward",
+    "ImpossibleState",
     "InputError",
     "Interrupted",
     "NextMeasurement",
@@ -51,6 +52,7 @@ __all__ = [
     "States",
     "Study",
     "Whitened",
+    "begin",
     "effects",
     "forward",
     "import_file",

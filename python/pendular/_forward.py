@@ -40,8 +40,9 @@ class Forward:
         return f"<Forward of {', '.join(self.names)}: {len(self.measured)} values>"
 
     def __call__(self, parameters: Vector) -> Array:
-        """Predicted values (m,). Raises ValueError where no true state of the cell would make the
-        instrument show the conditions of the readings."""
+        """Predicted values (m,). Raises InputError where p has another length, ImpossibleState
+        where no true state of the cell would make the instrument show the conditions of the
+        readings."""
         return np.asarray(self._core.values(parameters))
 
     def jacobian(self, parameters: Vector) -> Array:
@@ -57,11 +58,15 @@ class Forward:
         """Returns residuals with the weights of the parameters `at`, for least squares."""
         return Whitened(self, at)
 
-    def fit(self, start: Optional[Vector] = None) -> Tuple[Dict[str, Estimate],
-                                                                    Array, float]:
+    def fit(self, start: Optional[Vector] = None) -> Tuple[Dict[str, Estimate], Array, float]:
         """Least squares of all readings by the program's own search: the parameters, their
-        covariance (k, k) and chi2."""
-        values, covariance, chi2, _ = self._core.fit(self.start if start is None else start)
+        covariance (k, k) and chi2.
+
+        The covariance is (J'J)^-1 of the whitened residuals. It lacks what `Study.calibrate` adds
+        to its standard errors: for a scatter that is known from few replicates only, and for a
+        model that is less exact than expected. Raises RuntimeError where the search does not
+        converge."""
+        values, covariance, chi2 = self._core.fit(self.start if start is None else start)
         estimates = {
             name: Estimate(float(values[k]), float(np.sqrt(covariance[k, k])), self.units[k])
             for k, name in enumerate(self.names)
@@ -70,7 +75,8 @@ class Forward:
 
     def profile(self, name: str, rise: float = 1.0) -> Tuple[float, float]:
         """Both ends of the profile-likelihood interval of a parameter: chi2, minimised over all
-        other parameters, rises by at most `rise` (1: 68 %, 3.84: 95 %)."""
+        other parameters, rises by at most `rise` (1: 68 %, 3.84: 95 %). Raises RuntimeError where
+        the search for the minimum does not converge."""
         lower, upper = self._core.profile(self.start, self.names.index(name), rise)
         return lower, upper
 
@@ -92,13 +98,14 @@ class Whitened:
         return -self._solved(self.forward.jacobian(parameters))
 
     def log_likelihood(self, parameters: Vector) -> float:
-        """-chi2/2 within the bounds of the parameters, else -infinity."""
+        """-chi2/2 within the bounds of the parameters, else -infinity, as for parameters at which
+        the conditions of the readings are impossible (`ImpossibleState`)."""
         p, bounds = np.asarray(parameters, dtype=float), self.forward.bounds
         if not (np.all(p >= bounds[:, 0]) and np.all(p <= bounds[:, 1])):
             return -np.inf
         try:
             return float(-0.5 * np.sum(self(p) ** 2))
-        except ValueError:
+        except _core.ImpossibleState:
             return -np.inf
 
     def _solved(self, right: Array) -> Array:

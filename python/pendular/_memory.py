@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import glob
 import json
 import os
+import re
 import shutil
 from pathlib import Path
 from typing import Any, Dict, List, Mapping, Sequence
 
 import numpy as np
 
+from pendular._core import InputError
 from pendular._tables import Array
 
 #: Units of the columns of a table of readings where its headings state none.
@@ -24,7 +27,7 @@ _UNITS = {
     "height": "m",
     "time": "s",
 }
-#: Errors are named NAME_sd in tables of readings, and NAME_stderr in tables of this module.
+#: Standard errors are named NAME_se in tables of readings, and NAME_stderr in tables of this module.
 _ERROR, _ERRORS = "_stderr", ("_sd", "_se", "_u95")
 
 _UNITS_OF_RECORDINGS = {
@@ -41,25 +44,41 @@ _UNITS_OF_RECORDINGS = {
 
 def write_study(folder: Path, tables: Mapping[str, Any], readings: Any,
                 recordings: Sequence[Mapping[str, Any]]) -> None:
-    """Writes study.toml with its tables, readings.csv and the recordings to a folder."""
+    """Writes study.toml with its tables, the recordings and the readings to a folder."""
     sources: List[str] = []
     for k, each in enumerate(recordings):
-        entry = {name: value for name, value in each.items() if name != "file"}
-        entry["file"] = _put_recording(folder, each["file"], k + 1)
-        sources.append("[[recording]]\n" + _lines(entry))
+        for name in _put_recordings(folder, each["file"], k + 1):
+            sources.append("[[recording]]\n" + _lines({**each, "file": name}))
     if readings is not None:
-        _write_csv(folder / "readings.csv", _columns(readings), _UNITS)
-        sources.append('[[readings]]\nfile = "readings.csv"\n')
+        file = _free(folder, "readings.csv")
+        _write_csv(file, _columns(readings), _UNITS)
+        sources.append("[[readings]]\n" + _lines({"file": file.name}))
     text = "".join(_table(name, value) for name, value in tables.items() if value is not None)
     (folder / "study.toml").write_text(text + "\n".join(sources), encoding="utf-8")
 
 
-def _put_recording(folder: Path, file: Any, number: int) -> str:
+def _put_recordings(folder: Path, file: Any, number: int) -> List[str]:
+    """Writes a table, or copies the files that a path or pattern names, and returns the names."""
     if not isinstance(file, (str, os.PathLike)):
-        _write_csv(folder / f"recording_{number}.csv", _columns(file), _UNITS_OF_RECORDINGS)
-        return f"recording_{number}.csv"
-    shutil.copy(file, folder / Path(file).name)
-    return Path(file).name
+        put = _free(folder, f"recording_{number}.csv")
+        _write_csv(put, _columns(file), _UNITS_OF_RECORDINGS)
+        return [put.name]
+    path = os.fspath(file)
+    found = [path] if os.path.exists(path) else sorted(glob.glob(path))
+    if not found:
+        raise InputError(f"recordings: there is no file '{path}'")
+    return [shutil.copy(each, _free(folder, Path(each).name)).name for each in map(Path, found)]
+
+
+def _free(folder: Path, name: str) -> Path:
+    """File of a new name in a folder: a number follows a name that another file has. Characters
+    of patterns, which a name in study.toml cannot have, are replaced."""
+    plain = Path(re.sub(r"[*?\[\]\\]", "_", name))
+    file, number = folder / plain, 1
+    while file.exists() or file.name == "study.toml":
+        number += 1
+        file = folder / f"{plain.stem}_{number}{plain.suffix}"
+    return file
 
 
 def _columns(table: Any) -> Dict[str, Array]:
@@ -70,7 +89,7 @@ def _columns(table: Any) -> Dict[str, Array]:
 def _heading(name: str, units: Mapping[str, str]) -> str:
     if "[" in name:
         return name
-    name = name[: -len(_ERROR)] + "_sd" if name.endswith(_ERROR) else name
+    name = name[: -len(_ERROR)] + "_se" if name.endswith(_ERROR) else name
     plain = name
     for ending in _ERRORS:
         plain = plain[: -len(ending)] if plain.endswith(ending) else plain
@@ -95,17 +114,23 @@ def _table(name: str, value: Any) -> str:
 
 
 def _lines(entries: Mapping[str, Any]) -> str:
-    return "".join(f"{_key(key)} = {_value(value)}\n" for key, value in entries.items())
+    return "".join(f"{_key(key)} = {_value(value)}\n" for key, value in entries.items()
+                   if value is not None)
 
 
 def _key(key: str) -> str:
-    return key if key.replace("_", "").replace("-", "").isalnum() else json.dumps(key)
+    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key)
 
 
 def _value(value: Any) -> str:
     """Value of TOML, whose texts, lists and numbers are written as those of JSON."""
-    if isinstance(value, (list, tuple)):
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{_key(k)} = {_value(v)}" for k, v in value.items()) + " }"
+    if isinstance(value, (list, tuple, np.ndarray)):
         return "[" + ", ".join(_value(each) for each in value) + "]"
-    if isinstance(value, (np.integer, np.floating)):
+    if isinstance(value, np.generic):
         value = value.item()
-    return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, float) and not np.isfinite(value):
+        return str(value)  # nan, inf and -inf of TOML
+    return json.dumps(os.fspath(value) if isinstance(value, os.PathLike) else value,
+                      ensure_ascii=False)

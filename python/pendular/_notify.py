@@ -23,7 +23,7 @@ class _Bars:
 
     def __call__(self, kind: str, text: str, done: int, total: int) -> None:
         if kind == "note":
-            warnings.warn(text, Note, stacklevel=4)
+            warnings.warn(text, Note, stacklevel=3)
         if self._make is None or kind not in ("runs", "refits") or total < 2:
             return
         if self._bar is None or text != self._text or total != self._bar.total:

@@ -10,7 +10,8 @@ Array = np.ndarray[Any, Any]
 Vector = Union[Sequence[float], Array]
 
 #: Key of a reading, everywhere the same: its file, relative to the study's folder, and its step
-#: within the file, counted from 1. Rows of a table of readings count as steps.
+#: within the file, counted from 1. Rows of a table of readings count as steps. Means of several
+#: readings have the numbers -1, -2, ..., which no reading has.
 Key = Tuple[str, int]
 
 

@@ -9,6 +9,9 @@ import numpy as np
 from pendular._tables import Array, Key, frame, html_table, reading_keys, with_error
 from pendular.results import Estimate, Result, column, uncertain
 
+#: Units of a covariance of shear stress and solid fraction.
+_SQUARES = {"units": "products of Pa; 1"}
+
 
 class Readings(Result):
     """Measured readings of a study, in the order of study.toml.
@@ -71,7 +74,7 @@ class Readings(Result):
         return xarray.Dataset(
             {
                 "measured": (("reading", "observable"), value, {"units": "Pa; 1"}),
-                "covariance": (("reading", "observable", "observable2"), covariance),
+                "covariance": (("reading", "observable", "observable2"), covariance, _SQUARES),
             },
             coords=_coordinates(entries, self.keys_of_readings),
         )
@@ -187,8 +190,14 @@ class Fit(Result):
 
     @property
     def keys_of_readings(self) -> List[Key]:
-        """Key (file, step) of each reading."""
+        """Key (file, step) of each reading. Of more than 200 readings, means of readings at similar
+        conditions are fitted: they are the entries of the fit, with the numbers -1, -2, ... in
+        place of the step and the file of their first reading, and belong to no single reading."""
         entries = self["predictions"]
+        if self._arrays["of_means"]:
+            files = reading_keys([each["file"] for each in entries], [1] * len(entries),
+                                 self._arrays["lines"], self._folder)
+            return [(file, -k) for k, (file, _) in enumerate(files, 1)]
         return reading_keys(
             [each["file"] for each in entries],
             [each["step"] for each in entries],
@@ -256,8 +265,8 @@ class Fit(Result):
                 "measured": (values, part("measured"), {"units": "Pa; 1"}),
                 "predicted": (values, part("predicted"), {"units": "Pa; 1"}),
                 "residual": (values, self.residuals, {"units": "1"}),
-                "measured_covariance": (whole, block(self.measured_covariance)),
-                "predicted_covariance": (whole, block(self.predicted_covariance)),
+                "measured_covariance": (whole, block(self.measured_covariance), _SQUARES),
+                "predicted_covariance": (whole, block(self.predicted_covariance), _SQUARES),
             },
             coords=_coordinates(entries, self.keys_of_readings),
             attrs={"chi2": self.chi2, "dof": self.dof},

@@ -199,8 +199,8 @@ def predict(friction: Numbers = 0.09, inertial_number: Numbers = 0.0,
     derivatives: also compute derivatives, which takes three times as long
 
     The arguments are numbers or arrays. A single state that the simulations do not cover raises
-    InputError, which names the nearest state within; of many, those that are not covered are NaN,
-    and a warning says how many.
+    InputError, which names the nearest state within, and so does a single number outside of its
+    range; of many, such states are NaN, `why_not` says why, and a warning how many.
     """
     given = {
         name: np.asarray(value, dtype=float)
@@ -238,8 +238,8 @@ def _warn_of(states: States) -> None:
     left_out = [why for why in states.why_not.ravel() if why]
     if left_out:
         warnings.warn(
-            f"{len(left_out)} of {states.why_not.size} states are outside of the range of the "
-            f"simulations and NaN; the first: {left_out[0]}",
+            f"{len(left_out)} of {states.why_not.size} states cannot be predicted and are NaN; the "
+            f"first: {left_out[0]}",
             Note, stacklevel=3,
         )
 

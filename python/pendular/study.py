@@ -12,6 +12,7 @@ from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from pendular import _core
+from pendular._core import InputError
 from pendular._memory import write_study
 from pendular._notify import Progress, told
 from pendular._forward import Forward
@@ -33,7 +34,11 @@ def cores() -> int:
 def _seconds(confirm: Confirm) -> Optional[float]:
     if confirm is True:
         return math.inf
-    return None if confirm is False else 60.0 * confirm
+    if confirm is False:
+        return None
+    if not confirm >= 0:
+        raise InputError(f"confirm={confirm}: minutes, a number of 0 or more, are needed")
+    return 60.0 * confirm
 
 
 class Recordings(Mapping[str, Recording]):
@@ -78,9 +83,11 @@ class Study:
     def __init__(self, study: Optional[PathLike] = None, *, grains: Optional[Table] = None,
                  cell: Optional[Table] = None, liquid: Optional[Table] = None,
                  model: Optional[Table] = None, instrument: Optional[Table] = None,
-                 rig: Optional[Table] = None, effect: Optional[Sequence[Table]] = None,
+                 rig: Optional[Table] = None, import_: Optional[Table] = None,
+                 scatter: Optional[Table] = None, direct: Optional[Sequence[Table]] = None,
+                 effect: Optional[Sequence[Table]] = None,
                  readings: Any = None, recordings: Sequence[Table] = (),
-                 fidelity: str = "standard", seed: int = 1, threads: Optional[int] = None,
+                 fidelity: Optional[str] = None, seed: int = 1, threads: Optional[int] = None,
                  store: Store = None, results: Optional[PathLike] = None,
                  progress: Progress = None, _functions: Sequence[Any] = ()) -> None:
         """Opens a study on disk (see `open`), or makes one from memory, in a folder that is removed
@@ -89,18 +96,22 @@ class Study:
             pendular.Study(grains={"diameter": "500 um", "density": "1050 kg/m^3"},
                            readings=table)
 
-        grains, cell, liquid, model, instrument, rig: tables of study.toml
+        grains, cell, liquid, model, instrument, rig, scatter: tables of study.toml
+        import_: the table [import]
         effect: effects by formulas, tables [[effect]] of study.toml
+        direct: direct measurements, tables [[direct]] of study.toml
         readings: pandas.DataFrame or mapping of arrays; columns normal_stress [Pa], shear_stress
             [Pa] or stress_ratio, solid_fraction, inertial_number or shear_rate [1/s],
             liquid_content, each with its standard error NAME_sd or NAME_stderr; other units in
             brackets, "normal_stress [kPa]"
-        recordings: tables [[recording]]: `file`, a path or a pandas.DataFrame of the columns of
-            `Recording`, and further keys such as liquid_content
+        recordings: tables [[recording]]: `file`, a path, a pattern such as "dry_*.csv" or a
+            pandas.DataFrame of the columns of `Recording`, and further keys such as
+            liquid_content. Files are copied; of two with one name, the second has a number
         """
         if study is None:
             study = self._written({"grains": grains, "cell": cell, "liquid": liquid,
                                    "model": model, "instrument": instrument, "rig": rig,
+                                   "import": import_, "scatter": scatter, "direct": direct,
                                    "effect": effect}, readings, recordings)
         self._path, self._progress = Path(study), progress
         self._settings: Dict[str, Any] = {
@@ -126,19 +137,29 @@ class Study:
 
     def save(self, folder: PathLike) -> Study:
         """Copies study.toml and the files beside it to a new folder, and returns the study there.
-        """
+
+        Raises InputError for a study with effects by functions, which no file can hold."""
+        self._demand_no_functions("save")
         shutil.copytree(self.folder, folder)
         return Study(folder, **self._settings)
 
     def with_effects(self, *effects: Any) -> Study:
         """Returns the study with effects by functions of Python (`instrument_effect`) in its model.
-        study.toml stays as it is; results go to a folder that is removed with the object."""
+        study.toml stays as it is; results go to a folder that is removed with the object. Such a
+        study can be neither saved nor changed by `add` and `drop`."""
         folder = tempfile.TemporaryDirectory(prefix="pendular-")
         settings: Dict[str, Any] = {**self._settings, "results": folder.name}
         study = Study(self._path, **settings, progress=self._progress,
                       _functions=[*self._functions, *effects])
         study._kept = (folder, self)
         return study
+
+    def _demand_no_functions(self, what: str) -> None:
+        if self._functions:
+            names = ", ".join(each.name for each in self._functions)
+            raise InputError(
+                f"{what}: study.toml cannot hold an effect by a function of Python ({names}); use "
+                "the study without it, or write the effect as formulas in a table [[effect]]")
 
     def forward(self) -> Forward:
         """Returns the model as a plain function of its parameters."""
@@ -162,7 +183,7 @@ class Study:
 
     @property
     def effects(self) -> List[str]:
-        """Names of the effects that study.toml lists."""
+        """Names of the effects that study.toml lists, then those by functions."""
         return list(self._opened.effects)
 
     @property
@@ -188,9 +209,10 @@ class Study:
             result = self._opened.calibrate(listener, _seconds(confirm), cold, profile)
         return Fit(result, str(self._opened.folder))
 
-    def compare(self) -> Comparison:
+    def compare(self, progress: Progress = None) -> Comparison:
         """Compares the readings with the fit in fit.json of the results folder."""
-        json, fit = self._opened.compare(None)
+        with told(self._chosen(progress)) as listener:
+            json, fit = self._opened.compare(listener)
         return Comparison(json, Fit(fit, str(self._opened.folder)))
 
     def diagnose(self, confirm: Confirm = False, progress: Progress = None) -> Diagnosis:
@@ -208,7 +230,11 @@ class Study:
 
     def add(self, effect: str, confirm: Confirm = False, progress: Progress = None) -> Study:
         """Adds an effect to study.toml, and returns the changed study, whose `change` holds the
-        fits before and after. study.toml stays as it is where the new fit does not converge."""
+        fits before and after. study.toml stays as it is where the new fit does not converge.
+
+        The fits have the fidelity of the fit in the results folder, unless the study was opened
+        with another. The effects that explain the readings as well are those of the last
+        `diagnose` or, without one, of diagnosis.json in the results folder."""
         return self._changed(True, effect, confirm, progress)
 
     def drop(self, effect: str, confirm: Confirm = False, progress: Progress = None) -> Study:
@@ -218,11 +244,13 @@ class Study:
     def predict(self, **state: Any) -> States:
         """Predicts states of steady shear with the study's store and fidelity (see
         `pendular.predict` for the arguments)."""
-        defaults = {name: self._settings[name] for name in ("fidelity", "threads")}
+        defaults = {name: self._settings[name] for name in ("fidelity", "threads")
+                    if self._settings[name] is not None}
         return predict(**{**defaults, "store": self._settings["store"], **state})
 
     def predict_readings(self, normal_stress: Numbers, inertial_number: Numbers = 0.0,
-                         liquid_content: Numbers = 0.0) -> Prediction:
+                         liquid_content: Numbers = 0.0,
+                         progress: Progress = None) -> Prediction:
         """Predicts the readings that the instrument would show, from the fit in fit.json.
 
         normal_stress [Pa], inertial_number [1] (0: quasi-static limit), liquid_content [1]
@@ -234,12 +262,14 @@ class Study:
         )
         at = dict(zip(("normal_stress", "inertial_number", "liquid_content"),
                       (each.ravel() for each in arrays)))
-        return Prediction(self._opened.predict(None, **at), at)
+        with told(self._chosen(progress)) as listener:
+            return Prediction(self._opened.predict(listener, **at), at)
 
     def _chosen(self, progress: Progress) -> Progress:
         return self._progress if progress is None else progress
 
     def _changed(self, add: bool, effect: str, confirm: Confirm, progress: Progress) -> Study:
+        self._demand_no_functions("add" if add else "drop")
         with told(self._chosen(progress)) as listener:
             json = self._opened.change(listener, add, effect, _seconds(confirm))
         study = Study(self._path, **self._settings, progress=self._progress)
@@ -247,13 +277,36 @@ class Study:
         return study
 
 
-def open(study: PathLike, *, fidelity: str = "standard", seed: int = 1,
+def begin(file: PathLike, folder: PathLike, *, sheet: str = "", **settings: Any) -> Study:
+    """Begins a study with a file of measurements, and opens it: writes study.toml and the tables to
+    a folder. Each guess in study.toml, such as the density of the grains, is marked GUESS.
+
+    file: recording or export of a rheometer, as `import_file` reads it
+    folder: of the study, made where it is missing
+    sheet: sheet of a workbook
+    settings: as of `open`
+
+    Raises InputError, and writes nothing, where the folder has a file of one of the names.
+    """
+    written, into = _core.begin_study(os.fspath(file), sheet), Path(folder)
+    for name in written:
+        if (into / name).exists():
+            raise InputError(f"{into / name} is there already; nothing was written: name another "
+                             "folder")
+    into.mkdir(parents=True, exist_ok=True)
+    for name, content in written.items():
+        (into / name).write_bytes(content)
+    return Study(into, **settings)
+
+
+def open(study: PathLike, *, fidelity: Optional[str] = None, seed: int = 1,
          threads: Optional[int] = None, store: Store = None, results: Optional[PathLike] = None,
          progress: Progress = None) -> Study:
     """Reads a study and all its recordings.
 
     study: folder of the study, or its study.toml
-    fidelity: "quick", "standard" or "paper", the size of simulations
+    fidelity: "quick", "standard" or "paper", the size of simulations (default: "standard"; `add`
+        and `drop` then take that of the fit in the results folder)
     seed: of simulations and of random draws of errors
     threads: number of simulations or refits at a time (default: one per core)
     store: SQLite file with simulations (default: that of the command line); False: none

@@ -65,6 +65,30 @@ def test_change_is_that_of_the_command_line(example, command, tmp_path):
     same(changed.change, printed, "rivals")
 
 
+def test_rivals_of_a_change_are_those_of_the_diagnosis_on_disk(example, command):
+    folder = example("hidden-effect")
+    command("diagnose", folder)
+    file = folder / "out" / "diagnosis.json"
+    diagnosis = json.loads(file.read_text())
+    diagnosis["confidence_set"] = [["wall-friction"], ["normal-force-gain"]]
+    file.write_text(json.dumps(diagnosis))
+    changed = pendular.open(folder, store=False).add("wall-friction")
+    assert changed.change["rivals"] == [["normal-force-gain"]]
+
+
+def test_a_change_keeps_the_fidelity_of_the_fit_unless_another_is_given(example):
+    folder = example("dry-recordings")
+
+    def fitted():
+        return json.loads((folder / "out" / "fit.json").read_text())["fidelity"]["name"]
+
+    pendular.open(folder, fidelity="quick", store=False).calibrate()
+    pendular.open(folder, store=False).add("torque-offset")
+    assert fitted() == "quick"
+    pendular.open(folder, fidelity="standard", store=False).drop("torque-offset")
+    assert fitted() == "standard"
+
+
 def test_one_state_is_that_of_the_command_line(command):
     printed = command("predict", "--friction", 0.12, "--reduced-pressure", 1.5,
                       "--liquid-content", 0.02)

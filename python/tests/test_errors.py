@@ -66,24 +66,32 @@ def test_progress_shows_the_bars_of_tqdm(study, capfd):
     assert "%" in capfd.readouterr().err
 
 
-def interrupted_after(seconds, work):
-    """Carries out work, sends Ctrl-C after some time, and returns how long the work went on after
-    it; None where it had ended."""
-    sent = []
+def interrupted(seconds, work):
+    """Carries out work(progress=...), sends Ctrl-C some time after its first event, and returns how
+    long the work went on after it, and the interrupt; None where the work had ended."""
+    sent, timers = [], []
 
     def send():
         sent.append(time.monotonic())
         os.kill(os.getpid(), signal.SIGINT)
 
-    timer = threading.Timer(seconds, send)
-    timer.start()
+    def begin(*_):
+        if not timers:
+            timers.append(threading.Timer(seconds, send))
+            timers[0].start()
+
     try:
-        work()
+        work(progress=begin)
     except KeyboardInterrupt as interrupt:
         return time.monotonic() - sent[0], interrupt
     finally:
-        timer.cancel()
+        for timer in timers:
+            timer.cancel()
     return None
+
+
+def stored(store):
+    return len(pendular.runs("1", store=store)["runs"])
 
 
 def test_ctrl_c_ends_simulations_at_any_instant_and_keeps_runs(example, tmp_path):
@@ -91,23 +99,54 @@ def test_ctrl_c_ends_simulations_at_any_instant_and_keeps_runs(example, tmp_path
     study = pendular.open(folder, fidelity="quick", store=store, threads=2)
     instants = random.Random(1)
     for _ in range(10):
-        found = interrupted_after(instants.uniform(0.0, 0.6),
-                                  lambda: study.calibrate(cold=True))
+        found = interrupted(instants.uniform(0.0, 0.6),
+                            lambda progress: study.calibrate(cold=True, progress=progress))
         assert found is not None
         seconds, interrupt = found
         assert seconds < 5, "far longer than the steps of a simulation take"
-    assert any("continue" in note or "again" in note for note in interrupt.__notes__)
+        assert any("to continue" in note for note in interrupt.__notes__)
+    ended = [stored(store)]
+
+    def stop(kind, text, done, total):
+        if kind == "runs" and done > ended[0]:
+            ended.append(done)
+            os.kill(os.getpid(), signal.SIGINT)
+
+    with pytest.raises(KeyboardInterrupt):
+        study.calibrate(cold=True, progress=stop)
+    assert stored(store) >= ended[-1] > ended[0]
     assert not (folder / "out" / "fit.json").exists()
     assert study.calibrate().converged  # nothing is left of the stop
 
 
 def test_ctrl_c_ends_a_single_simulation():
-    seconds, _ = interrupted_after(
-        0.3, lambda: pendular.simulate(fidelity="paper", store=False))
+    seconds, _ = interrupted(
+        0.3, lambda progress: pendular.simulate(fidelity="paper", store=False, progress=progress))
     assert seconds < 5
 
 
 def test_ctrl_c_ends_many_predictions():
-    seconds, _ = interrupted_after(
-        0.3, lambda: pendular.predict([0.1] * 200_000, store=False))
+    seconds, _ = interrupted(
+        0.05, lambda progress: pendular.predict([0.1] * 200_000, store=False, progress=progress))
     assert seconds < 5
+
+
+def test_a_time_for_simulations_is_a_number_of_minutes(study):
+    for wrong in (-1, float("nan")):
+        for work in (study.calibrate, study.diagnose):
+            with pytest.raises(pendular.InputError, match="0 or more"):
+                work(confirm=wrong)
+
+
+def test_a_study_begins_with_a_file(example, tmp_path):
+    file, folder = example("dry-recordings") / "dry_1.csv", tmp_path / "begun"
+    study = pendular.begin(file, folder, store=False)
+    assert list(study.recordings) == ["dry_1.csv"]
+    assert (folder / "dry_1.csv").read_bytes() == file.read_bytes()
+    assert "GUESS" in (folder / "study.toml").read_text()
+    (folder / "dry_1.csv").unlink()
+    (folder / "study.toml").write_text("mine")
+    with pytest.raises(pendular.InputError, match="study.toml is there already"):
+        pendular.begin(file, folder)
+    assert (folder / "study.toml").read_text() == "mine"
+    assert not (folder / "dry_1.csv").exists()

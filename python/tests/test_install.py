@@ -1,6 +1,7 @@
 """pip builds a package that runs anywhere, with its atlas, and without an index."""
 
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -10,9 +11,14 @@ ROOT = Path(__file__).parents[2]
 
 def test_pip_installs_the_package(tmp_path):
     build = Path(os.environ["PENDULAR_PROGRAM"]).parent
+    # Setuptools writes beside setup.py: into a copy of what it reads, not into the sources.
+    source = tmp_path / "source"
+    source.mkdir()
+    for name in ("pyproject.toml", "setup.py", "CMakeLists.txt", "README.md", "LICENSE"):
+        shutil.copy(ROOT / name, source)
     subprocess.run(
         [sys.executable, "-m", "pip", "install", "--quiet", "--no-build-isolation", "--no-deps",
-         "--no-index", "--target", tmp_path / "packages", ROOT],
+         "--no-index", "--target", tmp_path / "packages", source],
         check=True, env={**os.environ, "PENDULAR_BUILD": str(build)},
     )
     clean = {key: value for key, value in os.environ.items() if not key.startswith("PENDULAR")}

@@ -1,5 +1,7 @@
 """Studies from memory, effects by functions, and the model as a plain function."""
 
+import shutil
+
 import numpy as np
 import pytest
 
@@ -49,6 +51,44 @@ def test_recordings_from_memory(study, tmp_path):
     assert len(kept.readings["readings"]) == len(table)
 
 
+def test_recordings_of_one_name_are_all_kept(example, tmp_path):
+    """Files of one name in two folders, one named as the table of readings, and a pattern."""
+    folder = example("dry-recordings")
+    for new, old in (("lab1/dry.csv", 1), ("lab2/dry.csv", 2), ("lab2/readings.csv", 3)):
+        (tmp_path / new).parent.mkdir(exist_ok=True)
+        shutil.copy(folder / f"dry_{old}.csv", tmp_path / new)
+    table = {"normal_stress": [1000.0], "stress_ratio": [0.25], "stress_ratio_stderr": [0.003],
+             "solid_fraction": [0.6], "solid_fraction_stderr": [0.001], "inertial_number": [0.01]}
+    made = pendular.Study(
+        grains=GRAINS, cell={**CELL, "bead_mass": "20 g"}, store=False, readings=table,
+        recordings=[{"file": tmp_path / "lab1/dry.csv", "liquid_content": 0.0},
+                    {"file": str(tmp_path / "lab2/*.csv"), "liquid_content": 0.0}])
+    assert list(made.recordings) == ["dry.csv", "dry_2.csv", "readings.csv"]
+    for name, old in zip(made.recordings, (1, 2, 3)):
+        assert (made.folder / name).read_bytes() == (folder / f"dry_{old}.csv").read_bytes()
+    assert ("readings_2.csv", 1) in made.readings.keys_of_readings
+    with pytest.raises(pendular.InputError, match="there is no file"):
+        pendular.Study(grains=GRAINS, cell=CELL, recordings=[{"file": str(tmp_path / "no*.csv")}])
+
+
+def test_all_tables_of_study_toml_can_be_given(example):
+    file = example("dry-recordings") / "dry_1.csv"
+    recordings = [{"file": file, "liquid_content": 0.0, "intervals": {"preshear": ["99"]}}]
+    made = pendular.Study(
+        grains=GRAINS, cell={**CELL, "bead_mass": "20 g"}, recordings=recordings,
+        import_={"least_strain": 2.0}, scatter={"shear_stress": 0.02, "solid_fraction": 0.001},
+        instrument={"class": "rheometer", "torque-gain": "0.5 %"},
+        direct=[{"effect": "torque-gain", "value": 1.0, "error": 0.01}],
+        rig={"normal_stress": ["0.1 kPa", "5 kPa"], "inertial_number": [0.003, 0.05],
+             "direct": [{"effect": "torque-gain", "error": 0.01}]}, store=False)
+    assert len(made.readings["readings"]) == 3
+    # Each table is read: an unknown key in it is refused.
+    for name, table in {"import_": {"wrong": 1}, "scatter": {"wrong": 1},
+                        "direct": [{"wrong": 1}], "instrument": {"wrong": 1}}.items():
+        with pytest.raises(pendular.InputError, match="wrong"):
+            pendular.Study(grains=GRAINS, cell=CELL, recordings=recordings, **{name: table})
+
+
 @pendular.instrument_effect(unit="N m", lower=-0.1, upper=0.1, smallest_of_interest=1e-4)
 def my_torque_offset(offset, torque):
     """Drag of the bearing adds a constant torque."""
@@ -67,6 +107,19 @@ def test_an_effect_by_a_function_is_the_built_in_one(example):
         expected["torque-offset.torque"].value, rel=1e-6)
     assert fit.parameters["friction"].value == pytest.approx(expected["friction"].value, rel=1e-6)
     assert "my-torque-offset" not in (folder / "study.toml").read_text()
+
+
+def test_a_study_with_functions_is_neither_saved_nor_changed(example, tmp_path):
+    folder = example("dry-recordings")
+    before = (folder / "study.toml").read_bytes()
+    tried = pendular.open(folder, store=False).with_effects(my_torque_offset)
+    for work in (lambda: tried.add("torque-gain"), lambda: tried.drop("my-torque-offset"),
+                 lambda: tried.save(tmp_path / "saved")):
+        with pytest.raises(pendular.InputError, match="my-torque-offset") as caught:
+            work()
+        assert caught.value.line is None
+    assert (folder / "study.toml").read_bytes() == before
+    assert not (tmp_path / "saved").exists()
 
 
 def test_an_error_in_a_function_is_the_error_of_the_call(example):
@@ -96,6 +149,44 @@ def test_forward_has_the_derivatives_of_its_values(study):
     # 24 readings, two values each, and the three direct measurements of the study.
     assert f.measured.shape == f(p).shape == (51,)
     assert f.covariance(p).shape == f.measured_covariance.shape == (51, 51)
+
+
+def test_a_wrong_number_of_parameters_is_refused(study):
+    f = pendular.forward(study)
+    for wrong in ([], [0.1, 0.2], np.full(1000, 0.1)):
+        for work in (f, f.jacobian, f.covariance, f.fit, f.whitened):
+            with pytest.raises(pendular.InputError, match=r"has 1 parameter \(friction\), "):
+                work(wrong)
+    for which in (-1, 1):
+        with pytest.raises(pendular.InputError, match="none has the number"):
+            f._core.profile(f.start, which, 1.0)
+    with pytest.raises(pendular.InputError):  # a mistake is no unlikely state
+        f.whitened(f.start).log_likelihood([0.1, 0.1])
+
+
+@pendular.instrument_effect(unit="N", lower=-1000, upper=1000)
+def force_offset(offset, normal_force):
+    return {"normal_force": normal_force + offset}
+
+
+def test_impossible_states_have_no_likelihood(study):
+    f = study.with_effects(force_offset).forward()
+    with pytest.raises(pendular.ImpossibleState, match="normal force"):
+        f([0.12, 900.0])  # the readings show a few newtons
+    assert f.whitened([0.12, 0.0]).log_likelihood([0.12, 900.0]) == -np.inf
+
+
+@pendular.instrument_effect(unit="N m", lower=-1, upper=1)
+def nothing(size, torque):
+    return {"torque": torque}
+
+
+def test_a_fit_that_does_not_converge_is_an_error(study):
+    f = study.with_effects(nothing).forward()
+    with pytest.raises(RuntimeError, match="did not converge"):
+        f.fit()
+    with pytest.raises(RuntimeError, match="did not converge"):
+        f.profile("friction")
 
 
 def test_scipy_finds_the_fit_of_the_program(study):

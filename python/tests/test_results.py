@@ -40,6 +40,31 @@ def test_residuals_are_standardised(study):
     assert data["normal_stress"].attrs["units"] == "Pa"
 
 
+def test_means_of_many_readings_have_keys_of_no_reading():
+    """Of 1000 readings, the fit uses 200 means, which must not be joined to single readings."""
+    count, random = 1000, np.random.default_rng(1)
+    table = {"normal_stress": np.geomspace(300, 3000, count),
+             "stress_ratio": 0.25 + 0.003 * random.standard_normal(count),
+             "stress_ratio_stderr": np.full(count, 0.003),
+             "solid_fraction": 0.6 + 0.001 * random.standard_normal(count),
+             "solid_fraction_stderr": np.full(count, 0.001),
+             "inertial_number": np.full(count, 0.01)}
+    study = pendular.Study(grains={"diameter": "500 um", "density": "1050 kg/m^3"},
+                           readings=table, store=False)
+    fit, readings = study.calibrate(), study.readings.to_dataframe()
+    assert len(readings) == count and len(fit.keys_of_readings) == 200
+    assert len(set(fit.keys_of_readings)) == 200
+    assert not set(fit.keys_of_readings) & set(readings.index)
+    assert readings.join(fit.to_dataframe(), rsuffix="_fit", how="inner").empty
+
+
+def test_all_numbers_of_a_dataset_have_units(study):
+    states = pendular.predict([0.1, 0.2], store=False)
+    for result in (study.readings, study.calibrate(), states):
+        for name, variable in result.to_xarray().data_vars.items():
+            assert variable.attrs.get("units"), (result, name)
+
+
 def test_fit_is_a_mapping_of_its_json(study):
     fit = study.calibrate(profile=True)
     friction = fit.parameters["friction"]
@@ -72,7 +97,7 @@ def test_results_are_pickled_copied_and_shown(study):
         assert pickle.loads(pickle.dumps(result)) == result, name
         assert copy.deepcopy(result) == result, name
         assert len(result.to_dataframe()) > 0, name
-        assert name in repr(result).lower() or repr(result), name
+        assert repr(result).startswith("<") and " object at 0x" not in repr(result), name
         if hasattr(result, "_repr_html_"):
             assert "<table" in result._repr_html_(), name
         if hasattr(result, "plot"):
@@ -133,6 +158,18 @@ def test_states_outside_of_the_range_are_nan_and_told():
     assert list(states.supported) == [True, False, True]
     assert np.isnan(states["stress_ratio"][1]) and "0.95" in states.why_not[1]
     assert np.isfinite(states["stress_ratio"][[0, 2]]).all()
+
+
+def test_numbers_out_of_range_are_nan_and_told():
+    with pytest.warns(pendular.Note, match="1 of 3 states"):
+        states = pendular.predict([0.1, np.nan, 0.2], store=False)
+    assert list(states.why_not) == ["", "friction nan: 0 to 1 is needed", ""]
+    assert np.isnan(states["stress_ratio"][1])
+    assert np.isfinite(states["stress_ratio"][[0, 2]]).all()
+    with pytest.raises(pendular.InputError, match="^friction nan: 0 to 1 is needed$"):
+        pendular.predict(np.nan, store=False)
+    with pytest.raises(pendular.InputError, match="^wet grains need either bridge volume or"):
+        pendular.predict([0.1, 0.2], reduced_pressure=1.0, store=False)
 
 
 def test_predicted_readings_are_those_of_the_fit(study):

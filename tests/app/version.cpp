@@ -48,6 +48,28 @@ TEST(Version, DoesNotFailWithoutAnAtlas) {
     EXPECT_THAT(atlas_line(folder.path()), HasSubstr("atlas.csv"));
 }
 
+// The name of a program that the shell found is no path: an atlas beside it would be one of the
+// working folder.
+TEST(Version, TakesNoAtlasOfTheWorkingFolder) {
+    const TemporaryFolder folder;
+    for (const char* place : {"atlas", "share/pendular"}) {
+        std::filesystem::create_directories(folder.path() / place);
+        folder.write(std::string(place) + "/atlas.csv", "broken");
+    }
+    const std::filesystem::path program = PENDULAR_PROGRAM;
+    const auto told = [&](const std::string& command) {
+        const std::string whole =
+            "cd " + folder.path().string() + " && unset PENDULAR_ATLAS && " + command + " >told";
+        EXPECT_EQ(std::system(whole.c_str()), 0);
+        const std::string text = content_of(folder.path() / "told");
+        return text.substr(text.find("Atlas: "));
+    };
+    const std::string by_name = told("PATH=" + program.parent_path().string() + ":$PATH " +
+                                     program.filename().string() + " --version");
+    EXPECT_THAT(by_name, testing::Not(HasSubstr(" atlas/atlas.csv")));
+    EXPECT_EQ(by_name, told(program.string() + " --version"));
+}
+
 // The stores were written by the versions that their names state: two simulations, friction 0.1
 // and 0.3.
 TEST(FormerStores, AreRead) {

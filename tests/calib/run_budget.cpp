@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "calib/model/informative_runs.h"
+#include "data/input_error.h"
 #include "sim/dem/simulation_error.h"
 #include "sim/runs/store/run_store.h"
 #include "tests/support/data_support.h"
@@ -38,6 +39,14 @@ TEST(RunBudget, AffordsTheRunsThatEndInItsTime) {
     EXPECT_EQ(RunBudget(13).batch(runs, {measured}, 2), 2u);
     EXPECT_EQ(RunBudget(3).batch(runs, {measured}, 2), 0u);
     EXPECT_EQ(RunBudget().batch(runs, {measured}, 2), 20u);
+}
+
+TEST(RunBudget, HasNoLimitWhereTheTimeHasNone) {
+    EXPECT_FALSE(RunBudget(INFINITY).limited());
+    EXPECT_FALSE(RunBudget(1e300).limited());
+    EXPECT_TRUE(RunBudget(1e6).limited());
+    EXPECT_THROW(RunBudget(-1), InputError);
+    EXPECT_THROW(RunBudget(NAN), InputError);
 }
 
 TEST(RunBudget, KeepsTheRunsThatEndedInItsTime) {

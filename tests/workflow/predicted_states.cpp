@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/input_error.h"
 #include "sim/dem/simulation_error.h"
 #include "sim/runs/run_settings.h"
 
@@ -71,6 +72,29 @@ TEST(PredictedStates, LeaveOutWhatRunsDoNotSupportAndSayWhy) {
     EXPECT_EQ(found.why_not.back(), "friction 0.95 is above 0.6");
     EXPECT_TRUE(found.value.row(found.value.rows() - 1).array().isNaN().all());
     EXPECT_TRUE(found.slopes.empty());
+}
+
+TEST(PredictedStates, LeaveOutNumbersOutOfRangeAndSayWhy) {
+    const PredictedStates found = predict_states(
+        predictor(), {{.friction = 0.1},
+                      {.friction = std::nan("")},
+                      {.friction = 0.2},
+                      {.friction = 0.2, .reduced_pressure = -1, .liquid_content = 0.01}});
+    EXPECT_EQ(found.why_not,
+              (std::vector<std::string>{"", "friction nan: 0 to 1 is needed", "",
+                                        "reduced pressure -1: a positive number is needed"}));
+    for (const int left_out : {1, 3})
+        EXPECT_TRUE(found.value.row(left_out).array().isNaN().all());
+    for (const int predicted : {0, 2})
+        EXPECT_EQ(found.value(predicted, 0), predictor()
+                                                 .at({.friction = predicted == 0 ? 0.1 : 0.2})
+                                                 .observables.front()
+                                                 .value.value);
+}
+
+TEST(PredictedStates, RefuseAnAmountOfLiquidWithoutPressure) {
+    EXPECT_THROW(predict_states(predictor(), {{.friction = 0.1, .bridge_volume = 0.01}}),
+                 InputError);
 }
 
 TEST(PredictedStates, AreTheSameFromSeveralThreads) {

@@ -151,11 +151,16 @@ std::vector<StoredRun> read_runs(const std::filesystem::path& file) {
 
 namespace {
 
-/// Folder of an atlas beside a library that holds this code, as the Python module is one.
-std::filesystem::path beside_library() {
+/// Folder of an atlas beside a library that holds this code, as the Python module is one; empty if
+/// `program` itself holds it. A program's name may be its first argument as it was typed: an atlas
+/// beside that would be one of the working folder, which anybody may have written.
+std::filesystem::path beside_library(const std::filesystem::path& program) {
     Dl_info own{};
     if (dladdr(reinterpret_cast<const void*>(&atlas_file), &own) == 0 || !own.dli_fname) return {};
-    return std::filesystem::path(own.dli_fname).parent_path() / "atlas";
+    const std::filesystem::path library = own.dli_fname;
+    std::error_code error;
+    if (!library.is_absolute() || std::filesystem::equivalent(library, program, error)) return {};
+    return library.parent_path() / "atlas";
 }
 
 }  // namespace
@@ -169,8 +174,9 @@ std::filesystem::path atlas_file() {
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
     const auto beside = program.parent_path().parent_path() / "share" / "pendular";
     for (const std::filesystem::path& folder :
-         {beside_library(), beside, std::filesystem::path(PENDULAR_INSTALLED_ATLAS),
+         {beside_library(program), beside, std::filesystem::path(PENDULAR_INSTALLED_ATLAS),
           std::filesystem::path(PENDULAR_SOURCE_ATLAS)}) {
+        if (!folder.is_absolute()) continue;  // never an atlas of the working folder
         const auto file = folder / "atlas.csv";
         if (std::filesystem::exists(file, error)) {
             return file;
