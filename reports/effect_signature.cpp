@@ -19,10 +19,10 @@
 namespace pendular {
 namespace {
 
-/// State about which effects are drawn [SI units]: chosen, within the ranges of `columns`.
+/// State about which effects are drawn [SI units]: chosen, within the ranges of `drawn_columns`.
 constexpr double friction = 0.1, usual_stress = 1000, usual_inertial_number = 3e-3,
                  usual_content = 0.03, time_of_readings = 600;
-constexpr int points = 41;  ///< of a curve: straight pieces too short to be seen
+constexpr int points_of_curve = 41;  ///< of a curve: straight pieces too short to be seen
 
 Condition usual(bool dry, const Study& study) {
     return {.normal_stress = usual_stress,
@@ -48,7 +48,7 @@ struct Column {
 };
 
 // Dry readings have no P*. They are drawn at the P* of wet readings with the same normal stress.
-constexpr std::array<Column, 4> columns = {
+constexpr std::array<Column, 4> drawn_columns = {
     {{"reduced pressure P*", 0.5, 20, true, true,
       [](Condition& c, double value, const Study& study) {
           c.normal_stress = value / reduced_pressure_per_pascal(study);
@@ -78,8 +78,8 @@ struct Along {
 Along along(const Column& column, bool dry, bool at_failure, const Study& study,
             const Predictor& plain) {
     Along all;
-    for (int k = 0; k < points; ++k) {
-        const double part = static_cast<double>(k) / (points - 1);
+    for (int k = 0; k < points_of_curve; ++k) {
+        const double part = static_cast<double>(k) / (points_of_curve - 1);
         all.at.push_back(column.log ? column.from * std::pow(column.to / column.from, part)
                                     : column.from + (column.to - column.from) * part);
         all.conditions.push_back(usual(dry, study));
@@ -356,7 +356,7 @@ Figure signature_figure(const Effect& effect, const Study& study,
                         const std::shared_ptr<const EmulatedSimulation>& simulation) {
     const Models models(effect, study, simulation);
     std::vector<Pair> all;
-    for (const Column& column : columns) {
+    for (const Column& column : drawn_columns) {
         Pair panels;
         for (std::size_t row = 0; row < panels.size(); ++row) {
             panels[row].x_label = column.label;

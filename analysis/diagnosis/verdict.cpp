@@ -109,23 +109,29 @@ void Rules::gather_models_that_fit() {
     keep_effects_that_explain_most();
 }
 
-/// Adds models with one effect that remove most of the misfit where only pairs without it fit. A
-/// pair that removes a little more, as one of many pairs always does, does not silence the effect.
+/// Adds models with one effect that remove most of the misfit where only pairs without it fit, and
+/// no effect that all pairs share removes as much. A pair that removes a little more, as one of
+/// many pairs always does, does not silence the effect.
 void Rules::keep_effects_that_explain_most() {
     auto& set = result_.confidence_set;
     const bool pairs_only = !set.empty() && std::ranges::all_of(set, [](const auto& each) {
         return each.chosen.size() > 1;
     });
     if (!pairs_only) return;
+    double by_shared = INFINITY;  // least chi2 with an effect alone that all pairs share
     std::vector<FittedModel> singles;
     for (const FittedModel& each : tests_.tried) {
         if (each.suspect || each.chosen.size() != 1 || !each.fit.converged) continue;
         const bool in_all = std::ranges::all_of(set, [&](const FittedModel& pair) {
             return includes(pair.chosen, each.chosen.front());
         });
-        if (!in_all && share_explained(tests_.excess(), each) >= most_of_misfit)
+        if (in_all) {
+            by_shared = std::min(by_shared, each.fit.chi2);
+        } else if (share_explained(tests_.excess(), each) >= most_of_misfit) {
             singles.push_back(each);
+        }
     }
+    std::erase_if(singles, [&](const FittedModel& each) { return each.fit.chi2 >= by_shared; });
     set.insert(set.end(), singles.begin(), singles.end());
 }
 

@@ -146,6 +146,9 @@ TEST(Verdict, NamesAPairWhoseMemberExplainsMost) {
     tests.tried.push_back(model_with({1}, 30, false));
     EXPECT_EQ(concluded(tests).verdict, Verdict::missing);
     EXPECT_THAT(concluded(tests).effects, ElementsAre("a", "b"));
+    tests.tried.push_back(model_with({2}, 35, false));  // less than that member
+    EXPECT_EQ(concluded(tests).verdict, Verdict::missing);
+    tests.tried.pop_back();
     fits_with(tests, {0, 3});  // pairs that share the effect which explains little
     EXPECT_EQ(concluded(tests).verdict, Verdict::indistinguishable);
     EXPECT_THAT(concluded(tests).effects, ElementsAre("a", "b", "d"));

@@ -184,12 +184,12 @@ TEST(NamesInTheManual, AreReadWithUnitsInSixWays) {
         const std::string &quantity = row[1], &unit = row[2];
         for (std::size_t language = 3; language < 8; ++language, ++cells) {
             for (const Cell& name : split_cells(row[language], ',', {}, InnerQuotes::kept).cells) {
-                for (const std::string header :
+                for (const std::string& header :
                      {name.text + " [" + unit + "]", name.text + " (" + unit + ")",
                       name.text + " in " + unit, name.text + " / " + unit, name.text + ", " + unit})
                     EXPECT_EQ(read_as(header + ";Remark;Note\n1.5;2;4\n2.5;3;4\n"), quantity)
                         << header;
-                for (const std::string units : {unit + ";s;", "[" + unit + "];[s];"})
+                for (const std::string& units : {unit + ";s;", "[" + unit + "];[s];"})
                     EXPECT_EQ(read_as(name.text + ";Delay;Note\n" + units + "\n1.5;2;4\n2.5;3;4\n"),
                               quantity)
                         << name.text << " above " << units;
@@ -265,10 +265,11 @@ TEST(ColumnNames, OfAnAlternativeThatIsKnownAreSkipped) {
     Source source;
     source.kind = Source::Kind::readings;
     const Reading reading =
-        read_points(folder.write("p.csv",
-                                 "normal_stress [Pa],shear_stress [Pa],Effective "
-                                 "friction,solid_fraction,Schüttdichte [kg/m^3],inertial_number\n"
-                                 "1000,400,0.7,0.6,1200,0\n"),
+        read_points(folder.write(
+                        "p.csv",
+                        "normal_stress [Pa],shear_stress [Pa],"
+                        "Spannungsverhältnis,solid_fraction,Schüttdichte [kg/m^3],inertial_number\n"
+                        "1000,400,0.7,0.6,1200,0.01\n"),
                     source, study)
             .readings.at(0);
     EXPECT_DOUBLE_EQ(reading.value(0), 400);
