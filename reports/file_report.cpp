@@ -280,7 +280,29 @@ std::vector<std::string> yield_locus_lines(const FileView& view) {
     return lines;
 }
 
+namespace {
+
+/// Whether a file is a table of readings without time: with both stresses, a solid fraction and a
+/// rate.
+bool is_table_of_readings(const FileView& view) {
+    if (view.file.layout != "plain" || view.file.table_of_points) return false;
+    const auto& columns = view.file.blocks.front().columns;
+    const auto has = [&](std::string_view name) {
+        return std::ranges::find(columns, name, &BlockColumn::quantity) != columns.end();
+    };
+    return !has("time") && has("normal_stress") && (has("shear_stress") || has("stress_ratio")) &&
+           (has("solid_fraction") || has("bulk_density")) &&
+           (has("shear_rate") || has("inertial_number") || has("inertial_number_diameter_density"));
+}
+
+}  // namespace
+
 std::string missing_sentence(const FileView& view) {
+    if (is_table_of_readings(view))
+        return fmt::format(
+            "The file has no time, but all that a table of readings needs: write file = \"{}\" "
+            "below [[readings]] in study.toml.",
+            std::filesystem::path(view.file.file).filename().string());
     const auto lacks = [&](const char* name) {
         return std::ranges::find(view.missing, name) != view.missing.end();
     };

@@ -112,7 +112,8 @@ bool states_radii(const FileView& view) {
            view.stated.inner_radius->value < view.stated.outer_radius->value;
 }
 
-std::string cell_text(const FileView& view) {
+/// @param steady whether any recording of the study needs the mass of the beads
+std::string cell_text(const FileView& view, bool steady) {
     std::string text = "[cell]\n";
     if (states_radii(view)) {
         for (const auto& [key, stated] : {std::pair{"inner_radius", view.stated.inner_radius},
@@ -130,7 +131,7 @@ std::string cell_text(const FileView& view) {
         text += entry("inner_radius", {"10.5 mm", from});
         text += entry("outer_radius", {"21.5 mm", from});
     }
-    if (has_steady_recording(view)) text += entry("bead_mass", {"20 g", "GUESS: weigh the beads"});
+    if (steady) text += entry("bead_mass", {"20 g", "GUESS: weigh the beads"});
     return text + "\n";
 }
 
@@ -296,9 +297,23 @@ std::string entries_text(const FileView& view, const FileFormat& format, const s
 
 namespace {
 
-/// Whether the cell is known, or needed for a recording.
-bool has_cell(const FileView& view) {
-    return view.missing.empty() || view.cell.inner_radius || states_radii(view);
+/// The view that shows the cell best: one whose header states the radii, else one whose columns
+/// show them, else one of a recording, whose radii are guessed. Null: no cell is needed.
+const FileView* view_with_cell(const std::vector<FileView>& views) {
+    const auto first = [&](const auto& has) {
+        const auto found = std::ranges::find_if(views, has);
+        return found == views.end() ? nullptr : &*found;
+    };
+    if (const FileView* const stated = first(states_radii)) return stated;
+    if (const FileView* const shown =
+            first([](const FileView& view) { return view.cell.inner_radius.has_value(); }))
+        return shown;
+    return first([](const FileView& view) { return view.missing.empty(); });
+}
+
+/// Whether a file is a workbook with several sheets to be read, even if some cannot be.
+bool has_several_sheets(const std::filesystem::path& file) {
+    return chosen_sheets(file, "").read.size() > 1;
 }
 
 std::string liquid_content_text(double mass_ratio) {
@@ -360,7 +375,7 @@ SheetViews views_of_file(const std::filesystem::path& path, const FileFormat& fo
         try {
             result.views.push_back(view_of_file(each, format, cell));
         } catch (const InputError& error) {
-            if (sheets.read.size() == 1) throw;
+            if (sheets.read.size() == 1 || !format.sheet.empty()) throw;
             result.not_read.push_back(fmt::format("A sheet is not read: {}.", error.what()));
         }
     }
@@ -387,23 +402,25 @@ std::map<std::string, std::string> begin_study(const std::vector<FileView>& view
     const bool wet = std::ranges::any_of(mass_ratios, [](double ratio) { return ratio > 0; });
     std::map<std::string, std::string> files;
     std::string entries;
+    const bool several_sheets =
+        views.size() > 1 || (format.sheet.empty() && has_several_sheets(path));
     for (std::size_t k = 0; k < views.size(); ++k) {
         const FileView& view = views[k];
         const std::string suffix = views.size() == 1 ? "" : fmt::format("_{}", k + 1);
         std::string steady = steady_table(view, mass_ratios[k]);
-        entries += entries_text(view, format_of_entry(view, format, views.size() > 1), suffix,
+        entries += entries_text(view, format_of_entry(view, format, several_sheets), suffix,
                                 !steady.empty(), wet ? liquid_content_text(mass_ratios[k]) : "");
         if (!view.loci.empty()) files[fmt::format("failure{}.csv", suffix)] = failure_table(view);
         if (!steady.empty()) files[fmt::format("steady{}.csv", suffix)] = std::move(steady);
     }
     if (entries.empty()) refuse_to_begin(views.front());
-    const auto cell = std::ranges::find_if(views, has_cell);
+    const FileView* const cell = view_with_cell(views);
+    const bool any_steady = std::ranges::any_of(views, has_steady_recording);
     const bool dry = std::ranges::any_of(mass_ratios, [](double ratio) { return ratio == 0; });
     files["study.toml"] = grains_text(name, texts_of(views.front()), wet) +
-                          (cell == views.end() ? "" : cell_text(*cell)) + entries +
-                          end_text(cell != views.end(), !dry);
-    if (std::ranges::any_of(views, has_steady_recording) &&
-        !files.emplace(name, read_bytes(path, largest_table)).second)
+                          (cell ? cell_text(*cell, any_steady) : "") + entries +
+                          end_text(cell != nullptr, !dry);
+    if (any_steady && !files.emplace(name, read_bytes(path, largest_table)).second)
         throw InputError({path.string()},
                          "has the name of a file of the study; rename it, to recording.csv say");
     return files;

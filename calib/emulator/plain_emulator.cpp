@@ -84,9 +84,9 @@ Observations observations_of(const std::vector<dem::RunResult>& runs, Observable
     // Even a run that states no error, since nothing varied, is not exact. Relative to the mean;
     // the solid fraction, the most precise average, has errors from 0.0001 on (docs/validation.md).
     constexpr double least_error = 1e-4;
-    const Eigen::RowVectorXd sizes = known.values.cwiseAbs().colwise().mean();
+    const Eigen::RowVectorXd means = known.values.cwiseAbs().colwise().mean();
     for (auto& noise : known.noise) {
-        noise.diagonal() += (least_error * sizes.transpose()).cwiseAbs2();
+        noise.diagonal() += (least_error * means.transpose()).cwiseAbs2();
     }
     return known;
 }

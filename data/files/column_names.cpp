@@ -246,6 +246,9 @@ const std::vector<VendorName>& vendor_names() {
           "Contrainte de précisaillement", "Tensión de precizalla", "Tensione di pretaglio"}},
         {"preshear_shear_stress",
          {"Preshear shear stress", "tau pre", "τpre", "Anscherwiderstand"}},
+        {"interval",
+         {"Intervall", "Abschnitt", "Schritt", "Intervalle", "Étape", "étape", "Intervalo",
+          "Segmento", "Intervallo"}},
     };
     return all;
 }

@@ -120,6 +120,22 @@ std::string_view read_as(const Quantity& quantity) {
 
 }  // namespace
 
+namespace {
+
+/// Quantity that says the same as another of a table of readings, so that only one is read; empty
+/// for others.
+std::string_view alternative_to(std::string_view quantity) {
+    constexpr std::pair<std::string_view, std::string_view> all[] = {
+        {"shear_stress", "stress_ratio"}, {"solid_fraction", "bulk_density"}};
+    for (const auto& [first, second] : all) {
+        if (quantity == first) return second;
+        if (quantity == second) return first;
+    }
+    return "";
+}
+
+}  // namespace
+
 void use_names_of_quantities(Row& header) {
     constexpr int behind_all = 1000;  // more names than a quantity has
     struct Best {
@@ -143,7 +159,7 @@ void use_names_of_quantities(Row& header) {
         const bool symbol = cell.name.size() <= 2 && cell.unit.empty();
         if (meaning.quantity.empty() || meaning.shared || symbol) continue;
         const std::string_view as = read_as(quantity(meaning.quantity));
-        if (known.contains(as)) continue;
+        if (known.contains(as) || known.contains(alternative_to(as))) continue;
         // A column with a unit comes before all without; one without is no reason to refuse a table
         // that has the stress in its place.
         if (cell.unit.empty() && ((as == "torque" && known.contains("shear_stress")) ||
@@ -155,6 +171,8 @@ void use_names_of_quantities(Row& header) {
         place->second = {i, rank, std::string(meaning.quantity)};
         if (!cell.unit.empty()) place->second.text += fmt::format(" [{}]", cell.unit);
     }
+    for (const std::string_view first : {"shear_stress", "solid_fraction"})
+        if (best.contains(first)) best.erase(alternative_to(first));
     for (const auto& [quantity, named] : best)
         header.cells[named.column].text = named.text;
 }

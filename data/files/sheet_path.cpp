@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+
 namespace pendular {
 
 std::filesystem::path path_of_sheet(const std::filesystem::path& book, std::string_view sheet) {
@@ -14,6 +16,8 @@ std::optional<SheetPath> as_sheet(const std::filesystem::path& path) {
     if (!text.ends_with(']') || bracket == std::string::npos || bracket == 0) return std::nullopt;
     std::string sheet = text.substr(bracket + 2, text.size() - bracket - 3);
     if (!is_sheet_name(sheet)) return std::nullopt;
+    std::error_code error;
+    if (std::filesystem::is_regular_file(path, error)) return std::nullopt;  // a file "run [2]"
     return SheetPath{text.substr(0, bracket), std::move(sheet)};
 }
 

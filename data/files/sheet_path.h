@@ -19,7 +19,8 @@ struct SheetPath {
 /// Returns the path of a sheet.
 std::filesystem::path path_of_sheet(const std::filesystem::path& book, std::string_view sheet);
 
-/// Returns the parts of the path of a sheet; empty for other paths.
+/// Returns the parts of the path of a sheet; empty for other paths, such as that of a file whose
+/// own name ends with brackets.
 std::optional<SheetPath> as_sheet(const std::filesystem::path& path);
 
 /// Returns the file in which a path's measurements are: the workbook for a sheet.

@@ -173,11 +173,11 @@ class SheetWriter {
         const auto merged = merged_.find({lines_, column});
         if (merged == merged_.end() || !parse_number(text)) return;
         const CellPlace& last = merged->second;
-        if (last.column > column)
-            throw InputError({file_, line(), static_cast<int>(column) + 1},
-                             fmt::format("the number {} is merged over several columns; divide the "
-                                         "cell and write the number where it belongs",
-                                         text));
+        if (last.column > column) {
+            result_.wide.push_back(
+                {line(), static_cast<int>(column) + 1, static_cast<int>(last.column) + 1, text});
+            return;
+        }
         held_[column] = {text, last.row};
     }
 

@@ -9,6 +9,13 @@
 
 namespace pendular {
 
+/// Number in a cell that is merged over several columns, so that it is not known where it belongs.
+struct WideNumber {
+    int line = 0;                           ///< from 1
+    int first_column = 0, last_column = 0;  ///< from 1
+    std::string text;
+};
+
 /// Rows of a sheet of a workbook as text.
 struct SheetText {
     /// One line per row, with cells separated by tabs. Each row with values has as many cells as
@@ -16,6 +23,7 @@ struct SheetText {
     std::string text;
     /// First and last lines, from 1, of rows with values that the spreadsheet hides.
     std::vector<std::pair<int, int>> hidden;
+    std::vector<WideNumber> wide;  ///< in the order of the lines; the first of its cells has it
 };
 
 /// Texts and formats of cells that all sheets of a workbook use.
@@ -34,8 +42,8 @@ std::string text_of_item(const pugi::xml_node& item);
 /// cell is refused where its number is needed. A number in a merged cell of one column stands in
 /// each of its rows. Tabs and line ends within a cell become blanks.
 /// @param file path of the sheet, for error messages
-/// @throws InputError at a cell if a number is merged over several columns or the cells of a row
-///         are not in order, and if the sheet has more than `most_cells` cells
+/// @throws InputError if the cells of a row are not in order, and if the sheet has more than
+///         `most_cells` cells
 /// Source: ECMA-376, Office Open XML File Formats, part 1, section 18 (SpreadsheetML).
 SheetText rows_of_sheet(const pugi::xml_node& worksheet, const std::string& file,
                         const SharedParts& shared);

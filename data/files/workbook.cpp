@@ -126,7 +126,11 @@ Relations relations_of(Archive& archive, const std::filesystem::path& part) {
 /// Sheets of a workbook, in its order, with the identifiers of their parts; and whether dates count
 /// from 1904.
 struct Contents {
-    std::vector<std::pair<std::string, std::string>> sheets;
+    struct Sheet {
+        SheetName name;
+        std::string identifier;
+    };
+    std::vector<Sheet> sheets;
     bool from_1904 = false;
 };
 
@@ -141,7 +145,10 @@ Contents contents_of(Archive& archive, const std::string& book) {
         std::string identifier;
         for (const pugi::xml_attribute& attribute : each.attributes())
             if (std::string_view(attribute.name()).ends_with(":id")) identifier = attribute.value();
-        contents.sheets.emplace_back(each.attribute("name").value(), identifier);
+        const std::string_view state = each.attribute("state").value();
+        contents.sheets.push_back(
+            {{each.attribute("name").value(), state == "hidden" || state == "veryHidden"},
+             identifier});
     }
     contents.from_1904 = child_named(root, "workbookPr").attribute("date1904").as_bool();
     return contents;
@@ -191,23 +198,27 @@ struct Book {
           relations(relations_of(archive, name)),
           contents(contents_of(archive, name)) {}
 
-    /// @throws InputError for names of sheets that `as_sheet` would not give back, and for more
-    ///         sheets than can be read one by one: each needs the texts that all share
-    void check_sheets() const {
+    /// @throws InputError for names of sheets that `as_sheet` would not give back
+    void check_names() const {
+        if (contents.sheets.empty()) archive.refuse("it has no sheet");
+        for (const auto& [sheet, identifier] : contents.sheets)
+            if (!is_sheet_name(sheet.name))
+                throw InputError({file}, fmt::format("has a sheet \"{}\", a name that spreadsheets "
+                                                     "do not allow; rename the sheet",
+                                                     sheet.name));
+    }
+
+    /// @throws InputError for more sheets than can be read one by one: each needs the texts that
+    ///         all share
+    void check_work(std::size_t sheets) const {
         constexpr std::size_t most_sheets = 1000;
         constexpr std::uintmax_t most_work = std::uintmax_t(1) << 30;  // some seconds
-        if (contents.sheets.empty()) archive.refuse("it has no sheet");
         const auto strings = relations.by_kind.find("sharedStrings");
         const std::uintmax_t shared =
             strings == relations.by_kind.end() ? 0 : archive.size_of(strings->second);
-        if (contents.sheets.size() > most_sheets || contents.sheets.size() * shared > most_work)
-            archive.refuse(fmt::format("it has {} sheets with {} MB of texts, too many",
-                                       contents.sheets.size(), shared >> 20));
-        for (const auto& [sheet, identifier] : contents.sheets)
-            if (!is_sheet_name(sheet))
-                throw InputError({file}, fmt::format("has a sheet \"{}\", a name that spreadsheets "
-                                                     "do not allow; rename the sheet",
-                                                     sheet));
+        if (sheets > most_sheets || sheets * shared > most_work)
+            archive.refuse(fmt::format("it has {} sheets with {} MB of texts, too many", sheets,
+                                       shared >> 20));
     }
 
     SharedParts shared() { return shared_parts(archive, relations, contents.from_1904); }
@@ -233,31 +244,38 @@ struct Book {
 
 }  // namespace
 
-std::vector<std::string> sheet_names(const std::string& bytes, const std::string& file) {
+std::vector<SheetName> sheet_names(const std::string& bytes, const std::string& file) {
     const Book book(bytes, file);
-    book.check_sheets();
-    std::vector<std::string> names;
+    book.check_names();
+    std::vector<SheetName> names;
     for (const auto& [name, identifier] : book.contents.sheets)
         names.push_back(name);
     return names;
 }
 
-void for_each_sheet(const std::string& bytes, const std::string& file,
-                    const std::function<void(const std::string& name, const SheetText&)>& take) {
+void check_sheet_count(const std::string& bytes, const std::string& file, std::size_t sheets) {
+    Book(bytes, file).check_work(sheets);
+}
+
+void for_each_shown_sheet(
+    const std::string& bytes, const std::string& file,
+    const std::function<void(const std::string& name, const SheetText&)>& take) {
     Book book(bytes, file);
-    book.check_sheets();
+    book.check_names();
+    book.check_work(static_cast<std::size_t>(std::ranges::count_if(
+        book.contents.sheets, [](const Contents::Sheet& each) { return !each.name.hidden; })));
     const SharedParts shared = book.shared();
     for (const auto& [name, identifier] : book.contents.sheets)
-        take(name, book.rows(name, identifier, shared));
+        if (!name.hidden) take(name.name, book.rows(name.name, identifier, shared));
 }
 
 SheetText sheet_text(const std::string& bytes, const std::string& file, const std::string& sheet) {
     Book book(bytes, file);
     const auto& sheets = book.contents.sheets;
-    const auto found =
-        std::ranges::find(sheets, sheet, [](const auto& each) { return each.first; });
+    const auto found = std::ranges::find(
+        sheets, sheet, [](const Contents::Sheet& each) { return each.name.name; });
     if (found == sheets.end()) book.archive.refuse(fmt::format("it has no sheet {}", sheet));
-    return book.rows(sheet, found->second, book.shared());
+    return book.rows(sheet, found->identifier, book.shared());
 }
 
 }  // namespace pendular

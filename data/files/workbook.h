@@ -17,17 +17,28 @@ constexpr std::uintmax_t largest_unpacked = 256u << 20;
 /// Whether bytes are the beginning of a ZIP archive, such as a workbook (.xlsx).
 bool is_archive(std::string_view bytes);
 
+/// Name of a sheet, and whether the workbook hides it.
+struct SheetName {
+    std::string name;
+    bool hidden = false;
+};
+
 /// Returns the names of the sheets of a workbook (.xlsx), in its order.
 /// @param file path of the workbook, for error messages
-/// @throws InputError if the bytes are no workbook, a sheet has a name that `is_sheet_name`
-///         excludes, or there are so many sheets that reading all of them would take minutes
-std::vector<std::string> sheet_names(const std::string& bytes, const std::string& file);
+/// @throws InputError if the bytes are no workbook, or a sheet has a name that `is_sheet_name`
+///         excludes
+std::vector<SheetName> sheet_names(const std::string& bytes, const std::string& file);
 
-/// Calls a function with the name and the rows of each sheet. Together, the sheets may unpack to
-/// `largest_unpacked`.
-/// @throws InputError as `sheet_names` and `sheet_text`
-void for_each_sheet(const std::string& bytes, const std::string& file,
-                    const std::function<void(const std::string& name, const SheetText&)>& take);
+/// Checks that so many sheets of a workbook can be read one after the other.
+/// @throws InputError if that would take minutes
+void check_sheet_count(const std::string& bytes, const std::string& file, std::size_t sheets);
+
+/// Calls a function with the name and the rows of each sheet that is not hidden. Together, the
+/// sheets may unpack to `largest_unpacked`.
+/// @throws InputError as `sheet_names`, `check_sheet_count` and `sheet_text`
+void for_each_shown_sheet(
+    const std::string& bytes, const std::string& file,
+    const std::function<void(const std::string& name, const SheetText&)>& take);
 
 /// Returns a sheet of a workbook (.xlsx) as text in UTF-8 (`rows_of_sheet`).
 /// @param file path of the workbook, for error messages

@@ -101,8 +101,7 @@ const std::vector<Quantity>& table() {
          "",
          "1",
          "number of the step of constant set points",
-         {"step", "segment", "interval number", "step number", "Intervall", "Abschnitt", "Schritt",
-          "intervalle", "étape", "intervalo", "segmento", "intervallo"}},
+         {"step", "segment", "interval number", "step number"}},
         // Origin of a reading.
         {"sampled_seconds", "", "s",
          "duration of the steady part over which a reading was averaged"},

@@ -16,6 +16,7 @@
 #include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
 #include "data/quantities/number.h"
+#include "data/recordings/column_kinds.h"
 #include "data/recordings/recording_rows.h"
 
 namespace pendular {
@@ -99,12 +100,29 @@ class QuickReader {
             if (too_large_) throw;
             return false;
         }
+        if (!too_large_ && may_show_other_test()) return false;
         numbers_.resize(table_.header.cells.size());
         point_known_ = table_.delimiter == ',' || !format_.decimal.empty();
         return std::ranges::none_of(table_.header.cells, [](const Cell& cell) {
             const HeaderCell parts = parse_header_cell(cell.text);
             return !set_point_of(parts.name, parts.unit).empty();
         });
+    }
+
+    /// Whether the names of the columns are those of another kind of test, which their values
+    /// decide.
+    bool may_show_other_test() const {
+        Block block;
+        Row row;
+        for (const Cell& cell : table_.header.cells) {
+            const HeaderCell parts = parse_header_cell(cell.text);
+            const Quantity* const known = find_quantity(parts.name);
+            block.columns.push_back(
+                {parts.name, parts.unit, known ? std::string(known->name) : ""});
+            row.cells.push_back({"1", 0});
+        }
+        block.table.rows.push_back(std::move(row));
+        return kind_shown_by_columns(block).has_value();
     }
 
     bool read_line(std::string_view line, bool last = false) {

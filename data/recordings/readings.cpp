@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -265,6 +266,40 @@ void set_resolutions(const Points& points, std::vector<Reading>& readings) {
     }
 }
 
+/// Columns of a table of readings for which an empty cell is no default of a reading's condition.
+bool is_origin(std::string_view name) {
+    constexpr std::array<std::string_view, 6> names = {
+        "sampled_seconds", "error_assumed", "interval", "replicates", "file", "line"};
+    return std::ranges::find(names, name) != names.end();
+}
+
+/// Refuses a cell such as "NaN" of a value, which as an empty cell would stand for a default: 0 for
+/// a liquid content. Errors may be unknown, and so may one of shear rate and inertial number.
+/// @throws InputError at the first such cell
+void refuse_cleared(const Points& points, const std::vector<ClearedCell>& cleared) {
+    const auto& [table, columns, source, study, stress, fraction] = points;
+    for (const ClearedCell& cell : cleared) {
+        const std::string& header = table.header.cells[cell.column].text;
+        const HeaderCell parts = parse_header_cell(header);
+        const Quantity* const quantity = find_quantity(parts.name);
+        if (!quantity || parts.deviation() || is_origin(quantity->name)) continue;
+        if (std::ranges::find(reading_columns, quantity->name) == reading_columns.end() &&
+            quantity->name != "inertial_number_diameter_density")
+            continue;
+        const Row& row = table.rows[cell.row];
+        const bool rate = quantity->name == "shear_rate",
+                   number = quantity->unit == "1" && quantity->name.starts_with("inertial_number");
+        if ((rate && columns.value_if_any(row, "inertial_number")) ||
+            (number && columns.value_if_any(row, "shear_rate")))
+            continue;
+        throw InputError(
+            table.at(row, cell.column),
+            fmt::format("column '{}': \"{}\" states no value; fill it in or remove the "
+                        "line",
+                        header, cell.text));
+    }
+}
+
 /// Checks that the liquid content is given in the table or in the entry of study.toml, not in both.
 /// @throws InputError if it is given in both, or in neither although the study has a liquid
 void check_liquid_content(const Table& table, const Columns& columns, const Source& source,
@@ -331,7 +366,8 @@ Measurements read_points(const std::filesystem::path& path, const Source& source
                          const Study& study) {
     FileFormat format = source.format;
     format.layout = "plain";
-    const Table table = read_blocks(path, format).blocks.front().table;
+    std::vector<ClearedCell> cleared;
+    const Table table = read_blocks(path, format, &cleared).blocks.front().table;
     const Columns columns(table);
     refuse_misspelt(table, columns);
     columns.require("normal_stress");
@@ -345,6 +381,7 @@ Measurements read_points(const std::filesystem::path& path, const Source& source
     check_liquid_content(table, columns, source, study);
     columns.check_numbers_of_values();
     refuse_errors_of_absent(table, columns, points);
+    refuse_cleared(points, cleared);
 
     Measurements result;
     for (const Row& row : table.rows)

@@ -8,6 +8,7 @@
 #include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
 #include "data/quantities/statistics.h"
+#include "data/recordings/column_kinds.h"
 #include "data/recordings/recording_rows.h"
 
 namespace pendular {
@@ -26,49 +27,108 @@ std::vector<Lines> lines_of(const Row& first, const Row& last) {
     return {{first.line, last.line}};
 }
 
-/// Lets the slower columns of a table lack values: those with a value in less than half of the rows
-/// in which others have one, but in at least two.
-void allow_slower_columns(const Table& table, const Columns& columns, RecordingRows& rows) {
+/// Rows of a table with a value of a quantity.
+std::vector<std::size_t> rows_with(const Table& table, const Columns& columns,
+                                   std::string_view name) {
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < table.rows.size(); ++i)
+        if (columns.value_if_any(table.rows[i], name)) rows.push_back(i);
+    return rows;
+}
+
+/// Usual distance of rows, in rows; empty where their distances are not regular: less than three
+/// quarters of them differ from the usual one by at most a quarter of it, or by one row.
+std::optional<std::size_t> regular_distance(const std::vector<std::size_t>& rows) {
+    std::vector<double> distances;
+    for (std::size_t k = 1; k < rows.size(); ++k)
+        distances.push_back(static_cast<double>(rows[k] - rows[k - 1]));
+    if (distances.empty()) return std::nullopt;
+    const double usual = std::floor(median(distances));
+    const auto regular =
+        static_cast<std::size_t>(std::ranges::count_if(distances, [&](double each) {
+            return std::abs(each - usual) <= std::max(1.0, usual / 4);
+        }));
+    if (4 * regular < 3 * distances.size()) return std::nullopt;
+    return static_cast<std::size_t>(usual);
+}
+
+/// Whether a table has a column less often than the others: values at regular distances in less
+/// than half of the rows, but in at least ten. A speed written only where it changes, say, tells
+/// nothing of the rows between, and so does no speed.
+bool is_slower(const Table& table, const Columns& columns, std::string_view name) {
+    constexpr std::size_t fewest = 10;
+    if (name == "time" || name == "interval" || name == "angular_velocity" ||
+        name == "shear_velocity")
+        return false;
+    const std::vector<std::size_t> known = rows_with(table, columns, name);
+    return known.size() >= fewest && 2 * known.size() < table.rows.size() &&
+           regular_distance(known);
+}
+
+/// Lets the slower columns of a table lack values.
+/// @param found gains a remark for each, with the number of rows without a value
+void allow_slower_columns(const Table& table, const Columns& columns, RecordingRows& rows,
+                          std::vector<Remark>& found) {
     for (const std::string_view name : rows.needed()) {
-        if (name == "time" || name == "interval") continue;
-        const auto known =
-            static_cast<std::size_t>(std::ranges::count_if(table.rows, [&](const Row& row) {
-                return columns.value_if_any(row, name).has_value();
-            }));
-        if (known >= 2 && 2 * known < table.rows.size()) rows.allow_missing(name);
+        if (!is_slower(table, columns, name)) continue;
+        rows.allow_missing(name);
+        const auto known = std::ranges::find_if(found, [&](const Remark& each) {
+            return each.kind == Remark::Kind::missing_values && each.quantity == name;
+        });
+        Remark& remark = known != found.end()
+                             ? *known
+                             : found.emplace_back(Remark{.kind = Remark::Kind::missing_values,
+                                                         .quantity = std::string(name),
+                                                         .files = {table.file},
+                                                         .count = 0});
+        remark.of += table.rows.size();
+        remark.count += table.rows.size() - rows_with(table, columns, name).size();
     }
 }
 
-/// Fills the missing values of a column between those of one interval by straight lines, so that
-/// their mean is that of the rows that have them, and up to half of a usual distance before the
-/// first and after the last of them by these.
+/// Whether two rows of a series were measured at the same set points: in one interval, with speeds
+/// and normal loads that differ by at most 5 %, as steps do (`split_steps`). Values that a row
+/// lacks tell nothing.
+bool same_set_points(const IntervalSeries& series, std::size_t a, std::size_t b) {
+    constexpr double change = 0.05;
+    const auto differs = [&](const std::vector<double>& column) {
+        if (column.empty() || !std::isfinite(column[a]) || !std::isfinite(column[b])) return false;
+        return std::abs(column[a] - column[b]) >
+               change * std::max(std::abs(column[a]), std::abs(column[b]));
+    };
+    return (series.interval.empty() || series.interval[a] == series.interval[b]) &&
+           !differs(series.angular_velocity) && !differs(series.shear_velocity) &&
+           !differs(series.normal_force) && !differs(series.normal_stress);
+}
+
+/// Fills the missing values of a column between those of one set point by straight lines, so that
+/// their mean is that of the rows that have them, and up to half of the usual distance before and
+/// after each of them by this value.
 void fill_between(const IntervalSeries& series, std::vector<double>& column) {
     std::vector<std::size_t> known;
     for (std::size_t i = 0; i < column.size(); ++i)
         if (std::isfinite(column[i])) known.push_back(i);
-    if (known.size() < 2 || known.size() == column.size()) return;
-    const auto same = [&](std::size_t a, std::size_t b) {
-        return series.interval.empty() || series.interval[a] == series.interval[b];
-    };
-    std::vector<double> distances;
-    for (std::size_t k = 1; k < known.size(); ++k)
-        distances.push_back(static_cast<double>(known[k] - known[k - 1]));
-    const auto usual = static_cast<std::size_t>(median(distances));
+    const auto usual = regular_distance(known);
+    if (!usual || known.size() == column.size()) return;
+    const auto same = [&](std::size_t a, std::size_t b) { return same_set_points(series, a, b); };
+    std::vector<double> filled = column;
     for (std::size_t k = 0; k + 1 < known.size(); ++k) {
         const std::size_t from = known[k], to = known[k + 1];
         // A longer pause is no slower rate: its rows stay without a value.
-        if (!same(from, to) || to - from > 3 * usual) continue;
+        if (!same(from, to) || to - from > 3 * *usual) continue;
         for (std::size_t i = from + 1; i < to; ++i) {
             const double part = static_cast<double>(i - from) / static_cast<double>(to - from);
-            column[i] = (1 - part) * column[from] + part * column[to];
+            filled[i] = (1 - part) * column[from] + part * column[to];
         }
     }
     for (const std::size_t at : known) {
-        for (std::size_t i = at + 1; i < column.size() && i - at < usual && same(at, i); ++i)
-            if (std::isnan(column[i])) column[i] = column[at];
-        for (std::size_t i = at; i-- > 0 && at - i < usual && same(at, i);)
-            if (std::isnan(column[i])) column[i] = column[at];
+        for (std::size_t i = at + 1; i < column.size() && 2 * (i - at) <= *usual && same(at, i);
+             ++i)
+            if (std::isnan(filled[i])) filled[i] = column[at];
+        for (std::size_t i = at; i-- > 0 && 2 * (at - i) <= *usual && same(at, i);)
+            if (std::isnan(filled[i])) filled[i] = column[at];
     }
+    column = std::move(filled);
 }
 
 /// Rows that slower columns still lack after `fill_between` are left out.
@@ -110,7 +170,7 @@ void add_rows(const Block& block, RecordingRows& rows, std::vector<Remark>& left
 /// Series of an interval from its rows.
 IntervalSeries finished_rows(const Block& block, const Columns& columns, RecordingRows& rows,
                              std::vector<Remark>& left_out) {
-    allow_slower_columns(block.table, columns, rows);
+    allow_slower_columns(block.table, columns, rows, left_out);
     add_rows(block, rows, left_out);
     IntervalSeries series = rows.finish();
     fill_slower_columns(series, rows, block.table.file, name_of(block), left_out);
@@ -142,24 +202,59 @@ bool numbers_tell_apart(const std::vector<Block>& blocks) {
     return true;
 }
 
-/// Leaves rows of an interval out if the user stated another role than steady shear for it.
+/// Leaves rows of an interval out if the user stated another role than steady shear for it or, if
+/// he stated none, its columns show another kind of test.
 bool has_other_role(const Block& block, const FileFormat& format, const std::string& file,
                     std::vector<Lines> lines, std::vector<Remark>& left_out) {
     const std::string role = stated_role(block, format);
-    if (role.empty() || role == "steady") return false;
-    leave_out(left_out, {.kind = Remark::Kind::stated_role,
+    const auto kind = role.empty() ? kind_shown_by_columns(block) : std::nullopt;
+    if (role == "steady" || (role.empty() && !kind)) return false;
+    leave_out(left_out, {.kind = kind ? Remark::Kind::other_test : Remark::Kind::stated_role,
                          .files = {file},
                          .lines = std::move(lines),
-                         .names = {name_of(block), role}});
+                         .names = {name_of(block), kind ? *kind : role}});
     return true;
 }
 
+/// Intervals of a plain table, each with the columns and the header of the table.
+std::vector<Block> intervals_of(const Block& whole) {
+    const Columns columns(whole.table);
+    std::vector<Block> blocks;
+    std::optional<double> before;
+    for (const Row& row : whole.table.rows) {
+        const auto number = columns.value_if_any(row, "interval");
+        if (blocks.empty() || number != before) {
+            Block& block = blocks.emplace_back();
+            block.number = static_cast<int>(std::clamp(number.value_or(0), 0.0, 1e9));
+            block.columns = whole.columns;
+            block.table = {whole.table.file, whole.table.header, {}, whole.table.delimiter};
+        }
+        blocks.back().table.rows.push_back(row);
+        before = number;
+    }
+    return blocks;
+}
+
+/// A plain table without the intervals that are another kind of test.
+Block without_other_tests(const Block& whole, const FileFormat& format,
+                          std::vector<Remark>& left_out) {
+    Block rest = whole;
+    rest.table.rows.clear();
+    for (const Block& block : intervals_of(whole)) {
+        const auto& rows = block.table.rows;
+        if (!has_other_role(block, format, whole.table.file, lines_of(rows.front(), rows.back()),
+                            left_out))
+            rest.table.rows.insert(rest.table.rows.end(), rows.begin(), rows.end());
+    }
+    return rest;
+}
+
 /// Recording of a plain table, without the intervals to which the user gave another role.
-Recording recording_of_table(const Block& block, const FileFormat& format) {
+Recording recording_of_rows(const Block& block, const FileFormat& format,
+                            std::vector<Remark> left_out) {
     const Table& table = block.table;
     const Columns columns(table);
     RecordingRows rows(columns);
-    std::vector<Remark> left_out;
     IntervalSeries series = finished_rows(block, columns, rows, left_out);
     Recording recording{std::move(series), table.file, 1, rows.unused_columns(),
                         std::move(left_out)};
@@ -174,6 +269,18 @@ Recording recording_of_table(const Block& block, const FileFormat& format) {
     }
     recording.erase_rows(marked);
     return recording;
+}
+
+/// Recording of a plain table, without the intervals that are no steady shear.
+Recording recording_of_table(const Block& block, const FileFormat& format) {
+    std::vector<Remark> left_out;
+    if (!kind_shown_by_columns(block)) return recording_of_rows(block, format, {});
+    const Block rest = without_other_tests(block, format, left_out);
+    if (!rest.table.rows.empty()) return recording_of_rows(rest, format, std::move(left_out));
+    Recording nothing;
+    nothing.file = block.table.file;
+    nothing.left_out = std::move(left_out);
+    return nothing;
 }
 
 }  // namespace

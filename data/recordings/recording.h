@@ -20,7 +20,8 @@ struct Recording : IntervalSeries {
     /// files (`RecordingRows`).
     int averaged_rows = 1;
     std::vector<std::string> unused_columns;  ///< header cells of columns that were not read
-    std::vector<Remark> left_out = {};        ///< rows and intervals that were not read
+    std::vector<Remark> left_out =
+        {};  ///< rows and intervals that were not read, and slower columns
 };
 
 /// Step of constant set points: the rows `begin` to `end` - 1 of a recording, counted from 0.
@@ -35,7 +36,9 @@ struct Step {
 ///
 /// If the file lacks torques, normal forces or angular velocities, the column stays empty until
 /// `fill_from_stresses`. `Recording::left_out` lists the intervals that lack a column, the rows
-/// that lack a value, and the intervals for which `format` states a role other than steady.
+/// that lack a value, columns recorded less often than others, whose values between are on straight
+/// lines at constant set points, and the intervals for which `format` states a role other than
+/// steady or whose columns show another kind of test (`kind_shown_by_columns`).
 /// @throws InputError at file:line:column if a required column is missing, a unit or number is
 ///         invalid, a gap is not positive, an interval is not a whole number, time goes back within
 ///         an interval, or the layout cannot be read

@@ -7,19 +7,18 @@
 
 namespace pendular {
 
-/// Kind of test, other than shear at constant speed, that the columns of an interval show, with the
-/// evidence: "oscillation: the file has 'Storage Modulus', so that its stresses are amplitudes".
-/// Kinds are oscillation (moduli, a phase angle, a frequency, waveforms), creep (a compliance) and
-/// relaxation (a relaxation modulus). Empty where no column shows one.
-std::optional<std::string> kind_shown_by_columns(const Block& block);
-
 /// Normal stress (or force) between which an interval is loaded throughout: as `speed_ramp` for the
 /// speed of the lid. Empty where it is constant, or has settled.
 std::optional<std::string> load_ramp(const IntervalSeries& series);
 
+/// Whether a table has a column that the points of a yield locus lack but readings of steady shear
+/// have: of a speed, a rate, a gap, a solid fraction or a bulk density.
+bool has_column_of_readings(const Block& block);
+
 /// Whether a table holds one test in each row, such as the points of a yield locus: no time and no
-/// speed, both stresses, and a normal stress that differs by more than 5 %, which no control of a
-/// load does, from that of the row before in a quarter of the rows.
+/// column of readings (`has_column_of_readings`), both stresses, and a normal stress that differs
+/// by more than 5 %, which no control of a load does, from that of the row before in a quarter of
+/// the rows.
 bool is_table_of_points(const Block& block, const IntervalSeries& series);
 
 }  // namespace pendular

@@ -66,6 +66,7 @@ struct Remark {
         without_values,
         no_value,
         stated_role,
+        other_test,  ///< the columns show another kind of test than shear at constant speed
         lacks_column,
         copied_rows,
         contradicting_row,

@@ -111,6 +111,8 @@ std::string rows_text(const Remark& rows) {
             return fmt::format("{}: no value of {}", rows.names[0], rows.quantity);
         case Kind::stated_role:
             return fmt::format("{}: {}, as stated", rows.names[0], rows.names[1]);
+        case Kind::other_test:
+            return fmt::format("{}: {}", rows.names[0], rows.names[1]);
         case Kind::lacks_column:
             return rows.names[0] + ": lacks a column that steady shear needs";
         case Kind::copied_rows:

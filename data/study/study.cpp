@@ -8,8 +8,10 @@
 
 #include "data/files/file_access.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/formats/number_style.h"
 #include "data/files/formats/sheets.h"
 #include "data/files/text_file.h"
+#include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/study/study_table.h"
 
@@ -60,6 +62,25 @@ std::map<std::string, std::string> read_named_columns(const StudyTable& table) {
     return columns;
 }
 
+/// Values that an entry declares missing.
+/// @throws InputError at one that is no number in any style
+std::vector<std::string> read_missing(const StudyTable& entry) {
+    std::vector<std::string> values;
+    for (Word& word : entry.placed_words("missing")) {
+        const auto is_number = [&](char mark) {
+            return parse_number(rewritten(word.text, {.decimal = mark, .rewrite = true}));
+        };
+        if (!is_number('.') && !is_number(','))
+            throw InputError(word.position,
+                             fmt::format("'missing': \"{}\" is no number; write a number such as "
+                                         "\"-999\", and leave out words such as \"NaN\", which "
+                                         "count as missing anyway",
+                                         word.text));
+        values.push_back(std::move(word.text));
+    }
+    return values;
+}
+
 /// File format that an entry [[recording]] or [[readings]] states.
 /// @throws InputError at the key for an unknown layout, role of an interval or decimal mark
 FileFormat read_file_format(const StudyTable& entry) {
@@ -72,7 +93,7 @@ FileFormat read_file_format(const StudyTable& entry) {
         format.named_columns = read_named_columns(*entry.open_table("columns"));
     else
         format.columns = entry.words("columns", {});
-    format.missing = entry.words("missing", {});
+    format.missing = read_missing(entry);
     format.repair = entry.flag("repair").value_or(false);
     if (const auto intervals = entry.table("intervals", interval_roles())) {
         for (const std::string& role : interval_roles())

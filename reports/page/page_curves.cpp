@@ -169,7 +169,7 @@ PagePanel panel_of(const std::vector<Reading>& readings, const Study& study,
     return panel;
 }
 
-double stress_of(const Condition& c) {
+double normal_stress_of(const Condition& c) {
     return c.normal_stress;
 }
 double inertial_number_of(const Condition& c) {
@@ -224,9 +224,10 @@ Held held_constant(const std::vector<Reading>& readings, const std::vector<std::
 PagePanel dry_panel(const std::vector<Reading>& readings, const std::vector<std::size_t>& dry,
                     const Study& study) {
     const Held held = held_constant(readings, dry, study);
-    const auto lanes = divided(readings, dry, held.of), loads = divided(readings, dry, stress_of);
+    const auto lanes = divided(readings, dry, held.of),
+               loads = divided(readings, dry, normal_stress_of);
     const bool by_rate =
-        spread(readings, dry, inertial_number_of) > spread(readings, dry, stress_of) &&
+        spread(readings, dry, inertial_number_of) > spread(readings, dry, normal_stress_of) &&
         loads.size() <= lanes.size();
     if (by_rate) {
         return panel_of(readings, study, loads,
@@ -241,8 +242,8 @@ PagePanel dry_panel(const std::vector<Reading>& readings, const std::vector<std:
     return panel_of(readings, study, lanes,
                     {.title = "Dry readings",
                      .x_label = "normal stress [Pa]",
-                     .log_x = spread(readings, dry, stress_of) > 5},
-                    along_inverse_normal_stress, stress_of, held.label);
+                     .log_x = spread(readings, dry, normal_stress_of) > 5},
+                    along_inverse_normal_stress, normal_stress_of, held.label);
 }
 
 PagePanel wet_panel(const std::vector<Reading>& readings, const std::vector<std::size_t>& wet,

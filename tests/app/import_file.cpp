@@ -122,6 +122,65 @@ TEST(ImportFile, ReadsEverySheetOfAWorkbookAndBeginsAStudyWithThem) {
     EXPECT_EQ(json["further_sheets"][1]["yield_loci"][0]["points"].size(), 4u);
 }
 
+/// Workbook with the tables of steady shear in "3 kPa" and of a wrong cell in "6 kPa".
+TEST(ImportFile, RefusesAChosenSheetThatCannotBeRead) {
+    const TemporaryFolder folder;
+    std::string good = "Zeit;Drehmoment;Normalkraft;Spalt;Drehzahl\ns;mN m;N;mm;1/min\n",
+                bad = good;
+    for (int i = 0; i < 60; ++i) {
+        good += fmt::format("{};20.{};5;6.2;5\n", i, 1 + i % 3);
+        bad += i == 30 ? "30;#DIV/0!;5;6.2;5\n" : fmt::format("{};20.1;5;6.2;5\n", i);
+    }
+    const auto book = folder.path() / "book.xlsx", study = folder.path() / "study";
+    const std::string command = fmt::format(
+        "python3 {}/tests/data/make_workbook.py {} '3 kPa'={} '6 kPa'={}", PENDULAR_SOURCE_DIR,
+        book.string(), folder.write("g.csv", good).string(), folder.write("b.csv", bad).string());
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(run_pendular("import " + book.string() + " --sheet '* kPa'").code, 2);
+    // Without a choice, the other sheet is read, and the study names it.
+    const Outcome run = run_pendular("import " + book.string() + " --study " + study.string());
+    ASSERT_EQ(run.code, 0) << run.errors;
+    EXPECT_THAT(content_of(study / "study.toml"), HasSubstr("sheet = \"3 kPa\""));
+    EXPECT_EQ(run_pendular("import " + study.string()).code, 0);
+}
+
+/// The sheet of points states the radii, and that of steady shear needs the mass of the beads.
+TEST(ImportFile, BeginsAStudyWithTheStatedRadiiAndTheMassOfTheBeads) {
+    const TemporaryFolder folder;
+    std::string steady = "Zeit;Drehmoment;Normalkraft;Spalt;Drehzahl\ns;mN m;N;mm;1/min\n";
+    for (int i = 0; i < 60; ++i)
+        steady += fmt::format("{};20.{};5;6.2;5\n", i, 1 + i % 3);
+    const std::string points =
+        "Inner radius: 21 mm\nOuter radius: 45 mm\nNormal stress [Pa];Shear stress [Pa]\n"
+        "500;310\n1000;555\n1500;812\n2000;1050\n";
+    const auto book = folder.path() / "book.xlsx", study = folder.path() / "study";
+    const auto first = folder.write("s.csv", steady), second = folder.write("p.csv", points);
+    for (const std::string order : {"A={0} B={1}", "A={1} B={0}"}) {
+        const std::string sheets =
+            fmt::format(fmt::runtime(order), first.string(), second.string());
+        const std::string command = fmt::format("python3 {}/tests/data/make_workbook.py {} {}",
+                                                PENDULAR_SOURCE_DIR, book.string(), sheets);
+        ASSERT_EQ(std::system(command.c_str()), 0);
+        std::filesystem::remove_all(study);
+        const Outcome run = run_pendular("import " + book.string() + " --study " + study.string());
+        ASSERT_EQ(run.code, 0) << run.errors;
+        const std::string toml = content_of(study / "study.toml");
+        EXPECT_THAT(toml, HasSubstr("inner_radius = \"21 mm\"")) << order;
+        EXPECT_THAT(toml, HasSubstr("bead_mass = ")) << order;
+    }
+}
+
+TEST(ImportFile, NamesTheTableOfReadingsThatAFileIs) {
+    const TemporaryFolder folder;
+    const auto file =
+        folder.write("steady.csv",
+                     "Normal stress [Pa],Shear stress [Pa],Solid fraction,Shear rate [1/s]\n"
+                     "500,210,0.6,0.1\n1000,405,0.6,0.1\n2000,810,0.59,0.1\n4000,1600,0.59,0.1\n");
+    const Outcome run = run_pendular("import " + file.string());
+    EXPECT_EQ(run.code, 0) << run.errors;
+    EXPECT_THAT(run.output, HasSubstr("file = \"steady.csv\" below [[readings]]"));
+}
+
 TEST(ImportFile, TakesColumnsAsMessagesStateThem) {
     const std::string file = look_alikes + "headerless.csv";
     const auto refused = run_pendular("import " + file);

@@ -54,6 +54,24 @@ TEST_F(ClockTimes, NeedNoUnitInATableWithARowOfUnits) {
     EXPECT_EQ(file.blocks[0].table.rows[1].cells[1].text, "2.000000");
 }
 
+TEST_F(ClockTimes, CountTheDaysBetweenDatesWithSlashes) {
+    const auto times = [&](const std::vector<std::string>& texts) {
+        return read_recording(table("Time", texts)).time;
+    };
+    // One order alone has these months.
+    EXPECT_THAT(times({"3/13/2024 10:00:00", "3/14/2024 11:00:00"}), ElementsAre(0, 90000));
+    EXPECT_THAT(times({"31/3/2024 10:00:00", "1/4/2024 10:00:00"}), ElementsAre(0, 86400));
+    EXPECT_THAT(times({"2024/3/1 10:00:00", "2024/3/2 10:00:00"}), ElementsAre(0, 86400));
+    EXPECT_THAT(times({"20240301 10:00:00", "20240302 10:00:00"}), ElementsAre(0, 86400));
+    // One date in all rows tells nothing, as where a run goes past midnight.
+    EXPECT_THAT(times({"3/1/2024 23:59:59", "3/1/2024 00:00:01"}), ElementsAre(0, 2));
+    EXPECT_THAT(
+        input_error([&] {
+            times({"3/1/2024 10:00:00", "3/2/2024 11:00:00"});
+        }),
+        testing::HasSubstr("t.csv:3:1: the dates \"3/1/2024\" and \"3/2/2024\" may be day/month"));
+}
+
 TEST_F(ClockTimes, AreRefusedBesideOtherTexts) {
     expect_told({input_error([&] { read_recording(table("Time [s]", {"10:00:00", "soon"})); })});
 }

@@ -225,6 +225,72 @@ TEST(NamedColumns, AreReadInPlaceOfOthers) {
                  input_error([&] { read_recording(odd); })});
 }
 
+TEST(NamedColumns, TakeTheirErrorsAlong) {
+    const TemporaryFolder folder;
+    Study study;
+    study.grains = {.diameter = 500e-6, .density = 2500};
+    Source source;
+    source.kind = Source::Kind::readings;
+    source.format.named_columns = {{"shear_stress", "Wand [Pa]"}};
+    const auto read = [&](const std::string& columns, const std::string& cells) {
+        const Reading reading =
+            read_points(folder.write("p.csv", "normal_stress [Pa],solid_fraction,inertial_number," +
+                                                  columns + "\n1000,0.6,0," + cells + "\n"),
+                        source, study)
+                .readings.at(0);
+        return std::pair(reading.value(0), std::sqrt(reading.covariance(0, 0)));
+    };
+    using testing::DoubleNear;
+    using testing::Pair;
+    const auto exactly = [](double value, double error) {
+        return Pair(DoubleNear(value, 1e-9), DoubleNear(error, 1e-9));
+    };
+    EXPECT_THAT(read("shear_stress_se [Pa],Wand [Pa]", "7,400"), exactly(400, 7));
+    EXPECT_THAT(read("Wand_sd [Pa],Wand [Pa]", "7,400"), exactly(400, 7));
+    EXPECT_THAT(read("Wand [Pa],Wand_sd [Pa],Wand_n", "400,8,4"), exactly(400, 4));
+    EXPECT_THAT(read("shear_stress [Pa],shear_stress_se [Pa],Wand [Pa],Wand_se [Pa]", "1,2,400,8"),
+                exactly(400, 8));
+    EXPECT_THAT(read("shear_stress [Pa],shear_stress_sd [Pa],shear_stress_n,Wand [Pa],Wand_se [Pa]",
+                     "1,2,4,400,8"),
+                exactly(400, 8));
+    // Errors of the column that is replaced are not those of the other.
+    EXPECT_THAT(read("shear_stress [Pa],shear_stress_se [Pa],Wand [Pa]", "1,2,400"),
+                exactly(400, 0));
+}
+
+TEST(ColumnNames, OfAnAlternativeThatIsKnownAreSkipped) {
+    const TemporaryFolder folder;
+    Study study;
+    study.grains = {.diameter = 500e-6, .density = 2500};
+    Source source;
+    source.kind = Source::Kind::readings;
+    const Reading reading =
+        read_points(folder.write("p.csv",
+                                 "normal_stress [Pa],shear_stress [Pa],Effective "
+                                 "friction,solid_fraction,Schüttdichte [kg/m^3],inertial_number\n"
+                                 "1000,400,0.7,0.6,1200,0\n"),
+                    source, study)
+            .readings.at(0);
+    EXPECT_DOUBLE_EQ(reading.value(0), 400);
+    EXPECT_DOUBLE_EQ(reading.value(1), 0.6);
+}
+
+TEST(ColumnNames, OfIntervalsAreThoseOfWholeNumbers) {
+    const TemporaryFolder folder;
+    const auto intervals = [&](const std::string& name, const std::vector<std::string>& cells) {
+        std::string text =
+            "Time [s],Torque [mN m],Normal force [N],Gap [mm],Speed [rpm]," + name + "\n";
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            text += fmt::format("{},20,5,6.2,2,{}\n", i, cells[i]);
+        return read_recording(folder.write("t.csv", text)).interval;
+    };
+    EXPECT_THAT(intervals("Abschnitt", {"1", "1", "2"}), testing::ElementsAre(1, 1, 2));
+    EXPECT_THAT(intervals("Schritt [1]", {"1", "1", "2"}), testing::ElementsAre(1, 1, 2));
+    EXPECT_THAT(intervals("Abschnitt", {"Anlauf", "Anlauf", "Lauf"}), testing::IsEmpty());
+    EXPECT_THAT(intervals("Abschnitt", {"0.5", "1", "1.5"}), testing::IsEmpty());
+    EXPECT_THAT(intervals("Schritt [mm]", {"1", "1", "2"}), testing::IsEmpty());
+}
+
 TEST(NamedColumns, MayBeOfATableOfReadings) {
     const TemporaryFolder folder;
     folder.write("p.csv",

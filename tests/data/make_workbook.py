@@ -5,7 +5,7 @@
 
 Numbers are stored as numbers, "#DIV/0!" as an error of a formula, "=A1*2" as a formula without a result, "date:45352.5" and "clock:0.25" as
 days in the format of a date or of a clock time. Lines "!merge A2:A5" and "!hide 3" concern the sheet. Every other text is shared, every other one in its cell, as different
-programs write them. Rows without cells are left out.
+programs write them. A sheet "hidden:NAME" or "veryHidden:NAME" is hidden. Rows without cells are left out.
 """
 import csv
 import sys
@@ -67,7 +67,8 @@ def main():
         text = open(path, encoding="utf-8").read()
         delimiter = max("\t;,", key=text.count)
         parts[f"xl/worksheets/sheet{number}.xml"] = sheet(csv.reader(text.splitlines(), delimiter=delimiter), shared)
-        names += f'<sheet name={quoteattr(name)} sheetId="{number}" r:id="rId{number}"/>'
+        state, name = name.split(":", 1) if name.startswith(("hidden:", "veryHidden:")) else ("visible", name)
+        names += f'<sheet name={quoteattr(name)} state="{state}" sheetId="{number}" r:id="rId{number}"/>'
         links += f'<Relationship Id="rId{number}" Type="{types}/worksheet" Target="worksheets/sheet{number}.xml"/>'
     links += f'<Relationship Id="rId0" Type="{types}/sharedStrings" Target="/xl/texts/shared.xml"/>'
     links += f'<Relationship Id="rIdS" Type="{types}/styles" Target="styles.xml"/>'

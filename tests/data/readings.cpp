@@ -56,6 +56,31 @@ TEST_F(ReadPoints, TurnsAStressRatioIntoAShearStress) {
     EXPECT_DOUBLE_EQ(reading.stress_ratio(), 0.25);
 }
 
+TEST_F(ReadPoints, RefusesACellWithoutAValueWhereADefaultWouldCount) {
+    source_.liquid_content.reset();
+    const auto refused = [&](const std::string& column, const std::string& cell) {
+        return error(
+            "normal_stress [Pa],shear_stress [Pa],solid_fraction,inertial_number,"
+            "liquid_content," +
+            column + "\n1000,400,0.6,0,0.01,4\n1000,400,0.6,0," +
+            (column == "humidity" ? cell + ",1" : "0.01," + cell) + "\n");
+    };
+    for (const std::string cell : {"NA", "NaN", "-9999"}) {
+        EXPECT_THAT(refused("humidity", cell), testing::HasSubstr("p.csv:3:")) << cell;
+        EXPECT_THAT(refused("humidity", cell), testing::HasSubstr('"' + cell + '"')) << cell;
+        EXPECT_FALSE(refused("height [mm]", cell).empty()) << cell;
+        EXPECT_FALSE(refused("preshear_stress [Pa]", cell).empty()) << cell;
+    }
+    // An error may be unknown.
+    EXPECT_EQ(refused("shear_stress_se [Pa]", "NA"), "");
+}
+
+TEST_F(ReadPoints, ShowsTheTextOfANeededCellWithoutAValue) {
+    EXPECT_THAT(error("normal_stress [Pa],shear_stress [Pa],solid_fraction,inertial_number\n"
+                      "1000,NaN,0.6,0\n"),
+                testing::HasSubstr("\"NaN\" states no value"));
+}
+
 TEST_F(ReadPoints, TakesShearStressAndRate) {
     source_.liquid_content.reset();
     const Reading reading =

@@ -31,6 +31,13 @@ class ReadStudy : public testing::Test {
     TemporaryFolder folder_;
 };
 
+TEST_F(ReadStudy, RefusesAMissingValueThatIsNoNumber) {
+    const std::string entry = grains + cell + "[[recording]]\nfile = \"dry_1.csv\"\nmissing = ";
+    EXPECT_EQ(read(entry + "[\"-999\", \"-99,9\"]\n").sources[0].format.missing.size(), 2u);
+    EXPECT_THAT(error(entry + "[\"-999\", \"none\"]\n"),
+                testing::HasSubstr("'missing': \"none\" is no number"));
+}
+
 TEST_F(ReadStudy, ReadsEveryKeyInSi) {
     const Study study = read(grains + "youngs_modulus = \"3.3 GPa\"\npoisson_ratio = 0.32\n" +
                              liquid + cell + "torque_formula = \"as_printed\"\n" + R"([[recording]]

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "data/recordings/file_view.h"
+#include "data/recordings/recording.h"
 #include "data/recordings/yield_locus.h"
+#include "data/remarks/wording.h"
 #include "tests/support/golden.h"
 
 namespace pendular::data_test_kinds_test {
@@ -38,7 +40,38 @@ TEST(KindsOfTest, AreShownByColumns) {
     expect_told({told(recording(",Storage Modulus [Pa]", ",1200")),
                  told(recording(",Frequenz [Hz]", ",1")),  // of the motor: the lid turns
                  told(recording(",Creep Compliance [1/Pa]", ",1e-3")), told(recording("", "", 10)),
-                 told(recording("", "")), told(recording(",Storage Modulus [Pa]", ","))});
+                 told(recording("", "")), told(recording(",Storage Modulus [Pa]", ",")),
+                 told(recording(",Storage Modulus [Pa]", ",---")),
+                 told(recording(",Storage Modulus [Pa]", ",NaN")),
+                 told(recording(",Storage Modulus [Pa]", ",0"))});
+}
+
+TEST(KindsOfTest, AreLeftOutOfAStudy) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("t.csv", recording(",Storage Modulus [Pa]", ",1200"));
+    EXPECT_FALSE(quick_recording(path, {}));
+    const Recording all = read_recording(path);
+    EXPECT_EQ(all.size(), 0u);
+    ASSERT_EQ(all.left_out.size(), 1u);
+    EXPECT_EQ(all.left_out[0].kind, Remark::Kind::other_test);
+    EXPECT_EQ(all.left_out[0].lines[0], (Lines{2, 61, 0}));
+    EXPECT_THAT(text_of(all.left_out[0]), HasSubstr("oscillation"));
+    // Zeros are no moduli, and an interval without any is kept.
+    EXPECT_EQ(
+        read_recording(folder.write("z.csv", recording(",Storage Modulus [Pa]", ",0"))).size(),
+        60u);
+    std::string two =
+        "Time [s],Torque [mN m],Normal force [N],Gap [mm],Speed [rpm],Interval,"
+        "Storage Modulus [Pa]\n";
+    for (int i = 0; i < 40; ++i)
+        two += fmt::format("{},20,5,6.2,5,{},{}\n", i, i < 20 ? 1 : 2, i < 20 ? 0 : 1200);
+    const Recording first = read_recording(folder.write("two.csv", two));
+    EXPECT_EQ(first.size(), 20u);
+    EXPECT_THAT(first.interval, Each(1));
+    // The user may say that it is steady shear.
+    FileFormat format;
+    format.roles["steady"] = {"2"};
+    EXPECT_EQ(read_recording(folder.path() / "two.csv", format).size(), 40u);
 }
 
 TEST(KindsOfTest, AreShownByAFrequencyWithoutASpeed) {
@@ -93,6 +126,20 @@ TEST(TableOfPoints, IsOneTestInEachRow) {
         for (int i = 0; i < 20; ++i)
             steps += fmt::format("{},{}\n", s, 0.5 * s);
     EXPECT_EQ(view_of_file(folder.write("steps.csv", steps)).roles.size(), 1u);
+}
+
+TEST(TableOfPoints, HasNoColumnThatReadingsOfSteadyShearHave) {
+    const TemporaryFolder folder;
+    const auto blocks = [&](const std::string& column) {
+        std::string text = "Normal stress [Pa],Shear stress [Pa]," + column + "\n";
+        for (const double s : {500.0, 1000.0, 2000.0, 4000.0})
+            text += fmt::format("{},{},0.6\n", s, 0.5 * s);
+        return view_of_file(folder.write("t.csv", text)).file.table_of_points;
+    };
+    EXPECT_TRUE(blocks("Humidity [1]"));
+    for (const std::string column : {"Solid fraction", "Bulk density [g/cm^3]", "Shear rate [1/s]",
+                                     "Shear velocity [mm/s]", "Gap [mm]", "Inertial number"})
+        EXPECT_FALSE(blocks(column)) << column;
 }
 
 TEST(LinearYieldLocus, HasErrorsFromTheScatterOfItsPoints) {

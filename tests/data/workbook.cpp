@@ -98,6 +98,28 @@ TEST_F(Workbook, ChoosesSheetsWithATableOrByAPattern) {
                 ElementsAre("Cover"));
 }
 
+TEST_F(Workbook, KeepsHiddenSheetsBackUnlessTheyAreNamed) {
+    const std::string table = "=" + folder_.write("t.csv", "Torque [N m],x\n1,2\n").string() + " ";
+    const auto book = workbook("hidden:'1 kPa'" + table + "'2 kPa'" + table + "veryHidden:'3 kPa'" +
+                               table + "'4 kPa'" + table);
+    for (const std::string wanted : {"", "* kPa"}) {
+        const ChosenSheets chosen = chosen_sheets(book, wanted);
+        ASSERT_THAT(chosen.read, SizeIs(2)) << wanted;
+        EXPECT_EQ(as_sheet(chosen.read[0])->sheet, "2 kPa");
+        EXPECT_EQ(as_sheet(chosen.read[1])->sheet, "4 kPa");
+        EXPECT_THAT(chosen.others, ElementsAre("1 kPa", "3 kPa")) << wanted;
+    }
+    ASSERT_THAT(chosen_sheets(book, "3 kPa").read, SizeIs(1));
+    EXPECT_EQ(as_sheet(chosen_sheets(book, "3 kPa").read[0])->sheet, "3 kPa");
+}
+
+TEST_F(Workbook, IsNoFileWhoseNameEndsWithBrackets) {
+    const auto file = folder_.write("run [2]", "Torque [N m],x\n1,2\n");
+    EXPECT_FALSE(as_sheet(file));
+    EXPECT_EQ(read_blocks(file).blocks[0].table.rows.size(), 1u);
+    EXPECT_EQ(as_sheet(folder_.path() / "other [2]")->sheet, "2");
+}
+
 /// Rows of a recording with the given first cells and torques.
 std::string rows_of(const std::vector<std::string>& times, const std::string& torque = "20") {
     std::string text;
@@ -188,6 +210,10 @@ TEST_F(Workbook, HoldsANumberInEachRowOfAMergedCell) {
     EXPECT_EQ(file.blocks[0].table.rows[2].cells[0].text, "8");
     const auto wide = of_table("Time [s],Torque [N m],Gap [mm]\n0,1,2\n1,2,\n!merge B3:C3\n");
     expect_told({input_error([&] { read_blocks(wide); })});
+    // Where nothing is read, as in remarks or in the lines above the table, it does no harm.
+    const auto beside =
+        of_table("Time [s],Torque [N m],Remark,More\n0,1,2,\n1,2,3,\n!merge C3:D3\n");
+    EXPECT_EQ(read_blocks(beside).blocks[0].table.rows.size(), 2u);
 }
 
 TEST_F(Workbook, ReadsHiddenRowsAndSaysSo) {

@@ -102,7 +102,7 @@ Json step_json(const LabStep& step, bool with_effects) {
                  {"liquid_content", step.condition.liquid_content}};
     if (step.angular_velocity > 0) json["angular_velocity"] = step.angular_velocity;
     if (with_effects) json["imposed"] = imposed_json(step.imposed);
-    json["run"] = to_json(step.run);
+    json["run"] = pendular::to_json(step.run);
     return json;
 }
 

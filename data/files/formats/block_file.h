@@ -48,6 +48,12 @@ struct Block {
     Table table;
 };
 
+/// Cell whose text states that there is no value, such as "NaN", and that is empty for that.
+struct ClearedCell {
+    std::size_t row = 0, column = 0;  ///< in the table of its block
+    std::string text;
+};
+
 /// Intervals and table cells read from a file so far. They are limited so that reading a small file
 /// cannot use much memory.
 struct FileCounts {

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <regex>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "data/quantities/number.h"
 
@@ -54,44 +57,118 @@ std::optional<std::size_t> column_of_clock_times(const Block& block) {
     return any ? std::optional(index) : std::nullopt;
 }
 
+/// Order of the numbers in dates between slashes, where it does not begin with the year.
+enum class DateOrder { day_first, month_first };
+
+/// Day since 1970 of a date between slashes, or of eight digits from the year on; empty for other
+/// texts.
+std::optional<double> day_of(const std::string& date, DateOrder order) {
+    static const std::regex form(R"((\d{4}|\d{1,2})/(\d{1,2})/(\d{1,4})|(\d{4})(\d\d)(\d\d))");
+    std::smatch part;
+    if (!std::regex_match(date, part, form)) return std::nullopt;
+    if (part[4].matched)
+        return day_number(std::stoi(part[4]), std::stoi(part[5]), std::stoi(part[6]));
+    int first = std::stoi(part[1]), last = std::stoi(part[3]);
+    const int middle = std::stoi(part[2]);
+    if (part[1].length() == 4) return day_number(first, middle, last);
+    if (part[3].length() == 2) last += 2000;
+    return order == DateOrder::day_first ? day_number(last, middle, first)
+                                         : day_number(last, first, middle);
+}
+
+/// Date between slashes in a cell.
+struct PlacedDate {
+    std::string text;
+    Position at;
+};
+
+/// Order of the numbers in the dates of a file; empty if all dates are the same, so that they do
+/// not matter.
+/// @throws InputError at the first date that is another day in either order, if both are possible,
+///         and at the first that is no day in the order of the others
+std::optional<DateOrder> order_of(const std::vector<PlacedDate>& dates) {
+    if (dates.size() < 2) return std::nullopt;
+    const auto wrong = [&](DateOrder order) {
+        return std::ranges::find_if(
+            dates, [&](const PlacedDate& date) { return !day_of(date.text, order); });
+    };
+    const auto no_day = wrong(DateOrder::day_first), no_month = wrong(DateOrder::month_first);
+    if (no_day == dates.end() && no_month != dates.end()) return DateOrder::day_first;
+    if (no_month == dates.end() && no_day != dates.end()) return DateOrder::month_first;
+    if (no_day != dates.end())
+        throw InputError(std::max(no_day, no_month)->at,
+                         fmt::format("\"{}\" is no date that goes with \"{}\"; write dates as "
+                                     "2024-03-01",
+                                     std::max(no_day, no_month)->text, dates.front().text));
+    const auto since_first = [&](const PlacedDate& date, DateOrder order) {
+        return *day_of(date.text, order) - *day_of(dates.front().text, order);
+    };
+    for (const PlacedDate& date : dates)
+        if (since_first(date, DateOrder::day_first) != since_first(date, DateOrder::month_first))
+            throw InputError(date.at, fmt::format("the dates \"{}\" and \"{}\" may be day/month or "
+                                                  "month/day; write them as 2024-03-01",
+                                                  dates.front().text, date.text));
+    return DateOrder::day_first;
+}
+
+/// Different dates between slashes in the clock times of a file, in their order.
+std::vector<PlacedDate> dates_in(const BlockFile& file) {
+    std::vector<PlacedDate> dates;
+    std::set<std::string> known;
+    for (const Block& block : file.blocks) {
+        const auto index = column_of_clock_times(block);
+        if (!index) continue;
+        for (const Row& row : block.table.rows)
+            if (const auto time = clock_time(row.cells[*index].text))
+                if (!time->date.empty() && known.insert(time->date).second)
+                    dates.push_back({time->date, block.table.at(row, *index)});
+    }
+    return dates;
+}
+
 }  // namespace
 
 std::optional<ClockTime> clock_time(std::string_view text) {
     if (text.size() > 40 || text.find(':') == std::string_view::npos) return std::nullopt;
     static const std::regex form(
-        R"((?:(?:(\d{4})-(\d\d?)-(\d\d?)|(\d\d?)\.(\d\d?)\.(\d{4})|[\d/]{6,10})[T ]+)?)"
+        R"((?:(?:(\d{4})-(\d\d?)-(\d\d?)|(\d\d?)\.(\d\d?)\.(\d{4})|([\d/]{6,10}))[T ]+)?)"
         R"((\d{1,6}):([0-5]\d):([0-5]\d(?:[.,]\d+)?)\s*([AaPp][Mm])?Z?)");
     std::match_results<std::string_view::const_iterator> part;
     if (!std::regex_match(text.begin(), text.end(), part, form)) return std::nullopt;
     const auto number = [&](std::size_t i) { return std::stoi(part[i].str()); };
-    std::string seconds = part[9].str();
+    std::string seconds = part[10].str();
     for (char& c : seconds)
         if (c == ',') c = '.';
-    int hours = number(7);
-    if (part[10].matched) {
+    int hours = number(8);
+    if (part[11].matched) {
         if (hours < 1 || hours > 12) return std::nullopt;
-        const char half = *part[10].first;
+        const char half = *part[11].first;
         hours = hours % 12 + (half == 'p' || half == 'P' ? 12 : 0);
     }
-    ClockTime time{3600.0 * hours + 60 * number(8) + parse_number(seconds).value_or(0), false};
+    ClockTime time{3600.0 * hours + 60 * number(9) + parse_number(seconds).value_or(0), false,
+                   part[7].str()};
     std::optional<double> date;
     if (part[1].matched) date = day_number(number(1), number(2), number(3));
     if (part[4].matched) date = day_number(number(6), number(5), number(4));
     if ((part[1].matched || part[4].matched) && !date) return std::nullopt;
-    if (date) time = {time.seconds + day * *date, true};
+    if (date) time = {time.seconds + day * *date, true, ""};
     return time;
 }
 
 void read_clock_times(BlockFile& file) {
     Clock clock;
+    const std::optional<DateOrder> order = order_of(dates_in(file));
     for (Block& block : file.blocks) {
         const auto index = column_of_clock_times(block);
         if (!index) continue;
         for (Row& row : block.table.rows) {
             std::string& text = row.cells[*index].text;
             // Microseconds, as fine as a number of days can be stored.
-            if (const auto time = clock_time(text))
-                text = fmt::format("{:.6f}", clock.since_first(*time));
+            auto time = clock_time(text);
+            if (!time) continue;
+            if (const auto date = order ? day_of(time->date, *order) : std::nullopt)
+                time = {time->seconds + day * *date, true, ""};
+            text = fmt::format("{:.6f}", clock.since_first(*time));
         }
         block.columns[*index].unit = "h:min:s";
         block.table.header.cells[*index].text = "time [s]";

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "data/files/formats/clock_times.h"
 #include "data/files/formats/missing_values.h"
@@ -13,6 +14,8 @@
 #include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
 #include "data/files/workbook.h"
+#include "data/quantities/number.h"
+#include "data/quantities/quantity.h"
 
 namespace pendular {
 namespace {
@@ -48,17 +51,67 @@ void unify_numbers(BlockFile& file, const FileFormat& format) {
         rewrite_numbers(block.table, file.numbers);
 }
 
+/// Whether a column has no text but whole numbers.
+bool has_whole_numbers(const Table& table, std::size_t column) {
+    return std::ranges::all_of(table.rows, [&](const Row& row) {
+        const std::string& text = row.cells[column].text;
+        const auto number = parse_number(text);
+        return text.empty() || (number && *number == std::floor(*number));
+    });
+}
+
+/// Does not read columns called "Abschnitt" or the like as numbers of intervals if they hold other
+/// texts: people use these words for names and lengths too.
+void drop_other_intervals(BlockFile& file) {
+    for (Block& block : file.blocks)
+        for (std::size_t i = 0; i < block.columns.size(); ++i) {
+            BlockColumn& column = block.columns[i];
+            if (column.quantity != "interval" || find_quantity(column.name) ||
+                has_whole_numbers(block.table, i))
+                continue;
+            column.quantity.clear();
+            block.table.header.cells[i].text = fmt::format("{}, column {}", column.name, i + 1);
+        }
+}
+
 /// Text of a file.
 struct FileText {
     DecodedText decoded;
     std::vector<Lines> hidden;
+    std::vector<WideNumber> wide;
 };
+
+/// @throws InputError at a number in a cell that is merged over a column that is read
+void refuse_wide_numbers(const BlockFile& file, const std::vector<WideNumber>& wide) {
+    if (wide.empty()) return;
+    const auto is_read = [&](const Block& block, const Row& row, const WideNumber& number) {
+        for (std::size_t i = 0; i < block.columns.size() && i < row.cells.size(); ++i) {
+            const int column = row.cells[i].column;
+            if (!block.columns[i].quantity.empty() && column >= number.first_column &&
+                column <= number.last_column)
+                return true;
+        }
+        return false;
+    };
+    for (const Block& block : file.blocks)
+        for (const Row& row : block.table.rows) {
+            const auto of_row = std::ranges::equal_range(wide, row.line, {}, &WideNumber::line);
+            for (const WideNumber& number : of_row)
+                if (is_read(block, row, number))
+                    throw InputError({file.file, row.line, number.first_column},
+                                     fmt::format("the number {} is merged over several columns; "
+                                                 "divide the cell and write the number where it "
+                                                 "belongs",
+                                                 number.text));
+        }
+}
 
 FileText text_of_file(const std::filesystem::path& path, const FileFormat& format) {
     if (const auto part = as_sheet(path)) {
         const std::string bytes = read_bytes(part->book, largest_table);
         SheetText sheet = sheet_text(bytes, part->book.string(), part->sheet);
-        FileText result{{std::move(sheet.text), "UTF-8, of a sheet of a workbook"}, {}};
+        FileText result{
+            {std::move(sheet.text), "UTF-8, of a sheet of a workbook"}, {}, std::move(sheet.wide)};
         for (const auto& [first, last] : sheet.hidden)
             result.hidden.push_back({first, last});
         return result;
@@ -66,7 +119,7 @@ FileText text_of_file(const std::filesystem::path& path, const FileFormat& forma
     const std::string bytes = read_bytes(path, largest_table);
     DecodedText decoded = decode_bytes(bytes, path, format.encoding);
     refuse_markup(path, decoded.text);
-    return {std::move(decoded), {}};
+    return {std::move(decoded), {}, {}};
 }
 
 }  // namespace
@@ -93,7 +146,8 @@ const std::vector<std::string>& interval_roles() {
     return roles;
 }
 
-BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileFormat& format) {
+BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileFormat& format,
+                      std::vector<ClearedCell>* cleared) {
     const std::filesystem::path path = as_sheet(file_or_book)
                                            ? file_or_book
                                            : chosen_sheets(file_or_book, format.sheet).read.front();
@@ -113,9 +167,11 @@ BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileForma
     if (std::ranges::all_of(file.blocks, [](const Block& b) { return b.table.rows.empty(); }))
         throw InputError({file.file},
                          "no rows of numbers were found; is this the export of the raw data?");
+    refuse_wide_numbers(file, text.wide);
     read_clock_times(file);
     unify_numbers(file, format);
-    clear_missing_values(file, format);
+    clear_missing_values(file, format, cleared);
+    drop_other_intervals(file);
     return file;
 }
 

@@ -34,9 +34,11 @@ const std::vector<std::string>& interval_roles();
 /// are determined from the content of the file unless `format` states them. Of a workbook, the
 /// first sheet of `chosen_sheets` is read.
 /// @param path of a file, or of a sheet of a workbook (`SheetPath`)
+/// @param cleared list to which the cells that `clear_missing_values` clears are added; null: none
 /// @throws InputError if the file cannot be read, has no rows or no units, or has text that its
 ///         layout does not allow
-BlockFile read_blocks(const std::filesystem::path& path, const FileFormat& format = {});
+BlockFile read_blocks(const std::filesystem::path& path, const FileFormat& format = {},
+                      std::vector<ClearedCell>* cleared = nullptr);
 
 // The layouts, one file each.
 Layout rheocompass_layout();

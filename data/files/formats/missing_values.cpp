@@ -1,8 +1,10 @@
 #include "data/files/formats/missing_values.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "data/files/missing_mark.h"
@@ -11,15 +13,24 @@
 namespace pendular {
 namespace {
 
-/// Values that the user or a line such as "missing value: -999" declares missing.
+/// Whether a key of a header declares the number that stands for a missing value, as "missing
+/// value" does. "Missing values" and "No data points" count rows.
+bool declares_missing(std::string_view key) {
+    constexpr std::array<std::string_view, 9> keys = {
+        "missing value", "missing_value", "nodata",     "nodata value", "nodata_value",
+        "no data value", "fehlwert",      "_fillvalue", "fill value"};
+    return std::ranges::find(keys, in_small_letters(trimmed(key))) != keys.end();
+}
+
+/// Values that the user or a line such as "missing value: -999" declares missing, with decimal
+/// points as the cells have.
 std::vector<std::string> declared_values(const BlockFile& file, const FileFormat& format) {
     std::vector<std::string> declared = format.missing;
-    for (const Fact& fact : file.facts) {
-        const std::string key = in_small_letters(fact.key);
-        for (const std::string_view word :
-             {"missing value", "missing_value", "nodata", "no data", "fehlwert", "_fillvalue"})
-            if (key.find(word) != std::string::npos) declared.push_back(fact.value);
-    }
+    for (const Fact& fact : file.facts)
+        if (declares_missing(fact.key)) declared.push_back(fact.value);
+    if (file.numbers.rewrite)
+        for (std::string& value : declared)
+            value = rewritten(value, file.numbers);
     return declared;
 }
 
@@ -31,37 +42,55 @@ bool is_declared(const std::string& cell, const std::vector<std::string>& declar
     });
 }
 
-/// Clears the usual missing value in a column of measured values.
-void clear_usual(Table& table, std::size_t column) {
-    double lowest = std::numeric_limits<double>::infinity();
-    bool any = false;
-    for (const Row& row : table.rows) {
-        const auto number = parse_number(row.cells[column].text);
-        if (!number) continue;
-        if (*number == usual_missing_value)
-            any = true;
-        else
-            lowest = std::min(lowest, *number);
+/// Clears the cells of a file, and lists them where they are asked for.
+class Clearer {
+  public:
+    explicit Clearer(std::vector<ClearedCell>* cleared) : cleared_(cleared) {}
+
+    void clear(Table& table, std::size_t row, std::size_t column) {
+        std::string& text = table.rows[row].cells[column].text;
+        if (cleared_) cleared_->push_back({row, column, text});
+        text.clear();
     }
-    if (!any || lowest < usual_missing_value / 2) return;
-    for (Row& row : table.rows)
-        if (parse_number(row.cells[column].text) == usual_missing_value)
-            row.cells[column].text.clear();
-}
+
+    /// Clears the usual missing value in a column of measured values.
+    void clear_usual(Table& table, std::size_t column) {
+        double lowest = std::numeric_limits<double>::infinity();
+        bool any = false;
+        for (const Row& row : table.rows) {
+            const auto number = parse_number(row.cells[column].text);
+            if (!number) continue;
+            if (*number == usual_missing_value)
+                any = true;
+            else
+                lowest = std::min(lowest, *number);
+        }
+        if (!any || lowest < usual_missing_value / 2) return;
+        for (std::size_t row = 0; row < table.rows.size(); ++row)
+            if (parse_number(table.rows[row].cells[column].text) == usual_missing_value)
+                clear(table, row, column);
+    }
+
+  private:
+    std::vector<ClearedCell>* cleared_;
+};
 
 }  // namespace
 
-void clear_missing_values(BlockFile& file, const FileFormat& format) {
+void clear_missing_values(BlockFile& file, const FileFormat& format,
+                          std::vector<ClearedCell>* cleared) {
     const std::vector<std::string> declared = declared_values(file, format);
+    Clearer clearer(cleared);
     for (Block& block : file.blocks) {
-        for (Row& row : block.table.rows)
+        for (std::size_t row = 0; row < block.table.rows.size(); ++row)
             for (std::size_t i = 0; i < block.columns.size(); ++i) {
-                std::string& cell = row.cells[i].text;
+                const std::string& cell = block.table.rows[row].cells[i].text;
                 if (block.columns[i].quantity.empty() || cell.empty()) continue;
-                if (marks_no_value(cell) || is_declared(cell, declared)) cell.clear();
+                if (marks_no_value(cell) || is_declared(cell, declared))
+                    clearer.clear(block.table, row, i);
             }
         for (std::size_t i = 0; i < block.columns.size(); ++i)
-            if (!block.columns[i].quantity.empty()) clear_usual(block.table, i);
+            if (!block.columns[i].quantity.empty()) clearer.clear_usual(block.table, i);
     }
 }
 

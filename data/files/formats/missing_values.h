@@ -13,6 +13,8 @@ constexpr double usual_missing_value = -9999;
 /// (`FileFormat::missing`) or the header ("missing value: -999") declares, and -9999 in a column
 /// that has no other value below half of it. A number as low as that would else be averaged with
 /// measured values.
-void clear_missing_values(BlockFile& file, const FileFormat& format);
+/// @param cleared list to which the cells are added; null: none
+void clear_missing_values(BlockFile& file, const FileFormat& format,
+                          std::vector<ClearedCell>* cleared = nullptr);
 
 }  // namespace pendular

@@ -15,34 +15,103 @@ std::string with_unit_of_file(const BlockColumn& column) {
     return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
 }
 
+/// Mark of errors, such as "_sd", in the header of a column; only tables of one's own have any.
+ErrorMark mark_of(const Block& block, std::size_t index) {
+    return parse_header_cell(block.table.header.cells[index].text).mark;
+}
+
 /// Index of the column that a text means: with its unit or, if the text has the right one where the
-/// file has none or a wrong one, by its name.
+/// file has none or a wrong one, by its name. Columns of errors are meant by their marks alone.
 std::optional<std::size_t> column_meant(const Block& block, const std::string& text) {
     const HeaderCell wanted = parse_header_cell(text);
     std::optional<std::size_t> by_name;
     for (std::size_t i = 0; i < block.columns.size(); ++i) {
         const BlockColumn& column = block.columns[i];
-        if (column.name != wanted.name && column.name != text) continue;
+        const ErrorMark mark = mark_of(block, i);
+        if ((column.name != wanted.name || mark != wanted.mark) &&
+            (column.name != text || mark != ErrorMark::none))
+            continue;
         if (wanted.unit.empty() || column.unit == wanted.unit) return i;
         if (!by_name) by_name = i;
     }
     return by_name;
 }
 
+/// Header cell of a quantity with a mark such as "_sd".
+std::string header_of(const std::string& quantity, std::string_view mark, const std::string& unit) {
+    return unit.empty() ? fmt::format("{}{}", quantity, mark)
+                        : fmt::format("{}{} [{}]", quantity, mark, unit);
+}
+
+std::string_view suffix_of(ErrorMark mark) {
+    switch (mark) {
+        case ErrorMark::standard_deviation:
+            return "_sd";
+        case ErrorMark::standard_error:
+            return "_se";
+        case ErrorMark::half_width:
+            return "_u95";
+        default:
+            return "";
+    }
+}
+
+void stop_using(Block& block, std::size_t index) {
+    BlockColumn& column = block.columns[index];
+    column.quantity.clear();
+    block.table.header.cells[index].text = fmt::format("{}, column {}", column.name, index + 1);
+}
+
+/// Columns of a block that have to do with a quantity that another column is to be, by index.
+struct Relatives {
+    std::vector<std::size_t> values;      ///< that are the quantity so far
+    std::vector<std::size_t> errors;      ///< of these, and numbers of values
+    std::vector<std::size_t> own_errors;  ///< of the column that is to be the quantity
+    std::vector<std::size_t> own_counts;  ///< numbers of values of that column
+};
+
+Relatives relatives_of(const Block& block, const std::string& quantity, std::size_t index) {
+    Relatives found;
+    const std::string& name = block.columns[index].name;
+    for (std::size_t i = 0; i < block.columns.size(); ++i) {
+        if (i == index) continue;
+        const BlockColumn& column = block.columns[i];
+        const bool marked = mark_of(block, i) != ErrorMark::none;
+        if (marked && column.name == name)
+            found.own_errors.push_back(i);
+        else if (column.quantity == quantity)
+            (marked ? found.errors : found.values).push_back(i);
+        else if (column.quantity.empty() && column.name == name + "_n")
+            found.own_counts.push_back(i);
+        else if (column.quantity.empty() && column.name == quantity + "_n")
+            found.errors.push_back(i);
+    }
+    return found;
+}
+
+/// Makes a column the quantity, in place of any other; its errors go with it. Errors that stand
+/// without a value so far ("shear_stress_se") become its own where it has none.
 void name_column(Block& block, const std::string& quantity, std::size_t index,
                  const std::string& text) {
     const HeaderCell wanted = parse_header_cell(text);
-    for (std::size_t i = 0; i < block.columns.size(); ++i) {
+    const Relatives relatives = relatives_of(block, quantity, index);
+    for (const std::size_t i : relatives.values)
+        stop_using(block, i);
+    if (!relatives.values.empty() || !relatives.own_errors.empty())
+        for (const std::size_t i : relatives.errors)
+            stop_using(block, i);
+    for (const std::size_t i : relatives.own_errors) {
         BlockColumn& column = block.columns[i];
-        if (i == index || column.quantity != quantity) continue;
-        column.quantity.clear();
-        block.table.header.cells[i].text = fmt::format("{}, column {}", column.name, i + 1);
+        column.quantity = quantity;
+        block.table.header.cells[i].text =
+            header_of(quantity, suffix_of(mark_of(block, i)), column.unit);
     }
+    for (const std::size_t i : relatives.own_counts)
+        block.table.header.cells[i].text = quantity + "_n";
     BlockColumn& column = block.columns[index];
     column.quantity = quantity;
     if (!wanted.unit.empty() && wanted.name == column.name) column.unit = wanted.unit;
-    block.table.header.cells[index].text =
-        column.unit.empty() ? quantity : fmt::format("{} [{}]", quantity, column.unit);
+    block.table.header.cells[index].text = header_of(quantity, "", column.unit);
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 namespace pendular {
 
 /// Reads the columns that the user names (`FileFormat::named_columns`) as the quantities that he
-/// states, in place of any other column of these quantities.
+/// states, in place of any other column of these quantities. Columns with the errors of a named one
+/// ("Tau_sd" of "Tau") become those of the quantity.
 /// @throws InputError at the header if no interval has a column of the name
 void use_named_columns(BlockFile& file, const FileFormat& format);
 

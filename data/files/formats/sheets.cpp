@@ -28,10 +28,10 @@ bool is_workbook(const std::filesystem::path& path) {
     return file.read(begin.data(), 4) && is_archive(begin);
 }
 
-/// Names of the sheets that hold a table.
+/// Names of the sheets that are shown and hold a table.
 std::set<std::string> sheets_with_table(const std::string& bytes, const std::string& file) {
     std::set<std::string> names;
-    for_each_sheet(bytes, file, [&](const std::string& name, const SheetText& sheet) {
+    for_each_shown_sheet(bytes, file, [&](const std::string& name, const SheetText& sheet) {
         if (holds_table({file, split_lines(sheet.text)})) names.insert(name);
     });
     return names;
@@ -41,7 +41,10 @@ std::set<std::string> sheets_with_table(const std::string& bytes, const std::str
 
 std::vector<std::string> sheets_in(const std::filesystem::path& path) {
     if (!is_workbook(path)) return {};
-    return sheet_names(read_bytes(path, largest_table), path.string());
+    std::vector<std::string> names;
+    for (SheetName& sheet : sheet_names(read_bytes(path, largest_table), path.string()))
+        names.push_back(std::move(sheet.name));
+    return names;
 }
 
 ChosenSheets chosen_sheets(const std::filesystem::path& path, const std::string& wanted) {
@@ -53,15 +56,17 @@ ChosenSheets chosen_sheets(const std::filesystem::path& path, const std::string&
         return {{path}, {}};
     }
     const std::string bytes = read_bytes(path, largest_table);
-    const std::vector<std::string> names = sheet_names(bytes, path.string());
+    const std::vector<SheetName> sheets = sheet_names(bytes, path.string());
     const std::set<std::string> with_table =
         wanted.empty() ? sheets_with_table(bytes, path.string()) : std::set<std::string>();
-    const bool named = std::ranges::find(names, wanted) != names.end();
+    const bool named = std::ranges::find(sheets, wanted, &SheetName::name) != sheets.end();
+    std::vector<std::string> names;
     ChosenSheets chosen;
-    for (const std::string& name : names) {
+    for (const auto& [name, hidden] : sheets) {
+        names.push_back(name);
         const bool read = wanted.empty() ? with_table.contains(name)
                           : named        ? name == wanted
-                                         : fnmatch(wanted.c_str(), name.c_str(), 0) == 0;
+                                         : !hidden && fnmatch(wanted.c_str(), name.c_str(), 0) == 0;
         if (read)
             chosen.read.push_back(path_of_sheet(path, name));
         else
@@ -71,9 +76,12 @@ ChosenSheets chosen_sheets(const std::filesystem::path& path, const std::string&
         throw InputError({path.string()}, fmt::format("has no sheet \"{}\"; it has \"{}\"", wanted,
                                                       fmt::join(names, "\", \"")));
     if (chosen.read.empty()) {
-        chosen.read.push_back(path_of_sheet(path, names.front()));
-        chosen.others.erase(chosen.others.begin());
+        const auto shown = std::ranges::find(sheets, false, &SheetName::hidden);
+        const std::string& first = (shown == sheets.end() ? sheets.begin() : shown)->name;
+        chosen.read.push_back(path_of_sheet(path, first));
+        std::erase(chosen.others, first);
     }
+    if (chosen.read.size() > 1) check_sheet_count(bytes, path.string(), chosen.read.size());
     return chosen;
 }
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "data/files/formats/block_file.h"
+
+namespace pendular {
+
+/// Kind of test, other than shear at constant speed, that the columns of an interval show, with the
+/// evidence: "oscillation: the file has 'Storage Modulus', so that its stresses are amplitudes".
+/// Kinds are oscillation (moduli, a phase angle, a frequency, waveforms), creep (a compliance) and
+/// relaxation (a relaxation modulus). Columns without a number other than 0 count for none. Empty
+/// where no column shows one.
+std::optional<std::string> kind_shown_by_columns(const Block& block);
+
+}  // namespace pendular
