@@ -16,7 +16,7 @@ struct SheetViews {
 };
 
 /// Reads a file of measurements, or the sheets of a workbook that `format` chooses.
-/// @throws InputError if nothing can be read
+/// @throws InputError if nothing can be read, or a sheet that `format` chooses cannot
 SheetViews views_of_file(const std::filesystem::path& path, const FileFormat& format);
 
 /// Returns the files of a new study made from one file of measurements, or from the sheets of a
