@@ -165,11 +165,16 @@ std::string obstacle_to(Needs needs, const Study& study) {
     return "";
 }
 
-/// Whether an effect is meant by a name of [instrument]: its own, or that of the quantity of a
-/// table whose gain it is, such as "shear_stress" for the effect shear-stress-gain.
-bool is_meant(const Effect& effect, std::string name) {
+/// Name of an effect that a key would have, such as "contact-angle" for "contact_angle".
+std::string as_effect(std::string name) {
     std::ranges::replace(name, '_', '-');
-    return effect.name == name || (effect.of_table() && effect.name == name + "-gain");
+    return name;
+}
+
+/// Whether an effect is the gain of a quantity of tables, such as shear-stress-gain of
+/// "shear_stress".
+bool is_gain_of(const Effect& effect, const std::string& quantity) {
+    return effect.of_table() && effect.name == as_effect(quantity) + "-gain";
 }
 
 /// Built-in effects of the instrument with one fitted parameter, or the effects of a key's error.
@@ -183,7 +188,8 @@ std::vector<const Effect*> effects_of(const std::string& name, const Study& stud
             effects.push_back(&effect);
     }
     for (const Effect& effect : built_in_effects())
-        if (is_meant(effect, name) && effect.of_instrument() && !effect.is_switch())
+        if ((effect.name == name || is_gain_of(effect, name)) && effect.of_instrument() &&
+            !effect.is_switch())
             effects.push_back(&effect);
     return effects;
 }
@@ -278,7 +284,7 @@ SharedUncertainty typical_of(const Meaning& meaning, const Study& study) {
 }  // namespace
 
 bool SharedUncertainty::is_fitted_by(const Effect& effect) const {
-    return is_meant(effect, name) ||
+    return effect.name == as_effect(name) || is_gain_of(effect, name) ||
            (name == "surface_tension" && effect.given_by_liquid == &Liquid::surface_tension);
 }
 
