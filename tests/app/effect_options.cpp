@@ -39,7 +39,8 @@ TEST(EffectOptions, AreThereForEveryParameterThatCanBeSimulated) {
             EXPECT_EQ(help.output.find(option) == std::string::npos, of_models) << option;
         }
     }
-    EXPECT_EQ(hidden, 6);  // five approximations of the formulas, and the peak strength
+    // Five approximations of the formulas, the peak strength, and five of tables.
+    EXPECT_EQ(hidden, 11);
 }
 
 // An effect that acts on predictions alone is refused for the reason, not as an unknown option.

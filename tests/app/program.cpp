@@ -96,7 +96,7 @@ TEST(BadInput, IsAnsweredWithFileLineColumnAndExitCode2) {
               rows(30),
           header + rows(3) + "3,twelve,5.0,6.2,1.1\n" + rows(30, "12.5", 4),
           header + "0,\"12,5\",5,6.2,1.1\n", std::string(),
-          header + rows(3) + "3,nan,5.0,6.2,1.1\n" + rows(30, "12.5", 4),
+          header + rows(3) + "3,inf,5.0,6.2,1.1\n" + rows(30, "12.5", 4),
           header + rows(40) + rows(40, "-12.5", 40)}) {
         const Outcome outcome = import_with(table);
         EXPECT_EQ(outcome.code, 2) << table;

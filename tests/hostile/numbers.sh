@@ -24,7 +24,7 @@ E
 attack "numbers: a normal force of 1e-300 N" 3 "0 readings" <<'E'
 recordings s; perl -pi -e 's/^(([^,]*,){2})[^,]*/${1}1e-300/ if $. > 1' s/dry_1.csv; run import s
 E
-attack "numbers: not a number" 2 "not a finite number" <<'E'
+attack "numbers: not a number" 2 "states no value" <<'E'
 study s; perl -pi -e 's/0.25,/nan,/' s/points.csv; run import s
 E
 attack "numbers: infinity" 2 "not a finite number" <<'E'

@@ -23,6 +23,8 @@ namespace {
 bool is_workbook(const std::filesystem::path& path) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return false;
+    // Files of the kernel state no size, and to read them may never end.
+    if (std::filesystem::file_size(path, error) < 4 || error) return false;
     std::string begin(4, '\0');
     std::ifstream file(path, std::ios::binary);
     return file.read(begin.data(), 4) && is_archive(begin);
