@@ -104,7 +104,7 @@ std::string CellFormats::text_of(std::string_view number, std::size_t style) con
     constexpr std::int64_t day = 86'400'000'000;
     const std::int64_t microseconds = std::llround(*value * static_cast<double>(day));
     if (!format.date) return clock_text(microseconds);
-    const std::string date = date_text(microseconds / day, from_1904_);
+    std::string date = date_text(microseconds / day, from_1904_);
     if (!format.time && microseconds % day == 0) return date;
     return date + " " + clock_text(microseconds % day);
 }

@@ -160,7 +160,7 @@ std::vector<Formula> read_formulas(const StudyTable& table, const WrittenEffect&
 
 /// Reads a text of one line; empty if the key is missing.
 std::string line_of_text(const StudyTable& table, std::string_view key) {
-    const std::string text = table.text(key).value_or("");
+    std::string text = table.text(key).value_or("");
     if (text.find_first_of("\r\n") != std::string::npos) table.refuse(key, "must be one line");
     return text;
 }

@@ -95,14 +95,14 @@ void refuse_wide_numbers(const BlockFile& file, const std::vector<WideNumber>& w
     };
     for (const Block& block : file.blocks)
         for (const Row& row : block.table.rows) {
-            const auto of_row = std::ranges::equal_range(wide, row.line, {}, &WideNumber::line);
-            for (const WideNumber& number : of_row)
-                if (is_read(block, row, number))
-                    throw InputError({file.file, row.line, number.first_column},
+            const auto first = std::ranges::lower_bound(wide, row.line, {}, &WideNumber::line);
+            for (auto number = first; number != wide.end() && number->line == row.line; ++number)
+                if (is_read(block, row, *number))
+                    throw InputError({file.file, row.line, number->first_column},
                                      fmt::format("the number {} is merged over several columns; "
                                                  "divide the cell and write the number where it "
                                                  "belongs",
-                                                 number.text));
+                                                 number->text));
         }
 }
 

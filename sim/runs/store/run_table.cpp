@@ -177,7 +177,7 @@ std::filesystem::path atlas_file() {
          {beside_library(program), beside, std::filesystem::path(PENDULAR_INSTALLED_ATLAS),
           std::filesystem::path(PENDULAR_SOURCE_ATLAS)}) {
         if (!folder.is_absolute()) continue;  // never an atlas of the working folder
-        const auto file = folder / "atlas.csv";
+        auto file = folder / "atlas.csv";
         if (std::filesystem::exists(file, error)) {
             return file;
         }
