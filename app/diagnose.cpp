@@ -53,6 +53,8 @@ Entries in the column 'decision' of the table of effects:
   explains most, not all    adding the effect removes at least 90 % of the excess of chi2, but leaves a
                             misfit: it is not the likely cause, but worth a direct measurement
   does not explain it       the residuals resemble the effect, but adding it leaves a misfit
+  outdone by a change       adding the effect explains the residuals, but a proposed change of unknown
+                            cause does so clearly better
   no sign of it             something is missing, and the residuals do not resemble this effect
   absent                    nothing is missing, and the effect would have been detected at its
                             smallest size of interest

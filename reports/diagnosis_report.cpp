@@ -263,6 +263,18 @@ std::string closest_rival_line(const Diagnosis& d, const ModelSpace& space) {
         with_estimates(*closest, space), chi2_per_dof(closest->fit.chi2, closest->fit.dof));
 }
 
+/// Sentence on the known effect that comes closest to a change of unknown cause.
+std::string outdone_line(const Diagnosis& d, const ModelSpace& space) {
+    const auto best = std::ranges::min_element(
+        d.fitting, {}, [](const FittedModel& each) { return each.fit.chi2; });
+    if (best == d.fitting.end()) return "";
+    return fmt::format(
+        "{} would describe the readings too ({}), but proposal 1 describes them clearly better: "
+        "its "
+        "chi2 is lower by more than 10 after a penalty for the choice.",
+        with_estimates(*best, space), reduction(d, *best));
+}
+
 /// Text of an explanation in a sentence: "with wall-friction".
 std::string with_effects(const FittedModel& explanation, const ModelSpace& space) {
     return explanation.suspect ? "with the error of measurement corrected"
@@ -307,7 +319,9 @@ std::vector<std::string> close_effects_lines(const Diagnosis& d, const ModelSpac
     };
     if (d.verdict == Verdict::indistinguishable) add(alike_line(d));
     if (d.verdict == Verdict::missing && d.complete) add(closest_rival_line(d, space));
-    if (d.verdict == Verdict::unknown) {
+    if (d.verdict == Verdict::unknown && d.outdone()) {
+        add(outdone_line(d, space));
+    } else if (d.verdict == Verdict::unknown) {
         if (const FittedModel* best = best_of(d.tried); best && !best->suspect) {
             add(fmt::format("Of the known effects, {} {} closest and {} {}, which is not enough.",
                             with_estimates(*best, space),
@@ -343,7 +357,8 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
         case Verdict::unknown:
             break;
     }
-    return fmt::format("Unknown: something is missing that no known effect explains{}",
+    return fmt::format("Unknown: something is missing that no known effect explains{}{}",
+                       d.outdone() ? " as well as a proposed change does" : "",
                        strongest_trend(checks));
 }
 

@@ -155,9 +155,9 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     if (result.mistake && explained_by_effects(result.diagnosis, *result.mistake))
         result.mistake.reset();
     Circumstances beside{.doubtful = doubtful_parts(result.mistake, study, measurements)};
-    // The search for shapes takes time, and no shape stands where a model fits or where a doubt
-    // about the measurement overrules all tests.
-    if (beside.doubtful.empty() && !result.diagnosis.complete) {
+    // The search for shapes takes time, and no shape stands where the study's model fits or where
+    // a doubt about the measurement overrules all tests.
+    if (beside.doubtful.empty() && !result.diagnosis.base.accepted) {
         result.proposals = propose(study, *result.models, result.evidence, result.readings,
                                    result.diagnosis, options);
         for (const Proposal& each : result.proposals) {

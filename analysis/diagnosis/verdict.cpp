@@ -40,7 +40,7 @@ class Rules {
         decide_on_candidates();
         if (!circumstances_.doubtful.empty()) {
             measurement_is_doubtful();
-        } else if (!result_.complete) {
+        } else if (!tests_.base.accepted) {
             weigh_proposals();
         }
         result_.recordings_first = circumstances_.recordings_explain_most;
@@ -64,6 +64,7 @@ class Rules {
     Decision decision_without_model(const Finding& finding) const;
     void measurement_is_doubtful();
     void weigh_proposals();
+    void known_effects_are_outdone(const std::vector<FittedModel>& known);
 
     const std::vector<Candidate>& candidates_;
     const TestResults& tests_;
@@ -234,26 +235,41 @@ void Rules::measurement_is_doubtful() {
     result_.suspects = circumstances_.doubtful;
 }
 
-/// Known effects have the benefit of the doubt: decides between leading effects, which leave a
-/// misfit, and proposals. Proposals that explain the readings with as few changes make the verdict
-/// `unknown`; else the leading effects come first, and the next diagnosis, with them in the model,
-/// proposes what remains.
+/// Known effects have the benefit of the doubt, as has an error of one measurement: a change of
+/// unknown cause that explains the readings must be clearly better than each of their models, with
+/// as few changes. The verdict is then `unknown`; else the known effects come first, and the next
+/// diagnosis, with them in the model, proposes what remains.
 void Rules::weigh_proposals() {
-    if (!result_.leaders) return;
-    const EffectSet leading = result_.leaders->model.chosen;
-    const bool better = std::ranges::any_of(circumstances_.proposals, [&](const auto& each) {
-        return each.fits && each.changes <= leading.size() &&
-               each.penalised_chi2 + clearly_better < result_.leaders->model.fit.chi2;
-    });
-    if (!better) {
-        result_.proposals_stand = false;
+    const std::vector<FittedModel> known = result_.leaders
+                                               ? std::vector{result_.leaders->model}
+                                               : std::exchange(result_.confidence_set, {});
+    if (known.empty()) return;
+    const auto outdoes = [&](const Circumstances::Proposed& proposed) {
+        return proposed.fits && std::ranges::all_of(known, [&](const FittedModel& each) {
+                   return proposed.changes <= std::max<std::size_t>(1, each.chosen.size()) &&
+                          proposed.penalised_chi2 + clearly_better < each.fit.chi2;
+               });
+    };
+    if (std::ranges::any_of(circumstances_.proposals, outdoes)) {
+        known_effects_are_outdone(known);
         return;
     }
-    for (const std::size_t k : leading) {
-        result_.decisions[k] = Decision::does_not_explain;
+    result_.proposals_stand = false;
+    if (!result_.leaders) result_.confidence_set = known;
+}
+
+void Rules::known_effects_are_outdone(const std::vector<FittedModel>& known) {
+    for (const FittedModel& each : known) {
+        for (const std::size_t k : each.chosen) {
+            result_.decisions[k] =
+                result_.complete ? Decision::outdone : Decision::does_not_explain;
+        }
     }
     result_.verdict = Verdict::unknown;
+    result_.complete = false;
+    result_.proposals_stand = true;
     result_.effects.clear();
+    result_.suspects.clear();
     result_.leaders.reset();
 }
 
@@ -303,6 +319,8 @@ std::string_view to_string(Decision decision) {
             return "explains most, not all";
         case Decision::does_not_explain:
             return "does not explain it";
+        case Decision::outdone:
+            return "outdone by a change";
     }
     throw std::logic_error("a decision has no words");
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,8 +23,10 @@
 //   3. Models with further effects fit: `missing` names what they share; `indistinguishable` if
 //      they share nothing; `suspect_measurement` if only an error of measurement fits. Where only
 //      pairs fit, an effect that removes most of the misfit alone is a rival of theirs.
-//   4. No model fits: `missing` with the leading effects (`complete` is false), unless proposals of
-//      unknown cause describe the readings clearly better; otherwise `unknown`.
+//   4. No model fits: `missing` with the leading effects (`complete` is false), or `unknown`.
+//   5. Of 3 and 4, `unknown` where a proposed change of unknown cause describes the readings
+//   clearly
+//      better than each model with known effects, or with an error of measurement, and as shortly.
 namespace pendular {
 
 enum class Verdict {
@@ -50,7 +53,8 @@ enum class Decision {
     absent,                 ///< the readings would have revealed the effect
     no_sign,                ///< the model does not fit, and the effect is not significant
     explains_most_not_all,  ///< removes most of the misfit; a model with it does not fit
-    does_not_explain        ///< significant, but a model with it does not fit
+    does_not_explain,       ///< significant, but a model with it does not fit
+    outdone  ///< fits, but a change of unknown cause describes the readings clearly better
 };
 /// Returns the words in tables and JSON, such as "cannot be excluded".
 std::string_view to_string(Decision decision);
@@ -98,7 +102,9 @@ struct Conclusion {
     /// Names of the effects that are missing or may be missing; of an `inconclusive` verdict, those
     /// that the readings cannot exclude at their smallest sizes of interest.
     std::vector<std::string> effects;
-    bool complete = true;            ///< whether any model, the study's or a refitted one, fits
+    /// Whether any model, the study's or a refitted one, fits, and no change of unknown cause
+    /// describes the readings clearly better.
+    bool complete = true;
     std::optional<Leaders> leaders;  ///< empty unless `missing` and not `complete`
     /// Names of the suspect measurements whose error alone would explain the misfit, such as "the
     /// readings of dry_1.csv". Beside effects that fit, only those that explain the readings at
@@ -114,6 +120,10 @@ struct Conclusion {
     bool recordings_first = false;    ///< whether the fault of the recordings is said first
 
     Decision decision_on(const Finding& finding) const { return decisions.at(finding.candidate); }
+    /// Whether a change of unknown cause takes the place of known effects that fit.
+    bool outdone() const {
+        return std::ranges::find(decisions, Decision::outdone) != decisions.end();
+    }
 };
 
 /// Whether two diagnoses give the same answer: one verdict on the same effects or, if a measurement

@@ -50,8 +50,10 @@ class ShapeSearch {
     }
 
     std::vector<Proposal> run() {
-        std::vector<Proposal> found = fitted(scored_.unlike(scored_.singles(), most_singles));
-        if (std::ranges::none_of(found, &Proposal::fits)) {
+        const std::vector<Score> singles = scored_.unlike(scored_.singles(), most_singles);
+        if (diagnosis_.complete && !promises_more(singles)) return {};
+        std::vector<Proposal> found = fitted(singles);
+        if (std::ranges::none_of(found, &Proposal::fits) && !one_effect_fits()) {
             auto pairs = fitted(scored_.unlike(scored_.pairs(most_firsts), most_pairs));
             std::erase_if(pairs, [](const Proposal& pair) {
                 return std::ranges::any_of(pair.shapes, needless);
@@ -62,6 +64,14 @@ class ShapeSearch {
     }
 
   private:
+    /// Whether a model with one known effect, or one error of measurement, fits: pairs of shapes
+    /// are then no rivals.
+    bool one_effect_fits() const {
+        return diagnosis_.complete &&
+               std::ranges::any_of(diagnosis_.confidence_set,
+                                   [](const FittedModel& each) { return each.chosen.size() < 2; });
+    }
+    bool promises_more(const std::vector<Score>& singles) const;
     /// Refits the model with the shapes of each score, and tests the best results among the known
     /// effects and the other shapes.
     std::vector<Proposal> fitted(const std::vector<Score>& scores);
@@ -81,6 +91,21 @@ class ShapeSearch {
     ScoredShapes scored_;
     std::set<std::string> taken_;  ///< names that existing effects have
 };
+
+/// Whether a single shape, by its linear estimate, may describe the readings clearly better than
+/// all models that fit, or needs a pair to do so.
+bool ShapeSearch::promises_more(const std::vector<Score>& singles) const {
+    if (!one_effect_fits()) return true;
+    double least = INFINITY;  // chi2
+    for (const FittedModel& each : diagnosis_.confidence_set) {
+        least = std::min(least, each.fit.chi2);
+    }
+    // A refit finds about what its linear estimate foretells: half of what is asked is margin.
+    return std::ranges::any_of(singles, [&](const Score& score) {
+        return diagnosis_.base.fit.chi2 - score.reduction + score.penalty + clearly_better / 2 <
+               least;
+    });
+}
 
 std::string ShapeSearch::free_name(const std::string& name) {
     std::string free = name;

@@ -50,7 +50,9 @@ struct Proposal {
 /// explanations; pairs of combinations are tried if no single one fits.
 ///
 /// Returns the best proposals that fit, the lowest Proposal::penalised_chi2() first. If none fits,
-/// returns the best one if it removes at least half of the excess chi2 - dof, else nothing.
+/// returns the best one if it removes at least half of the excess chi2 - dof, else nothing. Returns
+/// nothing where models with known effects fit and no single combination, by its score, comes near
+/// to being clearly better (ranking.h).
 /// @param diagnosis that of the study's model, which does not fit
 std::vector<Proposal> propose(const ResolvedStudy& study, const StudyModelSpace& models,
                               const Evidence& evidence, const std::vector<Reading>& readings,

@@ -271,6 +271,32 @@ TEST(Verdict, GivesLeadersUpOnlyForClearlyBetterProposals) {
     EXPECT_EQ(c.decisions[2], Decision::does_not_explain);
 }
 
+TEST(Verdict, GivesEffectsThatFitUpOnlyForClearlyBetterProposals) {
+    TestResults tests = misfit();
+    fits_with(tests, {1}, 62);
+    fits_with(tests, {2}, 60);
+    const auto with = [&](Circumstances::Proposed proposed) {
+        return concluded(tests, {.proposals = {proposed}});
+    };
+    for (const auto& weaker :
+         {Circumstances::Proposed{true, 1, 50.1}, {false, 1, 40}, {true, 2, 40}}) {
+        const Conclusion c = with(weaker);
+        EXPECT_EQ(c.verdict, Verdict::indistinguishable);
+        EXPECT_TRUE(c.complete);
+        EXPECT_FALSE(c.proposals_stand);
+        EXPECT_EQ(c.confidence_set.size(), 2u);
+    }
+    const Conclusion c = with({true, 1, 49.9});
+    EXPECT_EQ(c.verdict, Verdict::unknown);
+    EXPECT_FALSE(c.complete);
+    EXPECT_TRUE(c.proposals_stand);
+    EXPECT_TRUE(c.outdone());
+    EXPECT_THAT(c.effects, IsEmpty());
+    EXPECT_THAT(c.confidence_set, IsEmpty());
+    EXPECT_EQ(c.decisions[1], Decision::outdone);
+    EXPECT_EQ(c.decisions[2], Decision::outdone);
+}
+
 TEST(Verdict, IsOverruledByADoubtfulMeasurement) {
     const Circumstances doubtful{.doubtful = {"the unit of the torque"}};
     TestResults fits = misfit(), leads = misfit();
