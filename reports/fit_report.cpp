@@ -115,31 +115,45 @@ std::string uncertainty_text(const InstrumentError& error) {
                        error.assumed && error.counts ? " (assumed)" : "");
 }
 
-/// The three largest of the errors that count (or do not), with their parts of the error of the
-/// first parameter: "torque-gain 2 % (assumed) gives 0.0080, ...".
+/// The three largest causes among the errors that count (or do not), with their parts of the error
+/// of the first parameter: "torque-gain 2 % (assumed) gives 0.0080 (normal-force-gain acts alike),
+/// ...".
 std::string largest_parts(const Calibration& c, bool counts) {
     std::vector<std::string> parts;
-    for (const InstrumentError& each : largest_errors(c.fit, 0, counts, 3))
-        parts.push_back(fmt::format("{} gives {}", uncertainty_text(each),
-                                    with_unit(std::abs(each.shift(0)), c.parameters[0].unit)));
+    for (const InstrumentError& each : largest_causes(c.fit, 0, counts, 3)) {
+        const std::string others = each.alike.empty()
+                                       ? ""
+                                       : fmt::format(" ({} act{} alike)", joined(each.alike, "and"),
+                                                     each.alike.size() == 1 ? "s" : "");
+        parts.push_back(fmt::format("{} gives {}{}", uncertainty_text(each),
+                                    with_unit(std::abs(each.shift(0)), c.parameters[0].unit),
+                                    others));
+    }
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Lines on the contribution of shared errors to the error of the first parameter, and on those it
-/// leaves out because study.toml does not state it.
+/// Lines on the largest parts of the error of the first parameter that all readings share, and of
+/// that by what study.toml does not state.
 void add_instrument_lines(Output& output, const Calibration& c) {
     if (!c.fit.determines(0)) return;
     if (const std::string parts = largest_parts(c, true); !parts.empty())
         output.line(fmt::format("Largest parts of what all readings share: {}.", parts));
-    const std::string others = largest_parts(c, false);
-    if (others.empty()) return;
-    output.line(fmt::format(
-        "{}: typical ones amount to an error of {} ({}). State yours in [instrument] of "
-        "study.toml.",
-        c.fit.instrument_error(0) > 0
-            ? "The error leaves out what [instrument] does not state"
-            : "The error leaves out what all readings share, such as the errors of gains and radii",
-        with_unit(c.fit.instrument_error(0, false), c.parameters[0].unit), others));
+    if (const std::string parts = largest_parts(c, false); !parts.empty())
+        output.line(fmt::format(
+            "Largest parts of the typical systematic error: {}. State yours in [instrument] of "
+            "study.toml, and the fit weighs the readings by them.",
+            parts));
+}
+
+/// The error of the first parameter by what study.toml does not state, as an addition to its text:
+/// " +- 0.014 (systematic: ...)"; empty without one.
+std::string systematic_text(const Calibration& c) {
+    const double error = c.fit.instrument_error(0, false);
+    if (!c.fit.determines(0) || !(error > 0)) return "";
+    return fmt::format(" +- {} (systematic: typical errors of {})",
+                       with_unit(error, c.parameters[0].unit),
+                       c.fit.instrument_error(0) > 0 ? "what [instrument] does not state"
+                                                     : "an instrument, as study.toml states none");
 }
 
 /// Beginning of the answer with the effects of the model: "With torque-offset and lid-slip, the
@@ -191,12 +205,13 @@ bool states_misfit_of_predicted(const Belief& belief) {
 std::string answer_of(const Calibration& c, const Belief& belief) {
     const std::string first = estimate_text(c, 0);
     if (belief.believable())
-        return fmt::format("Fitted: {} = {}. {}", c.parameters[0].name, first,
+        return fmt::format("Fitted: {} = {}{}. {}", c.parameters[0].name, first, systematic_text(c),
                            agreement_text(c, belief));
     if (belief.for_fitted_only)
-        return fmt::format("Fitted to the {} readings, and not to be used for others: {} = {}. {}",
-                           dry_count(c.readings) == c.fitted ? "dry" : "fitted",
-                           c.parameters[0].name, first, as_sentence(belief.reasons.front()));
+        return fmt::format(
+            "Fitted to the {} readings, and not to be used for others: {} = {}{}. {}",
+            dry_count(c.readings) == c.fitted ? "dry" : "fitted", c.parameters[0].name, first,
+            systematic_text(c), as_sentence(belief.reasons.front()));
     return warning_on(
         belief, fmt::format("the fitted {}, {}", parameter_in_words(c.parameters[0].name), first));
 }

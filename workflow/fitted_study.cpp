@@ -47,9 +47,9 @@ Belief belief_in(const FittedStudy& fitted, const ResolvedStudy& study,
     const auto mistake =
         find_unit_mistake(fitted.model->model(), c.readings, study, c.fit.parameters);
     const auto seen = part(c.readings, 0, c.fitted);
-    const Agreement of_fitted =
-        agreement_of(seen, c.direct, fitted.model->at(seen).predict(c.fit.parameters),
-                     c.fit.at_bound, fitted.comparison.fitted, c.model);
+    const Agreement of_fitted = agreement_of(
+        seen, c.direct, fitted.model->at(seen).predict(c.fit.parameters), c.fit.at_bound,
+        fitted.comparison.fitted, c.model, excess_of_errors(measurements));
     std::optional<Agreement> of_predicted;
     if (c.fitted < c.readings.size())
         of_predicted = agreement_of(part(c.readings, c.fitted, c.readings.size()), {},

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/misfit/unstated_speeds.h"
 #include "calib/fit/calibration_notes.h"
 #include "calib/fit/inexactness.h"
 #include "calib/fit/parameter_errors.h"
@@ -30,15 +31,54 @@ bool out_of_range(const Fit& fit, const std::vector<Parameter>& parameters, std:
     return fit.at_bound[k] && (friction || !lower || p.lower != 0);
 }
 
+/// Errors that are more than ten times as large as the scatter count as ten times as large [1]:
+/// chosen, since repetitions that agree still better are copies of one value.
+constexpr double most_excess = 10;
+
+/// "chi2 = 24.4 for 5 degrees of freedom (p < 0.001)" of a misfit that is too large.
+std::string failing_chi2(const Misfit& misfit) {
+    return fmt::format("chi2 = {:.4g} for {} degree{} of freedom (p < 0.001)", misfit.chi2,
+                       misfit.dof, misfit.dof == 1 ? "" : "s");
+}
+
 /// Sentence on readings that the model does not describe.
 std::string failure_text(const Agreement& agreement, const std::string& which) {
     return fmt::format(
-        "The model does not describe {}: chi2 = {:.4g} for {} degrees of freedom (p < 0.001), "
-        "{:.2g} "
-        "times the errors. It misses the shear stress by {:.2g} % and the solid fraction by {:.2g} "
-        "%.",
-        which, agreement.misfit.chi2, agreement.misfit.dof, agreement.in_errors(),
-        agreement.rms_percent[0], agreement.rms_percent[1]);
+        "The model does not describe {}: {}, {:.2g} times the errors. It misses the shear stress "
+        "by {:.2g} % and the solid fraction by {:.2g} %.",
+        which, failing_chi2(agreement.misfit), agreement.in_errors(), agreement.rms_percent[0],
+        agreement.rms_percent[1]);
+}
+
+/// Sentence on a misfit that stated errors hide.
+std::string hidden_text(const Agreement& fitted) {
+    return fmt::format(
+        "The standard errors given with the readings hide a misfit: with the scatter of repeated "
+        "readings in their place, {}. Correct them, or leave them out.",
+        failing_chi2(*fitted.by_scatter));
+}
+
+/// Sentence on an error that the readings would need far from 0.
+std::string far_text(const InstrumentError& far) {
+    const std::string size = far.unit == "1" ? fmt::format(" of {:.2g} %", 100 * far.standard) : "";
+    const std::string others =
+        far.alike.empty()
+            ? ""
+            : fmt::format(", and what changes the readings alike: {}", fmt::join(far.alike, ", "));
+    return fmt::format(
+        "The readings fit best with an error of {} that is {:.1f} times its {}standard "
+        "uncertainty{}: check it{}.",
+        far.name, std::abs(far.needed), far.assumed ? "typical " : "", size, others);
+}
+
+/// Sentence on readings that state one inertial number, but were made at several.
+std::string speeds_text(const UnstatedSpeeds& speeds) {
+    return fmt::format(
+        "The readings at each normal stress state one inertial number, but differ as readings at "
+        "different speeds do: those with a larger shear stress have a smaller solid fraction "
+        "(correlation {:.2f}, p < 0.001), and they scatter more than their errors allow. Check the "
+        "inertial number or shear rate of each reading.",
+        speeds.correlation);
 }
 
 /// Faults inside recordings that change what is averaged.
@@ -57,6 +97,16 @@ std::string unsteady_text(const Measurements& measurements) {
         "{} of {} steps never became steady, so that the others may not be steady either: record "
         "longer steps.",
         lost, lost + std::ssize(measurements.readings));
+}
+
+/// Readings whose errors of shear stress and solid fraction are divided by `excess`.
+Measured with_smaller_errors(Measured measured, std::size_t readings,
+                             const std::array<double, 2>& excess) {
+    Eigen::VectorXd factor = Eigen::VectorXd::Ones(measured.value.size());
+    for (std::size_t k = 0; k < 2 * readings; ++k)
+        factor(static_cast<Eigen::Index>(k)) = 1 / excess[k % 2];
+    measured.covariance = factor.asDiagonal() * measured.covariance * factor.asDiagonal();
+    return measured;
 }
 
 /// Adds the reasons that lie in the measurement itself.
@@ -78,6 +128,8 @@ void add_doubts(Belief& belief, const Measurements& measurements) {
     } else if (std::string text = unsteady_text(measurements); !text.empty()) {
         belief.reasons.push_back(std::move(text));
     }
+    if (const auto speeds = unstated_speeds(measurements))
+        belief.reasons.push_back(speeds_text(*speeds));
 }
 
 }  // namespace
@@ -106,20 +158,37 @@ std::string_view to_string(Agreement::Degree degree) {
 Agreement agreement_of(const std::vector<Reading>& readings,
                        const std::vector<DirectMeasurement>& direct, const Prediction& prediction,
                        const std::vector<bool>& at_bound, const Misfit& misfit,
-                       const ModelSettings& model) {
+                       const ModelSettings& model, const std::array<double, 2>& excess) {
     Agreement agreement{.misfit = misfit,
                         .readings = readings.size(),
                         .rms_percent = rms_percent(readings, prediction.value),
                         .discrepancy = model.discrepancy,
                         .as_inexact = misfit};
+    const Measured measured = stack(readings, direct);
+    if (excess != std::array{1.0, 1.0}) {
+        agreement.by_scatter = misfit;
+        agreement.by_scatter->chi2 =
+            likely_inexactness(with_smaller_errors(measured, readings.size(), excess), prediction,
+                               at_bound)
+                .chi2;
+    }
     if (model.discrepancy_stated) return agreement;
-    const Inexactness likely = likely_inexactness(stack(readings, direct), prediction, at_bound);
+    const Inexactness likely = likely_inexactness(measured, prediction, at_bound);
     if (likely.factor > 1) {
         agreement.as_inexact.chi2 = likely.chi2;
         for (double& each : agreement.discrepancy)
             each *= likely.factor;
     }
     return agreement;
+}
+
+std::array<double, 2> excess_of_errors(const Measurements& measurements) {
+    std::array<double, 2> excess = {1, 1};
+    for (const Remark& note : measurements.notes())
+        if (note.kind == Remark::Kind::errors_above_scatter)
+            excess[note.quantity == "shear_stress" ? 0 : 1] =
+                std::min(most_excess, 1 / note.relative);
+    return excess;
 }
 
 Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const Agreement& fitted,
@@ -132,6 +201,8 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
         belief.misfit_reason = belief.reasons.size();
         belief.reasons.push_back(failure_text(fitted, "the fitted readings"));
     }
+    if (!undescribed && fitted.by_scatter && fitted.by_scatter->p() < incredible_p)
+        belief.reasons.push_back(hidden_text(fitted));
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         if (!out_of_range(fit, parameters, k)) continue;
         belief.reasons.push_back(fmt::format(
@@ -139,12 +210,7 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
             fit.parameters(static_cast<Eigen::Index>(k)), range_text(fit, parameters, k)));
     }
     if (const auto far = far_errors(fit); !far.empty() && !undescribed) {
-        belief.reasons.push_back(fmt::format(
-            "The readings fit best with an error of {} that is {:.1f} times its {}standard "
-            "uncertainty{}: check it.",
-            far.front().name, std::abs(far.front().needed), far.front().assumed ? "typical " : "",
-            far.front().unit == "1" ? fmt::format(" of {:.2g} %", 100 * far.front().standard)
-                                    : ""));
+        belief.reasons.push_back(far_text(far.front()));
     }
     add_doubts(belief, measurements);
     if (predicted && predicted->degree() == Agreement::Degree::fails) {

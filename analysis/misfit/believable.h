@@ -28,6 +28,8 @@ struct Agreement {
     /// have, those that are expected or `Inexactness::factor` times as much.
     std::array<double, 2> discrepancy{};
     Misfit as_inexact = {};  ///< with this discrepancy
+    /// As `as_inexact`, with the scatter of replicates in place of stated errors that are larger.
+    std::optional<Misfit> by_scatter = {};
     Degree degree() const;
     /// Returns the size of the misfits [1] in units of the errors, sqrt(chi2/dof).
     double in_errors() const;
@@ -40,10 +42,16 @@ std::string_view to_string(Agreement::Degree degree);
 /// @param at_bound as for `likely_inexactness`
 /// @param misfit of the readings and the direct measurements
 /// @param model states the discrepancy, which is enlarged unless study.toml states it
+/// @param excess how many times the stated errors of shear stress and solid fraction are larger
+///        than the scatter of replicates [1] (`excess_of_errors`)
 Agreement agreement_of(const std::vector<Reading>& readings,
                        const std::vector<DirectMeasurement>& direct, const Prediction& prediction,
                        const std::vector<bool>& at_bound, const Misfit& misfit,
-                       const ModelSettings& model);
+                       const ModelSettings& model, const std::array<double, 2>& excess = {1, 1});
+
+/// Returns how many times the stated errors of shear stress and solid fraction exceed the scatter
+/// of replicates [1]; 1 where they do not.
+std::array<double, 2> excess_of_errors(const Measurements& measurements);
 
 /// Judgement on whether the fit of a study's model can be believed.
 struct Belief {
@@ -69,8 +77,9 @@ struct Belief {
 constexpr double incredible_p = 1e-3;
 
 /// Returns the reasons not to believe a fit: a wrong unit, a large misfit of fitted or predicted
-/// readings, a shared error that the readings would need, parameters at the end of their range,
-/// doubts and faults of the import, and steps of which most gave no reading.
+/// readings, errors so large that they hide a misfit, a shared error that the readings would need,
+/// parameters at the end of their range, doubts and faults of the import, steps of which most gave
+/// no reading, and one stated inertial number where readings differ as by their speeds.
 /// @param parameters the first is the friction coefficient
 Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const Agreement& fitted,
                  const std::optional<Agreement>& predicted, const Measurements& measurements,

@@ -20,6 +20,10 @@ struct InstrumentError {
     /// Change of each parameter, in its unit, by an error of one standard uncertainty.
     Eigen::VectorXd shift = {};
     double needed = 0;  ///< most likely error by the readings [standard uncertainties]
+    /// Names of the errors, and of effects of the instrument without a budget, that change the
+    /// readings in the same way, so that these cannot tell which of them is the cause: bead_mass
+    /// and height-offset, for example.
+    std::vector<std::string> alike = {};
 };
 
 /// Result of one weighted least-squares fit of a model's parameters to measured values.

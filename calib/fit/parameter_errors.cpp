@@ -96,6 +96,12 @@ constexpr double least_share = 0.01;
 /// Distance from 0, in standard uncertainties, from which an error is named [1]. The readings draw
 /// an estimate towards 0: of 120 honest studies (tests/hostile/spoilings.py) none came beyond 1.54.
 constexpr double far_away = 2;
+/// Cosine [1] from which two changes of the readings count as alike: a tenth of the squared change
+/// is left to tell one from the other. A change that the readings see at 5 standard errors would
+/// then differ by 1.6 of them from one that is alike.
+constexpr double least_cosine = 0.95;
+/// Changes below this many standard errors of the readings are rounding errors of the differences.
+constexpr double rounding = 1e-6;
 
 /// 1/variance of each direct measurement [1/(its unit)^2].
 Eigen::VectorXd precision_of(const std::vector<DirectMeasurement>& direct) {
@@ -103,6 +109,28 @@ Eigen::VectorXd precision_of(const std::vector<DirectMeasurement>& direct) {
     for (std::size_t k = 0; k < direct.size(); ++k)
         precision(static_cast<Eigen::Index>(k)) = std::pow(direct[k].standard_error, -2);
     return precision;
+}
+
+/// Sets `InstrumentError::alike`.
+/// @param changes of the readings by each of `all`
+/// @param covariance of the readings' own errors
+void add_alike(std::vector<InstrumentError>& errors, const std::vector<SharedUncertainty>& all,
+               const Eigen::MatrixXd& changes, const Eigen::MatrixXd& covariance) {
+    Eigen::MatrixXd directions = Whitening(covariance).apply(changes);
+    for (auto direction : directions.colwise()) {
+        if (direction.norm() < rounding)
+            direction.setZero();
+        else
+            direction.normalize();
+    }
+    const Eigen::MatrixXd cosines = directions.transpose() * directions;
+    for (InstrumentError& error : errors) {
+        const auto row = std::ranges::find(all, error.name, &SharedUncertainty::name) - all.begin();
+        for (std::size_t j = 0; j < all.size(); ++j)
+            if (all[j].name != error.name &&
+                std::abs(cosines(row, static_cast<Eigen::Index>(j))) >= least_cosine)
+                error.alike.push_back(all[j].name);
+    }
 }
 
 }  // namespace
@@ -131,6 +159,7 @@ void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Read
     // What is left of each change after the parameters imitated it.
     const Eigen::MatrixXd left = changes - fit.prediction.jacobian * shifts;
     for (std::size_t k = 0; k < uncertainties.size(); ++k) {
+        if (uncertainties[k].unbudgeted) continue;
         const auto j = static_cast<Eigen::Index>(k);
         // An error that does not count is not among the weights: the readings and its uncertainty
         // together estimate it, as if it were the only one.
@@ -146,6 +175,9 @@ void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Read
              .shift = shifts.col(j) / std::sqrt(1 + known),
              .needed = uncertainties[k].counts ? along(j) : along(j) / (1 + information)});
     }
+    const auto values = 2 * std::ssize(readings);
+    add_alike(fit.instrument, uncertainties, changes.topRows(values),
+              measured.covariance.topLeftCorner(values, values));
 }
 
 std::vector<InstrumentError> largest_errors(const Fit& fit, Eigen::Index k, bool counts,
@@ -159,6 +191,18 @@ std::vector<InstrumentError> largest_errors(const Fit& fit, Eigen::Index k, bool
                     const InstrumentError& each) { return !(size(each) > least_share * largest); });
     if (errors.size() > most) errors.resize(most);
     return errors;
+}
+
+std::vector<InstrumentError> largest_causes(const Fit& fit, Eigen::Index k, bool counts,
+                                            std::size_t most) {
+    std::vector<InstrumentError> causes;
+    for (InstrumentError& each : largest_errors(fit, k, counts, fit.instrument.size())) {
+        const bool known = std::ranges::any_of(causes, [&](const InstrumentError& larger) {
+            return std::ranges::find(larger.alike, each.name) != larger.alike.end();
+        });
+        if (!known && causes.size() < most) causes.push_back(std::move(each));
+    }
+    return causes;
 }
 
 std::vector<InstrumentError> far_errors(const Fit& fit) {

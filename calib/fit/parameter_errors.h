@@ -39,6 +39,11 @@ void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Read
 std::vector<InstrumentError> largest_errors(const Fit& fit, Eigen::Index k, bool counts,
                                             std::size_t most);
 
+/// Returns the largest contributions as `largest_errors` does, but of errors that are alike
+/// (`InstrumentError::alike`) the largest alone: each is a cause of its own.
+std::vector<InstrumentError> largest_causes(const Fit& fit, Eigen::Index k, bool counts,
+                                            std::size_t most);
+
 /// Returns the shared errors that a fit needs two or more standard uncertainties away from 0, the
 /// farthest first, whether or not they count.
 std::vector<InstrumentError> far_errors(const Fit& fit);

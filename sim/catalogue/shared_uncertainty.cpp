@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -268,6 +269,31 @@ SharedUncertainty uncertainty_of(const StatedUncertainty& stated, const Study& s
     return result;
 }
 
+/// The effects of a study's instrument without a typical size, unless they are stated.
+/// @param sized the uncertainties with a size, whose effects are left out
+std::vector<SharedUncertainty> without_size(const Study& study,
+                                            const std::vector<SharedUncertainty>& sized) {
+    std::vector<SharedUncertainty> all;
+    for (const std::string& name : names_for(study)) {
+        const std::vector<const Effect*> effects = effects_of(name, study);
+        const bool has_size =
+            known_named(name) || std::ranges::any_of(sized, [&](const SharedUncertainty& each) {
+                return std::ranges::find(each.effects, effects.front()) != each.effects.end();
+            });
+        if (has_size) continue;
+        const std::vector<EffectParameter>& parameters = effects.front()->parameters;
+        if (parameters.size() != 1 || !(parameters.front().smallest_of_interest > 0)) continue;
+        all.push_back({.name = name,
+                       .standard = parameters.front().smallest_of_interest,
+                       .unit = parameters.front().unit,
+                       .assumed = true,
+                       .counts = false,
+                       .unbudgeted = true,
+                       .effects = effects});
+    }
+    return all;
+}
+
 SharedUncertainty typical_of(const Meaning& meaning, const Study& study) {
     SharedUncertainty result{.name = meaning.name,
                              .standard = meaning.typical,
@@ -321,6 +347,7 @@ std::vector<SharedUncertainty> shared_uncertainties(const Study& study) {
         all.push_back(typical_of(each.meaning, study));
         all.back().counts = kind != Class::none;
     }
+    std::ranges::move(without_size(study, all), std::back_inserter(all));
     return all;
 }
 

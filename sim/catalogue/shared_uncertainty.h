@@ -20,6 +20,10 @@ struct SharedUncertainty {
     /// Whether fits take the error into account: it is stated, or the study states the class of its
     /// instrument. The others show what a study leaves out.
     bool counts = true;
+    /// Whether no size is known, so that it is in no budget: an effect of the instrument that is
+    /// named where it changes the readings as an error of the budget does. `standard` is then the
+    /// smallest size of interest.
+    bool unbudgeted = false;
     /// Effects in which an error consists, with one fitted parameter each, which all have the same
     /// distance from their neutral values. They are constant as long as the program runs.
     std::vector<const Effect*> effects = {};
@@ -32,9 +36,10 @@ struct SharedUncertainty {
 };
 
 /// Returns the shared uncertainties of a study: those that its table [instrument] states, then
-/// typical values of all others that apply to the study, which count if the table states a class. A
-/// study with a cell has the uncertainties of a rotational rheometer with an annular cell, and one
-/// of tables alone those of the tables' quantities.
+/// typical values of all others that apply to the study, which count if the table states a class,
+/// and the other effects of its instrument, of which no typical size is known. A study with a cell
+/// has the uncertainties of a rotational rheometer with an annular cell, and one of tables alone
+/// those of the tables' quantities.
 /// @throws InputError at a class or a name that is unknown or does not apply to the study, and at a
 ///         value that is not positive or whose unit does not fit
 std::vector<SharedUncertainty> shared_uncertainties(const Study& study);

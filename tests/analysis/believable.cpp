@@ -92,6 +92,86 @@ TEST(Agreement, IsNearWhereTheModelErrsByMoreThanExpectedUnlessThatIsStated) {
     EXPECT_EQ(stated.discrepancy, usual_discrepancy);
 }
 
+// Errors ten times too large hide a lack of fit, which the scatter of replicates shows.
+TEST(Agreement, IsTestedByTheScatterWhereStatedErrorsAreLarger) {
+    const auto agreement_with = [](double off, double excess) {
+        std::vector<Reading> readings;
+        for (int k = 0; k < 20; ++k) {
+            Reading reading;
+            reading.condition = {.normal_stress = 300 * std::pow(1.4, k), .inertial_number = 0.01};
+            reading.value = {0.3 * reading.condition.normal_stress * (1 + off * (k % 2)), 0.6};
+            reading.covariance =
+                Eigen::Vector2d(0.1 * reading.value(0), 0.06).cwiseAbs2().asDiagonal();
+            readings.push_back(reading);
+        }
+        Prediction prediction{.value = stack(readings).value,
+                              .jacobian = Eigen::MatrixXd::Zero(40, 1),
+                              .covariance = Eigen::MatrixXd::Zero(40, 40),
+                              .run_noise = {}};
+        for (Eigen::Index k = 1; k < 20; k += 2)
+            prediction.value(2 * k) /= 1 + off;
+        return agreement_of(readings, {}, prediction, {}, {0.1, 40}, {}, {excess, 1});
+    };
+    EXPECT_FALSE(agreement_with(0.05, 1).by_scatter);
+    EXPECT_TRUE(belief(agreement_with(0.005, 10)).believable());
+    const Agreement hidden = agreement_with(0.05, 10);
+    ASSERT_TRUE(hidden.by_scatter);
+    EXPECT_NEAR(hidden.by_scatter->chi2, 10 * std::pow(0.05 / 1.05 / 0.01, 2), 1e-6);
+    EXPECT_EQ(hidden.degree(), Degree::describes);
+    const Belief none = belief(hidden);
+    ASSERT_EQ(none.reasons.size(), 1U);
+    EXPECT_THAT(none.reasons.front(), HasSubstr("hide a misfit"));
+}
+
+TEST(Agreement, TakesTheExcessOfErrorsFromTheNotesOfImport) {
+    Measurements measurements;
+    EXPECT_EQ(excess_of_errors(measurements), (std::array{1.0, 1.0}));
+    measurements.remarks = {{.kind = Remark::Kind::errors_above_scatter,
+                             .outcome = Remark::Outcome::note,
+                             .quantity = "solid_fraction",
+                             .relative = 0.25}};
+    EXPECT_EQ(excess_of_errors(measurements), (std::array{1.0, 4.0}));
+    measurements.remarks.front().relative = 0;
+    EXPECT_EQ(excess_of_errors(measurements), (std::array{1.0, 10.0}));
+}
+
+/// Twelve readings at each of two normal stresses that state one inertial number, or another for
+/// every other one. The shear stress of every other reading is `up` [1] larger and its solid
+/// fraction `down` [1] smaller.
+Measurements at_two_speeds(double up, double down, double other_inertial_number) {
+    Measurements measurements;
+    for (int k = 0; k < 24; ++k) {
+        Reading reading;
+        reading.condition = {.normal_stress = k < 12 ? 500.0 : 2000.0, .inertial_number = 1e-3};
+        if (k % 2) reading.condition.inertial_number = other_inertial_number;
+        const double noise = 0.002 * ((7 * k) % 5 - 2), other_noise = 0.0005 * ((11 * k) % 7 - 3);
+        reading.value = {0.3 * reading.condition.normal_stress * (1 + up * (k % 2) + noise),
+                         0.6 * (1 - down * (k % 2) + other_noise)};
+        measurements.readings.push_back(reading);
+    }
+    measurements.remarks = {{.kind = Remark::Kind::errors_below_scatter,
+                             .outcome = Remark::Outcome::note,
+                             .quantity = "shear_stress",
+                             .relative = 4.2,
+                             .p = 1e-9}};
+    return measurements;
+}
+
+TEST(Belief, EndsWhereReadingsDifferAsByTheirSpeeds) {
+    const auto reasons = [](Measurements measurements) {
+        return belief(agreement(22, 22), fit_at(0.1), measurements).reasons;
+    };
+    const Measurements hidden = at_two_speeds(0.05, 0.01, 1e-3);
+    ASSERT_EQ(reasons(hidden).size(), 1U);
+    EXPECT_THAT(reasons(hidden).front(), HasSubstr("as readings at different speeds do"));
+    EXPECT_TRUE(reasons(at_two_speeds(0.05, -0.01, 1e-3)).empty());  // the denser is the stronger
+    EXPECT_TRUE(reasons(at_two_speeds(0.05, 0, 1e-3)).empty());      // as the fillings of a torque
+    EXPECT_TRUE(reasons(at_two_speeds(0.05, 0.01, 1e-2)).empty());   // the speeds are stated
+    Measurements within_errors = hidden;
+    within_errors.remarks.clear();
+    EXPECT_TRUE(reasons(within_errors).empty());
+}
+
 TEST(Belief, EndsWhereALargerDiscrepancyDoesNotHelp) {
     EXPECT_TRUE(belief(agreement(22, 22)).believable());
     EXPECT_TRUE(belief(agreement(60, 25)).believable());

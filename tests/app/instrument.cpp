@@ -57,6 +57,13 @@ double off_in_errors(const json& fit) {
            friction.at("stderr").get<double>();
 }
 
+double off_with_systematic(const json& fit) {
+    const json& friction = fit.at("parameters").at("friction");
+    return std::abs(friction.at("value").get<double>() - truth) /
+           std::hypot(friction.at("stderr").get<double>(),
+                      friction.at("stderr_typical_instrument").get<double>());
+}
+
 const std::string typical = "\n[instrument]\nclass = \"rheometer\"\n";
 
 TEST(Instrument, OfAClassHoldsWhatIsOffByAFewPerCent) {
@@ -69,7 +76,11 @@ TEST(Instrument, OfAClassHoldsWhatIsOffByAFewPerCent) {
         const json fit = fitted(spoiled(with, torque, force, baseline, typical));
         EXPECT_LT(off_in_errors(fit), 2);
         EXPECT_GT(fit.at("parameters").at("friction").at("stderr_instrument"), 0.005);
-        EXPECT_GT(off_in_errors(fitted(spoiled(without, torque, force, baseline, ""))), 2);
+        const json unstated = fitted(spoiled(without, torque, force, baseline, ""));
+        EXPECT_GT(off_in_errors(unstated), 2);
+        // The first line states the systematic error beside the other one.
+        EXPECT_LT(off_with_systematic(unstated), 1.5);
+        EXPECT_EQ(fit.at("parameters").at("friction").at("stderr_typical_instrument"), 0);
     }
 }
 

@@ -1,6 +1,7 @@
 // Errors that all readings share, in the errors of fitted parameters.
 #include "calib/fit/parameter_errors.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -120,6 +121,32 @@ TEST(InstrumentBudget, NamesAnErrorFarBeyondItsUncertainty) {
         far_errors(fit_of(stating({{"bead_mass", "0.5 %"}, {"torque-gain", "2 %"}}), readings));
     ASSERT_FALSE(far.empty());
     EXPECT_EQ(far.front().name, "bead_mass");
+}
+
+// What no reading tells apart is one cause in the budget, under the name of its largest part, with
+// the effects of the instrument whose size nobody states.
+TEST(InstrumentBudget, NamesWhatActsAlike) {
+    const Fit fit = fit_of(planted_study(), readings_with({}, 3));
+    const std::vector<std::pair<std::string, std::vector<std::string>>> expected = {
+        {"torque-gain", {"normal-force-gain", "cross-talk", "wall-friction"}},
+        {"bead_mass", {"density", "height-offset"}},
+        {"torque-offset", {"normal-force-offset"}},
+        {"angular_velocity", {"lid-slip"}}};  // the diameter scales cohesion too
+    for (const auto& [name, others] : expected)
+        for (const std::string& other : others)
+            EXPECT_THAT(named(fit, name).alike, testing::Contains(other)) << name;
+    EXPECT_THAT(named(fit, "torque-gain").alike, testing::Not(testing::Contains("bead_mass")));
+    const auto in_budget = [&](const std::string& name) {
+        return std::ranges::count(fit.instrument, name, &InstrumentError::name);
+    };
+    EXPECT_EQ(in_budget("torque-gain"), 1);
+    EXPECT_EQ(in_budget("wall-friction"), 0);
+    const auto causes = largest_causes(fit, 0, false, 3);
+    ASSERT_EQ(causes.size(), 3U);
+    for (const InstrumentError& each : causes)
+        for (const InstrumentError& other : causes)
+            EXPECT_THAT(each.alike, testing::Not(testing::Contains(other.name)));
+    EXPECT_EQ(causes.front().name, largest_errors(fit, 0, false, 1).front().name);
 }
 
 }  // namespace calib_instrument_budget_test

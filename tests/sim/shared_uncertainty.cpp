@@ -104,7 +104,11 @@ TEST(SharedUncertainty, OfAClassHoldsForWhatIsNotStated) {
     EXPECT_DOUBLE_EQ(all.front().standard, 0.005);
     EXPECT_FALSE(all.front().assumed);
     EXPECT_EQ(std::ranges::count(all, "torque-gain", &SharedUncertainty::name), 1);
-    EXPECT_TRUE(std::ranges::all_of(all, &SharedUncertainty::counts));
+    for (const SharedUncertainty& each : all)
+        EXPECT_NE(each.counts, each.unbudgeted) << each.name;
+    const auto wall = std::ranges::find(all, "wall-friction", &SharedUncertainty::name);
+    ASSERT_NE(wall, all.end());
+    EXPECT_TRUE(wall->unbudgeted);
     EXPECT_TRUE(std::ranges::all_of(all.begin() + 1, all.end(), &SharedUncertainty::assumed));
 }
 

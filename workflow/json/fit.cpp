@@ -140,7 +140,8 @@ Json instrument_json(const Calibration& c) {
                         {"assumed", each.assumed},
                         {"counts", each.counts},
                         {"shift", shifts},
-                        {"needed", each.needed}});
+                        {"needed", each.needed},
+                        {"alike", each.alike}});
     }
     return json;
 }
@@ -159,7 +160,8 @@ void read_instrument(const Json& json, Calibration& c) {
                  .assumed = each.at("assumed"),
                  .counts = each.at("counts"),
                  .shift = Eigen::VectorXd(std::ssize(c.parameters)),
-                 .needed = number_or_nan(each.at("needed"))};
+                 .needed = number_or_nan(each.at("needed")),
+                 .alike = each.value("alike", std::vector<std::string>{})};
         for (std::size_t k = 0; k < c.parameters.size(); ++k)
             error.shift(static_cast<Eigen::Index>(k)) =
                 number_or_nan(each.at("shift").at(c.parameters[k].name));
@@ -178,6 +180,7 @@ Json to_json(const Calibration& c, const Comparison& comparison, const Belief& b
         parameter["stderr_measurement"] = c.fit.measurement_error(i);
         parameter["stderr_simulation"] = c.fit.simulation_error(i);
         parameter["stderr_instrument"] = c.fit.instrument_error(i);
+        parameter["stderr_typical_instrument"] = c.fit.instrument_error(i, false);
         parameter["stderr_discrepancy"] = c.fit.discrepancy_error(i);
         parameter["at_bound"] = static_cast<bool>(c.fit.at_bound[k]);
         parameter["determined"] = c.fit.determines(i);

@@ -1,9 +1,9 @@
 """Ways in which an honest experimenter goes wrong, as changes of a study (studies.py)."""
 import math
 import random
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from studies import FORCE, GAP, RECORDINGS, SPEED, STEP, TABLES, TIME, TORQUE, File, honest
+from studies import FORCE, GAP, PROOF, RECORDINGS, SPEED, STEP, TABLES, TIME, TORQUE, File, honest
 
 
 @dataclass
@@ -684,6 +684,11 @@ def pairs(count, seed=3):
             result.append(Spoiling(f"pair: {a.kind} + {b.kind}", f"{a.size} + {b.size}", change, [study],
                                    a.causes | b.causes, f"{a.words}|{b.words}", a.wet or b.wet))
     return result
+
+
+def proof():
+    """The single ways of recordings, for the studies on which nothing was chosen."""
+    return [replace(s, studies=list(PROOF)) for s in ALL if "glass" in s.studies]
 
 
 def spoilings():

@@ -5,6 +5,10 @@ lammps-table  readings of the same states, as a table with standard errors and w
 polystyrene   recordings, friction 0.12: the states of examples/wet, beads without weight
 glass         recordings at constant speed, friction 0.16, with water (bench/laboratories/states.csv)
 
+Two more, on which nothing in the program was chosen, prove what the others suggest (spoilings.py --proof):
+glass-0.09    as glass, with friction 0.09 and in a narrower cell
+glass-0.25    as glass, with friction 0.25
+
 instrument.py of bench/laboratories makes the recordings; nothing here uses code of Pendular.
 """
 import csv
@@ -22,6 +26,7 @@ import instrument  # noqa: E402
 from instrument import G, Beads, Cell, Faults, Noise, Rig, Shown, States  # noqa: E402
 
 TRUTHS = {"lammps": 0.11, "lammps-table": 0.11, "polystyrene": 0.12, "glass": 0.16}
+PROOF = {"glass-0.09": 0.09, "glass-0.25": 0.25}
 RECORDINGS = ["lammps", "polystyrene", "glass"]
 TABLES = ["lammps-table"]
 TIME, TORQUE, FORCE, GAP, SPEED, STEP = range(6)  # columns of a row [s, N m, N, m, rad/s, 1]
@@ -185,10 +190,9 @@ def polystyrene(seed):
     return recordings("polystyrene", seed, steps, cell, beads, mass, 20.6e-3, [], "plain")
 
 
-def glass(seed):
-    cell, beads, tension = Cell(30e-3, 60e-3), Beads("glass", 0.8e-3, 2500, 0.16), 72.8e-3
+def glass(seed, name="glass", friction=0.16, cell=Cell(30e-3, 60e-3), mass=0.24):
+    beads, tension = Beads("glass", 0.8e-3, 2500, friction), 72.8e-3
     states = States(ROOT / "bench/laboratories/states.csv", beads.friction)
-    mass = 0.24
     rig = Rig(cell, beads, states, mass, tension)
     steps = {}
     for content in (0.0, 0.03):
@@ -197,7 +201,7 @@ def glass(seed):
             stresses, speeds = ((710, 1400, 3400), (7, 18)) if content else ((400, 1000, 2000, 5000), (4.4, 27))
             steps[content, replicate] = [rig.shown(stress, speed, None, content)[0]
                                          for stress in stresses for speed in speeds]
-    return recordings("glass", seed, steps, cell, beads, mass, tension, ["grain-weight"], "decimal-comma")
+    return recordings(name, seed, steps, cell, beads, mass, tension, ["grain-weight"], "decimal-comma")
 
 
 def lammps_table(seed):
@@ -218,7 +222,9 @@ def lammps_table(seed):
     return study
 
 
-MAKERS = {"lammps": lammps, "lammps-table": lammps_table, "polystyrene": polystyrene, "glass": glass}
+MAKERS = {"lammps": lammps, "lammps-table": lammps_table, "polystyrene": polystyrene, "glass": glass,
+          "glass-0.09": lambda seed: glass(seed, "glass-0.09", 0.09, Cell(33e-3, 55e-3), 0.15),
+          "glass-0.25": lambda seed: glass(seed, "glass-0.25", 0.25)}
 
 
 def honest(name, seed=1):
