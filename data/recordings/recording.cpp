@@ -317,7 +317,7 @@ Recording recording_of(const BlockFile& file, const FileFormat& format) {
                          "; steady shear needs time, torque or shear stress, normal force or "
                          "normal stress, gap, and the lid's speed in one interval. 'pendular "
                          "import FILE' shows what the file has");
-    if (whole.size() > 0 && ((whole.torque.empty() && whole.shear_stress.empty()) ||
+    if (whole.size() > 0 && (whole.shear().empty() ||
                              (whole.normal_force.empty() && whole.normal_stress.empty()) ||
                              (whole.angular_velocity.empty() && whole.shear_velocity.empty())))
         throw InputError({file.file},
@@ -334,6 +334,15 @@ Recording read_recording(const std::filesystem::path& path, const FileFormat& fo
 }
 
 void fill_from_stresses(Recording& recording, const AnnularCell& cell) {
+    if (recording.torque.empty() && recording.shear_stress.empty()) {
+        if (!recording.lever_force.empty() && !(cell.lever_arm > 0))
+            throw InputError({recording.file},
+                             "has the force on a lever in place of a torque; state the distance of "
+                             "the load cell from the axis in [cell] of study.toml, as in lever_arm "
+                             "= \"0.2 m\"");
+        for (const double force : recording.lever_force)
+            recording.torque.push_back(force * cell.lever_arm);
+    }
     if (recording.torque.empty())
         for (const double stress : recording.shear_stress)
             recording.torque.push_back(torque(stress, cell));

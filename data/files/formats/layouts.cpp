@@ -142,7 +142,7 @@ std::vector<std::string> layout_names() {
 
 const std::vector<std::string>& interval_roles() {
     static const std::vector<std::string> roles = {"filling",   "preshear", "unloading", "failure",
-                                                   "reloading", "steady",   "other"};
+                                                   "reloading", "steady",   "wall",      "other"};
     return roles;
 }
 

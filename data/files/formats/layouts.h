@@ -27,7 +27,7 @@ const std::vector<Layout>& layouts();
 std::vector<std::string> layout_names();
 
 /// Returns the roles that an interval may have in a test: "filling", "preshear", "unloading",
-/// "failure", "reloading", "steady" and "other".
+/// "failure", "reloading", "steady", "wall" and "other".
 const std::vector<std::string>& interval_roles();
 
 /// Reads a file of measurements in any known layout. Layout, encoding, delimiter and decimal mark
