@@ -202,8 +202,8 @@ std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<Inte
         else if (const auto kind = kind_shown_by_columns(file.blocks[i]))
             roles.push_back({"other", *kind});
         else if (!file.shown_wall.empty() && (file.table_of_points || loading[i].sheared))
-            roles.push_back({"wall", fmt::format("shear along a wall, as {} shows",
-                                                 file.shown_wall)});
+            roles.push_back(
+                {"wall", fmt::format("shear along a wall, as {} shows", file.shown_wall)});
         else if (file.table_of_points)
             roles.push_back(
                 {"failure", "a table of points: one row is one test, taken for a peak"});

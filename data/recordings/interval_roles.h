@@ -16,11 +16,11 @@ struct IntervalRole {
 };
 
 /// Returns the role of each interval of a file: "filling", "preshear", "unloading", "failure",
-/// "reloading", "steady", "wall" or "other". A role that the user or the file states takes precedence. An
-/// interval whose columns show another kind of test (`kind_shown_by_columns`), or without values of
-/// shear stress or of normal stress, is "other". Each row of a table of points is "failure". In a
-/// file that shows shear along a wall (`shown_wall`), rows of such a table and sheared intervals
-/// are "wall".
+/// "reloading", "steady", "wall" or "other". A role that the user or the file states takes
+/// precedence. An interval whose columns show another kind of test (`kind_shown_by_columns`), or
+/// without values of shear stress or of normal stress, is "other". Each row of a table of points is
+/// "failure". In a file that shows shear along a wall (`shown_wall`), rows of such a table and
+/// sheared intervals are "wall".
 ///
 /// An interval is sheared if the lid turns by more than 0.01 rad or, if no interval of the file
 /// shows that the lid turns, if its largest shear stress exceeds 5 % of its normal stress. Its role

@@ -317,9 +317,9 @@ Recording recording_of(const BlockFile& file, const FileFormat& format) {
                          "; steady shear needs time, torque or shear stress, normal force or "
                          "normal stress, gap, and the lid's speed in one interval. 'pendular "
                          "import FILE' shows what the file has");
-    if (whole.size() > 0 && (whole.shear().empty() ||
-                             (whole.normal_force.empty() && whole.normal_stress.empty()) ||
-                             (whole.angular_velocity.empty() && whole.shear_velocity.empty())))
+    if (whole.size() > 0 &&
+        (whole.shear().empty() || (whole.normal_force.empty() && whole.normal_stress.empty()) ||
+         (whole.angular_velocity.empty() && whole.shear_velocity.empty())))
         throw InputError({file.file},
                          "some intervals have torque, normal force or angular velocity and others "
                          "only stresses or the speed at the mean radius; export all intervals with "

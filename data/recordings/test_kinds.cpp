@@ -66,16 +66,15 @@ std::string joined_words(std::string_view text) {
 
 bool names_wall_friction(std::string_view text) {
     constexpr std::array<std::string_view, 8> names = {
-        "wallfriction",     "wallyield", "wandreibung",      "wandfließ", "frottementàlaparoi",
-        "frottementparoi", "attritoallaparete", "fricciónconlapared"};
+        "wallfriction",       "wallyield",       "wandreibung",       "wandfließ",
+        "frottementàlaparoi", "frottementparoi", "attritoallaparete", "fricciónconlapared"};
     const std::string joined = joined_words(text);
-    return std::ranges::any_of(names, [&](std::string_view name) {
-        return joined.find(name) != std::string::npos;
-    });
+    return std::ranges::any_of(
+        names, [&](std::string_view name) { return joined.find(name) != std::string::npos; });
 }
 
 bool is_of_wall(const BlockColumn& column) {
-    constexpr std::array<std::string_view, 7> names = {"wall", "wand",  "paroi", "pared",
+    constexpr std::array<std::string_view, 7> names = {"wall",   "wand", "paroi", "pared",
                                                        "parete", "tauw", "sigmaw"};
     if (column.quantity != "shear_stress" && column.quantity != "normal_stress") return false;
     const std::string joined = joined_words(column.name);
@@ -122,10 +121,10 @@ std::optional<std::string> stress_growth(const IntervalSeries& series) {
     if (!constant(load) || !constant(speed) || !(rise[0] > (1 + grows) * rise[1]) ||
         !(rise[1] > (1 + grows) * rise[2]))
         return std::nullopt;
-    return fmt::format("stress growth: at constant speed, the shear {} still rises by {:.0f} % "
-                       "over the last tenth of the rows: no steady shear is reached",
-                       series.shear_stress.empty() ? "force" : "stress",
-                       100 * (rise[0] / rise[1] - 1));
+    return fmt::format(
+        "stress growth: at constant speed, the shear {} still rises by {:.0f} % "
+        "over the last tenth of the rows: no steady shear is reached",
+        series.shear_stress.empty() ? "force" : "stress", 100 * (rise[0] / rise[1] - 1));
 }
 
 std::optional<std::string> stick_slip(const IntervalSeries& series) {
@@ -136,14 +135,15 @@ std::optional<std::string> stick_slip(const IntervalSeries& series) {
     for (std::size_t i = shear.size() / 2; i < shear.size(); ++i)
         if (std::isfinite(shear[i])) values.push_back(std::abs(shear[i]));
     if (values.size() < 2 * shortest_step) return std::nullopt;
-    const double mean = std::accumulate(values.begin(), values.end(), 0.0) /
-                        static_cast<double>(values.size());
+    const double mean =
+        std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
     const auto found = slips(values, 0);
     if (!found || found->p > finding_significance || !(found->drop > least_drop * mean))
         return std::nullopt;
-    return fmt::format("stick-slip: the shear stress drops suddenly by {:.0f} % every {:.2g} rows: "
-                       "no steady shear",
-                       100 * found->drop / mean, found->samples);
+    return fmt::format(
+        "stick-slip: the shear stress drops suddenly by {:.0f} % every {:.2g} rows: "
+        "no steady shear",
+        100 * found->drop / mean, found->samples);
 }
 
 }  // namespace pendular

@@ -27,10 +27,9 @@ bool fit_wall(WallLocus& locus) {
     if (locus.points.size() < fewest) return true;
     double about_origin = 0, about_line = 0;
     for (const WallPoint& point : locus.points) {
-        about_origin +=
-            std::pow(point.shear_stress - locus.coefficient * point.normal_stress, 2);
-        about_line += std::pow(
-            point.shear_stress - locus.adhesion - locus.slope * point.normal_stress, 2);
+        about_origin += std::pow(point.shear_stress - locus.coefficient * point.normal_stress, 2);
+        about_line +=
+            std::pow(point.shear_stress - locus.adhesion - locus.slope * point.normal_stress, 2);
     }
     const double variance = about_line / (n - 2);
     locus.errors = WallErrors{.coefficient = std::sqrt(about_origin / (n - 1) / xx),

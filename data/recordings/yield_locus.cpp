@@ -262,7 +262,8 @@ PreshearPoint preshear_point(const IntervalSeries& series) {
     point.shear_stress_deviation = std::sqrt(squares / static_cast<double>(rows));
     point.shear_stress = std::abs(point.shear_stress);
     point.begin = begin;
-    if (const double gap = series.height.empty() ? NAN : mean_of(series.height, begin, series.size());
+    if (const double gap =
+            series.height.empty() ? NAN : mean_of(series.height, begin, series.size());
         std::isfinite(gap))
         point.height = gap;
     const double before =
@@ -303,16 +304,15 @@ std::vector<YieldLocus> yield_loci(const BlockFile& file, const std::vector<Inte
     for (std::size_t i = 0; i < series.size(); ++i) {
         if (roles[i].role != "failure" || !row_of_peak(series[i])) continue;
         const auto own = preshear_before(file, series, roles, i);
-        YieldLocus& locus = locus_for(loci, file.blocks[i].test,
-                                      own ? std::optional(own->point) : std::nullopt);
+        YieldLocus& locus =
+            locus_for(loci, file.blocks[i].test, own ? std::optional(own->point) : std::nullopt);
         locus.points.push_back(failure_point(file.blocks[i], series[i]));
         preshears.resize(loci.size());
         if (own) preshears[static_cast<std::size_t>(&locus - loci.data())].push_back(*own);
     }
     for (std::size_t k = 0; k < loci.size(); ++k) {
         YieldLocus& locus = loci[k];
-        if (locus.preshear)
-            compare_preshears(locus, preshears[k], prorate || file.table_of_points);
+        if (locus.preshear) compare_preshears(locus, preshears[k], prorate || file.table_of_points);
         if (prorate) prorate_points(locus);
         locus.line = fitted(locus, &FailurePoint::normal_stress, &FailurePoint::shear_stress);
         locus.smoothed = fitted(locus, &FailurePoint::smoothed_normal_stress,
