@@ -132,6 +132,17 @@ void split_points(BlockFile& file) {
     }
 }
 
+/// Takes the normal stress of the preshear from the column that an instrument writes it in.
+void state_preshears(BlockFile& file) {
+    for (Block& block : file.blocks) {
+        if (block.preshear_normal_stress || !block.has_column("preshear_stress")) continue;
+        const Columns columns(block.table);
+        for (const Row& row : block.table.rows)
+            if (!block.preshear_normal_stress)
+                block.preshear_normal_stress = columns.value_if_any(row, "preshear_stress");
+    }
+}
+
 /// Computes torques from forces on a lever and, if the file has neither, the stresses.
 void convert_lever_forces(IntervalSeries& series, const AnnularCell& cell) {
     if (series.lever_force.empty() || !(cell.lever_arm > 0)) return;
@@ -154,6 +165,7 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
     refuse_unused_file(view.file);
     split_by_interval(view.file);
     split_points(view.file);
+    state_preshears(view.file);
     view.file.shown_wall = format.wall ? "the user" : shown_wall(view.file);
     for (const Block& block : view.file.blocks) {
         view.series.push_back(series_of(block));

@@ -68,16 +68,12 @@ struct OwnPreshear {
     std::size_t interval;
 };
 
-/// Preshear of the same test before an interval; empty if none was recorded.
+/// Preshear of the same test before an interval, or else the one that the file states; empty if
+/// there is none.
 std::optional<OwnPreshear> preshear_before(const BlockFile& file,
                                            const std::vector<IntervalSeries>& series,
                                            const std::vector<IntervalRole>& roles, std::size_t i) {
-    if (const auto normal = file.blocks[i].preshear_normal_stress)
-        return OwnPreshear{
-            {.normal_stress = *normal,
-             .shear_stress = file.blocks[i].preshear_shear_stress.value_or(std::nan("")),
-             .bulk_density = file.blocks[i].bulk_density},
-            i};
+    const std::size_t own = i;
     while (i-- > 0 && file.blocks[i].test == file.blocks[i + 1].test)
         if (roles[i].role == "preshear" && !series[i].shear_stress.empty() &&
             !series[i].normal_stress.empty()) {
@@ -85,6 +81,12 @@ std::optional<OwnPreshear> preshear_before(const BlockFile& file,
             point.bulk_density = file.blocks[i].bulk_density;
             return OwnPreshear{point, i};
         }
+    if (const auto normal = file.blocks[own].preshear_normal_stress)
+        return OwnPreshear{
+            {.normal_stress = *normal,
+             .shear_stress = file.blocks[own].preshear_shear_stress.value_or(std::nan("")),
+             .bulk_density = file.blocks[own].bulk_density},
+            own};
     return std::nullopt;
 }
 
