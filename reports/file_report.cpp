@@ -300,18 +300,37 @@ Output import_output(const Measurements& measurements, const std::filesystem::pa
     return output;
 }
 
+namespace {
+
+/// The most frequent reason for which intervals are another kind of test; of equally frequent ones
+/// the first. Those without values give none where others give one.
+std::string usual_reason(const FileView& view) {
+    std::map<std::string, std::size_t> counts;
+    std::string best;
+    for (const IntervalRole& each : view.roles)
+        if (each.role == "other" && !each.reason.starts_with("no values")) ++counts[each.reason];
+    for (const IntervalRole& each : view.roles)
+        if (counts.contains(each.reason) && (best.empty() || counts[each.reason] > counts[best]))
+            best = each.reason;
+    const auto none = std::ranges::find(view.roles, "other", &IntervalRole::role);
+    return best.empty() && none != view.roles.end() ? none->reason : best;
+}
+
+}  // namespace
+
 std::string unused_sentence(const std::vector<FileView>& views) {
     const auto useful = [](const FileView& view) {
         return is_used(view) || is_table_of_readings(view);
     };
     if (std::ranges::any_of(views, useful)) return "";
     const FileView& view = views.front();
-    std::string reason;
-    if (!view.missing.empty())
+    const bool sheared = std::ranges::any_of(view.roles, [](const IntervalRole& each) {
+        return each.role == "steady" || each.role == "failure" || each.role == "preshear";
+    });
+    std::string reason = "it has neither steady shear nor points of failure";
+    if (const std::string other = usual_reason(view); !other.empty()) reason = other;
+    if (sheared && !view.missing.empty())
         reason = fmt::format("it has no {}", fmt::join(view.missing, ", no "));
-    for (std::size_t i = view.roles.size(); i-- > 0;)
-        if (view.roles[i].role == "other") reason = view.roles[i].reason;
-    if (reason.empty()) reason = "it has neither steady shear nor points of failure";
     return fmt::format("Nothing of {} is used: {}.",
                        std::filesystem::path(view.file.file).filename().string(), reason);
 }

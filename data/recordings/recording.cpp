@@ -206,7 +206,8 @@ bool numbers_tell_apart(const std::vector<Block>& blocks) {
 /// he stated none, its columns show another kind of test.
 bool has_other_role(const Block& block, const FileFormat& format, const std::string& file,
                     std::vector<Lines> lines, std::vector<Remark>& left_out) {
-    const std::string role = stated_role(block, format);
+    std::string role = stated_role(block, format);
+    if (role.empty()) role = block.stated_role;
     const auto kind = role.empty() ? kind_shown_by_columns(block) : std::nullopt;
     if (role == "steady" || (role.empty() && !kind)) return false;
     leave_out(left_out, {.kind = kind ? Remark::Kind::other_test : Remark::Kind::stated_role,
