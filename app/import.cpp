@@ -37,7 +37,7 @@ std::vector<Figure> figures_of_recordings(const StudyInput& input, Console& cons
 int import(const std::vector<std::string>& arguments) {
     ImportFileOptions file;
     Options options(
-        "import STUDY | FILE [options]",
+        "import STUDY | FILE... [options]",
         "Turns the recordings of a study into readings. A reading is the mean shear stress and "
         "solid fraction\n"
         "over the steady part of a step, with standard errors. Writes readings.csv and "
@@ -50,16 +50,21 @@ int import(const std::vector<std::string>& arguments) {
         "encoding,\n"
         "columns with units, intervals and what each is used for, checks, and peaks (failure "
         "points).\n"
+        "Several files are read one after the other: yield loci after several preshears give a "
+        "flow "
+        "function.\n"
         "--figures draws the recordings with the rows that are averaged, and yield loci with their "
         "Mohr\ncircles.",
         "  pendular import examples/dry-recordings\n"
         "  pendular import my-study --json -\n"
         "  pendular import export.csv --study my-study\n"
-        "  pendular import export.csv --figures figures\n",
+        "  pendular import export.csv --figures figures\n"
+        "  pendular import 3kPa.csv 6kPa.csv --loci strengths.csv\n",
         true);
     options.set_first_word("STUDY or FILE (the folder of a study, or a file of an instrument)");
     options.leave_out({"fidelity", "store", "threads", "quiet"});
     file.declare(options);
+    options.take(&file.more, a_file());
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -67,6 +72,9 @@ int import(const std::vector<std::string>& arguments) {
     Console console(*common);
     if (is_bare_file(common->study)) return import_file(common->study, file, console);
     file.refuse_for_studies(options);
+    if (!file.more.empty())
+        throw InputError(fmt::format("unexpected argument \"{}\": a study is imported alone",
+                                     file.more.front()));
     const StudyInput input =
         read_input(common->study, places_of(*common, {"readings.csv", "excluded.csv"}));
     const Measurements& measurements = input.measurements;

@@ -17,8 +17,11 @@
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/recordings/file_view.h"
+#include "data/recordings/locus_table.h"
 #include "data/study/study.h"
 #include "reports/file_report.h"
+#include "reports/locus_figures.h"
+#include "reports/locus_report.h"
 #include "reports/recording_figures.h"
 #include "workflow/begin_study.h"
 #include "workflow/json/measurements.h"
@@ -60,6 +63,8 @@ FileFormat format_of(const ImportFileOptions& options) {
     format.encoding = options.encoding;
     format.decimal = options.decimal;
     format.sheet = options.sheet;
+    format.prorate = options.prorate;
+    format.wall = options.wall;
     if (options.columns.find('{') != std::string::npos) {
         format.named_columns = named_columns(options.columns);
         return format;
@@ -119,6 +124,7 @@ std::vector<Figure> figures_of(const std::vector<FileView>& views) {
             figure.name = unused_name(figure.name, figures);
             figures.push_back(std::move(figure));
         }
+    if (auto flow = flow_function_figure(views)) figures.push_back(std::move(*flow));
     return figures;
 }
 
@@ -137,12 +143,20 @@ void ImportFileOptions::declare(Options& options) {
                 a_folder());
     options.add("tidy", &tidy, "CSV file for all rows in SI units, with header and unit rows",
                 a_file());
+    options.add("loci", &loci,
+                "CSV file for the results of yield loci and wall yield loci, with standard errors",
+                a_file());
+    options.add_switch("prorate", &prorate,
+                       "multiply shear stresses at failure by the mean shear stress of the "
+                       "preshears over that of their own");
+    options.add_switch("wall", &wall, "the file holds grains sheared along a wall");
     options.add("layout", &layout, "layout of the file (default: recognised by its content)",
                 one_of(layout_names()));
     options.add("encoding", &encoding, "character encoding of the file (default: detected)");
-    options.add("sheet", &sheet,
-                "sheet of a workbook (.xlsx), or a pattern such as '* kPa' (default: every sheet "
-                "with a table)");
+    options.add(
+        "sheet", &sheet,
+        "sheet of a workbook (.xlsx, .xls), or a pattern such as '* kPa' (default: every sheet "
+        "with a table)");
     options.add("decimal", &decimal, "decimal mark of the file, '.' or ',' (default: detected)");
     options.add(
         "columns", &columns,
@@ -151,8 +165,8 @@ void ImportFileOptions::declare(Options& options) {
 }
 
 void ImportFileOptions::refuse_for_studies(const Options& options) const {
-    for (const char* const name :
-         {"study", "tidy", "layout", "encoding", "sheet", "decimal", "columns"})
+    for (const char* const name : {"study", "tidy", "loci", "prorate", "wall", "layout", "encoding",
+                                   "sheet", "decimal", "columns"})
         if (options.given(name))
             throw InputError(
                 fmt::format("--{} belongs to a single file; for a study, write it in "
@@ -165,15 +179,73 @@ bool is_bare_file(const std::filesystem::path& path) {
     return std::filesystem::is_regular_file(path, error) && path.extension() != ".toml";
 }
 
-int import_file(const std::filesystem::path& path, const ImportFileOptions& options,
-                Console& console) {
-    const FileFormat format = format_of(options);
-    const SheetViews read = views_of_file(path, format);
-    const std::vector<FileView>& views = read.views;
+namespace {
+
+/// Files that the user named.
+std::vector<std::filesystem::path> all_files(const std::filesystem::path& first,
+                                             const std::vector<std::string>& more) {
+    std::vector<std::filesystem::path> paths = {first};
+    for (const std::string& path : more) {
+        if (!is_bare_file(path))
+            throw InputError({path},
+                             "is no file of measurements; each of several arguments must "
+                             "be one");
+        paths.emplace_back(path);
+    }
+    return paths;
+}
+
+/// @throws InputError if a table that the user wants cannot be written
+void check_tables(const ImportFileOptions& options) {
     if (!options.tidy.empty()) {
         demand_writable(options.tidy, "--tidy", false);
         demand_table(options.tidy, tidy_table_begin);
     }
+    if (options.loci.empty()) return;
+    demand_writable(options.loci, "--loci", false);
+    demand_table(options.loci, locus_table_begin);
+}
+
+/// The command to give next; empty for none.
+std::string next_command(const std::vector<std::filesystem::path>& paths,
+                         const std::vector<FileView>& views, const ImportFileOptions& options,
+                         std::size_t guesses) {
+    const std::string study = shell_word(options.study);
+    if (!options.study.empty() && guesses > 0)
+        return fmt::format("edit {}, then pendular import {}",
+                           shell_word(std::filesystem::path(options.study) / "study.toml"), study);
+    if (!options.study.empty()) return "pendular import " + study;
+    if (std::ranges::none_of(views, begins_study)) return "";
+    std::string command = "pendular import";
+    for (const std::filesystem::path& path : paths)
+        command += " " + shell_word(path);
+    return command + " --study my-study";
+}
+
+/// Prints what the files hold. Returns whether anything of it is used.
+bool print_views(const SheetViews& read, Console& console) {
+    const std::string unused = unused_sentence(read.views);
+    if (!unused.empty()) console.answer(unused);
+    for (const FileView& view : read.views)
+        console.print(file_output(view, console.all(), unused.empty()));
+    if (const auto flow = flow_function_table(read.views); !flow.empty()) {
+        console.line(flow.front());
+        console.table({flow.begin() + 1, flow.end()}, 10);
+    }
+    for (const std::string& sentence : read.not_read)
+        console.note(sentence);
+    return unused.empty();
+}
+
+}  // namespace
+
+int import_file(const std::filesystem::path& path, const ImportFileOptions& options,
+                Console& console) {
+    const FileFormat format = format_of(options);
+    const auto paths = all_files(path, options.more);
+    const SheetViews read = views_of_files(paths, format);
+    const std::vector<FileView>& views = read.views;
+    check_tables(options);
     std::size_t guesses = 0;
     if (!options.study.empty()) {
         const auto files = files_of_study(options.study, views, format);
@@ -181,22 +253,16 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
         write_whole_folder(options.study, files);
     }
     if (!options.tidy.empty()) write_whole(options.tidy, tidy_table(views));
-    const auto toml = std::filesystem::path(options.study) / "study.toml";
-    for (const FileView& view : views)
-        console.print(file_output(view, console.all()));
-    for (const std::string& sentence : read.not_read)
-        console.note(sentence);
-    if (guesses > 0) console.line(guesses_sentence(guesses, toml));
-    const bool begins = std::ranges::any_of(views, begins_study);
-    if (options.study.empty() && begins)
-        console.next(fmt::format("pendular import {} --study my-study", shell_word(path)));
-    else if (!options.study.empty())
-        console.next(guesses > 0 ? fmt::format("edit {}, then pendular import {}", shell_word(toml),
-                                               shell_word(options.study))
-                                 : fmt::format("pendular import {}", shell_word(options.study)));
+    if (!options.loci.empty()) write_whole(options.loci, locus_table(views));
+    const bool used = print_views(read, console);
+    if (guesses > 0)
+        console.line(
+            guesses_sentence(guesses, std::filesystem::path(options.study) / "study.toml"));
+    if (const std::string next = next_command(paths, views, options, guesses); !next.empty())
+        console.next(next);
     console.json(json_of(views));
     if (!options.figures.empty()) console.figures(options.figures, figures_of(views));
-    return done;
+    return used ? done : wrong_input;
 }
 
 }  // namespace pendular::app

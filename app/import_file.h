@@ -19,7 +19,11 @@ struct ImportFileOptions {
     std::string columns;
     std::string study;    ///< folder of the new study that is made from the file
     std::string tidy;     ///< CSV file for all rows of the file in SI units
+    std::string loci;     ///< CSV file for the results of all yield loci
     std::string figures;  ///< folder for the figures of the file or study
+    bool prorate = false;  ///< whether points of failure are prorated
+    bool wall = false;     ///< whether the file holds shear along a wall
+    std::vector<std::string> more;  ///< further files, read as the first
 
     /// Adds the options to the command line of `pendular import`.
     void declare(Options& options);
@@ -33,11 +37,12 @@ struct ImportFileOptions {
 /// extension is not .toml.
 bool is_bare_file(const std::filesystem::path& path);
 
-/// Runs `pendular import FILE` and returns the exit code. Prints the layout, the columns, the
+/// Runs `pendular import FILE...` and returns the exit code, that of wrong input if nothing of the
+/// files is used. Prints the layout, the columns, the
 /// intervals and the faults of the file, and makes the new study that the user requested.
 /// @throws InputError if the file cannot be read, if --layout or --decimal has an unknown value, if
 ///         the folder for the new study already contains a file of the new study, or if the file of
-///         --tidy cannot be written or contains anything other than an earlier table of --tidy
+///         --tidy or --loci cannot be written or contains anything other than an earlier table
 int import_file(const std::filesystem::path& path, const ImportFileOptions& options,
                 Console& console);
 

@@ -18,6 +18,9 @@ struct AnnularCell {
     /// Formula that converts a torque to a shear stress. `as_printed` in Badetti et al. (2018)
     /// gives twice the shear stress of `derived`, which follows from integration over the annulus.
     FormulaVariant torque_formula = FormulaVariant::derived;
+    /// Distance from the axis at which a load cell holds the lid [m]: its force times this arm is
+    /// the torque. 0: the instrument gives torques.
+    double lever_arm = 0;
 
     /// Returns the area [m^2] of the annulus: pi (Re^2 - Ri^2).
     double area() const;

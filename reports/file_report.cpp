@@ -7,7 +7,6 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <numbers>
 #include <ranges>
 #include <string_view>
 #include <tuple>
@@ -16,8 +15,9 @@
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/remarks/wording.h"
+#include "reports/locus_report.h"
 #include "reports/tables.h"
-#include "reports/with_error.h"
+#include "workflow/begin_study.h"
 
 namespace pendular {
 namespace {
@@ -102,41 +102,6 @@ std::vector<std::string> skipped_lines(const BlockFile& file, bool all) {
     return lines;
 }
 
-/// Value with its error, if known, and unit.
-std::string result_text(double value, const std::optional<LocusErrors>& errors,
-                        double LocusErrors::*error, const char* unit, double scale = 1) {
-    const double own = errors ? scale * (*errors).*error : 0;
-    if (!(own > 0) || !std::isfinite(own) || !std::isfinite(value))
-        return std::isinf(value) && value > 0 ? "infinite"
-                                              : fmt::format("{:.4g}{}", scale * value, unit);
-    return with_error(scale * value, own) + unit;
-}
-
-std::string strength_line(const char* rule, const LinearYieldLocus& line, std::size_t points) {
-    using Errors = LocusErrors;
-    constexpr double degree = 180 / std::numbers::pi;
-    const auto text_of = [&](double value, double Errors::*error, const char* unit,
-                             double scale = 1) {
-        return result_text(value, line.errors, error, unit, scale);
-    };
-    std::string text = fmt::format(
-        "  {:<22} cohesion {}, angle of internal friction {}, tensile strength {}, unconfined "
-        "strength {}",
-        rule, text_of(line.cohesion, &Errors::cohesion, " Pa"),
-        text_of(line.slope_angle, &Errors::slope_angle, " deg", degree),
-        text_of(line.tensile_strength, &Errors::tensile_strength, " Pa"),
-        text_of(line.unconfined_strength, &Errors::unconfined_strength, " Pa"));
-    if (line.intercept < 0) text += fmt::format(" (the intercept is {:.4g} Pa)", line.intercept);
-    if (line.flowability)
-        text += fmt::format(
-            ", major principal stress {}, effective angle {}, flowability {}, {}",
-            text_of(*line.major_principal_stress, &Errors::major_principal_stress, " Pa"),
-            text_of(*line.effective_angle, &Errors::effective_angle, " deg", degree),
-            text_of(*line.flowability, &Errors::flowability, ""), line.flow_class);
-    if (!line.errors) text += fmt::format("; errors: not determined by {} points", points);
-    return text + ".";
-}
-
 }  // namespace
 
 std::string file_sentence(const FileView& view) {
@@ -214,72 +179,6 @@ std::vector<std::string> checks_lines(const FileView& view, bool all) {
     return lines;
 }
 
-/// Reasons not to believe a yield locus.
-std::vector<std::string> doubts_of(const YieldLocus& locus) {
-    std::vector<std::string> doubts;
-    if (locus.line && locus.line->intercept < 0)
-        doubts.emplace_back(
-            "The line meets the axis below zero, as no grains do: repeat points that lie apart.");
-    if (!locus.preshear) return doubts;
-    std::vector<int> above;
-    for (const FailurePoint& point : locus.points)
-        if (point.shear_stress > locus.preshear->shear_stress &&
-            point.normal_stress < locus.preshear->normal_stress)
-            above.push_back(point.interval);
-    if (!above.empty())
-        doubts.push_back(fmt::format(
-            "Interval{} {}: sheared above the shear stress of the preshear at a lower normal "
-            "stress, so that the preshear may not have been steady.",
-            above.size() == 1 ? "" : "s", fmt::join(above, ", ")));
-    return doubts;
-}
-
-std::vector<std::string> yield_locus_lines(const FileView& view) {
-    std::vector<std::string> lines;
-    if (view.file.table_of_points && !view.loci.empty())
-        lines.emplace_back(
-            "Each row counts as the peak of one test. If the rows are steady shear, read them in "
-            "[[readings]] without state = \"failure\".");
-    for (const YieldLocus& locus : view.loci) {
-        std::string heading = "Yield locus";
-        if (!locus.test.empty()) heading += " of " + locus.test;
-        if (locus.preshear)
-            heading += fmt::format(", preshear with normal stress {:.4g} Pa",
-                                   locus.preshear->normal_stress);
-        if (locus.preshear && std::isfinite(locus.preshear->shear_stress))
-            heading += fmt::format(", shear stress {:.4g} Pa", locus.preshear->shear_stress);
-        if (locus.preshear && locus.preshear->bulk_density)
-            heading += fmt::format(", bulk density {:.4g} kg/m^3", *locus.preshear->bulk_density);
-        if (locus.preshear && !locus.preshear->plateau)
-            heading += " (still changing at its end: the preshear was too short)";
-        lines.push_back(heading + ":");
-        lines.push_back(fmt::format("  {:>8} {:>8} {:>18} {:>18} {:>16} {:>16}", "interval", "line",
-                                    "normal stress [Pa]", "shear stress [Pa]", "smoothed normal",
-                                    "smoothed shear"));
-        for (const FailurePoint& point : locus.points)
-            lines.push_back(fmt::format(
-                "  {:>8} {:>8} {:>18.4g} {:>18.4g} {:>16.4g} {:>16.4g}{}", point.interval,
-                point.line, point.normal_stress, point.shear_stress, point.smoothed_normal_stress,
-                point.smoothed_shear_stress,
-                point.at_end ? "  at the last rows: failure may not have been reached" : ""));
-        for (const std::string& line : doubts_of(locus))
-            lines.push_back("  " + line);
-        if (locus.line)
-            lines.push_back(strength_line("Largest sample:", *locus.line, locus.points.size()));
-        const bool rows = std::ranges::any_of(locus.points, [](const FailurePoint& point) {
-            return point.smoothed_end > point.smoothed_begin + 1;
-        });
-        if (locus.smoothed && rows)
-            lines.push_back(strength_line("Smoothed peak:", *locus.smoothed, locus.points.size()));
-        if (locus.line && !locus.line->flowability)
-            lines.emplace_back(
-                "  (The stresses of a preshear are not known: major principal stress and "
-                "flowability are "
-                "unknown.)");
-    }
-    return lines;
-}
-
 namespace {
 
 /// Whether a file is a table of readings without time: with both stresses, a solid fraction and a
@@ -311,7 +210,8 @@ std::string missing_sentence(const FileView& view) {
     if (other_tests && !lacks("torque or shear stress") && !lacks("normal force or normal stress"))
         return "No interval is steady shear or shear to failure: a study reads nothing of this "
                "file.";
-    if (view.missing.empty() || view.file.layout == "yield-locus-report") return "";
+    if (view.missing.empty() || view.file.layout == "yield-locus-report" || !view.walls.empty())
+        return "";
     std::string text = fmt::format(
         "The file has no {}: steady shear with a solid fraction cannot be read from it.",
         fmt::join(view.missing, ", no "));
@@ -400,14 +300,53 @@ Output import_output(const Measurements& measurements, const std::filesystem::pa
     return output;
 }
 
-Output file_output(const FileView& view, bool all) {
+namespace {
+
+/// The most frequent reason for which intervals are another kind of test; of equally frequent ones
+/// the first. Those without values give none where others give one.
+std::string usual_reason(const FileView& view) {
+    std::map<std::string, std::size_t> counts;
+    std::string best;
+    for (const IntervalRole& each : view.roles)
+        if (each.role == "other" && !each.reason.starts_with("no values")) ++counts[each.reason];
+    for (const IntervalRole& each : view.roles)
+        if (counts.contains(each.reason) && (best.empty() || counts[each.reason] > counts[best]))
+            best = each.reason;
+    const auto none = std::ranges::find(view.roles, "other", &IntervalRole::role);
+    return best.empty() && none != view.roles.end() ? none->reason : best;
+}
+
+}  // namespace
+
+std::string unused_sentence(const std::vector<FileView>& views) {
+    const auto useful = [](const FileView& view) {
+        return is_used(view) || is_table_of_readings(view);
+    };
+    if (std::ranges::any_of(views, useful)) return "";
+    const FileView& view = views.front();
+    const bool sheared = std::ranges::any_of(view.roles, [](const IntervalRole& each) {
+        return each.role == "steady" || each.role == "failure" || each.role == "preshear";
+    });
+    std::string reason = "it has neither steady shear nor points of failure";
+    if (const std::string other = usual_reason(view); !other.empty()) reason = other;
+    if (sheared && !view.missing.empty())
+        reason = fmt::format("it has no {}", fmt::join(view.missing, ", no "));
+    return fmt::format("Nothing of {} is used: {}.",
+                       std::filesystem::path(view.file.file).filename().string(), reason);
+}
+
+Output file_output(const FileView& view, bool all, bool is_answer) {
     Output output;
-    output.answer(file_sentence(view));
+    if (is_answer)
+        output.answer(file_sentence(view));
+    else
+        output.line(file_sentence(view));
     output.line(encoding_sentence(view));
     output.table(columns_table(view), 20);
     output.table(intervals_table(view), 10);
     output.table(checks_lines(view, all), 10);
     output.lines(yield_locus_lines(view));
+    output.lines(wall_locus_lines(view));
     if (const std::string missing = missing_sentence(view); !missing.empty()) output.note(missing);
     return output;
 }

@@ -32,12 +32,6 @@ std::vector<std::string> intervals_table(const FileView& view);
 /// @param all whether to name all lines concerned; otherwise at most 8 ranges of lines a sentence
 std::vector<std::string> checks_lines(const FileView& view, bool all);
 
-/// Returns tables of the yield loci; empty if there are none. Each lists normal and shear stress
-/// [Pa] of the points of failure, at the data point of largest shear stress and at the smoothed
-/// peak, then results of the fitted line, such as cohesion and unconfined strength [Pa], with their
-/// standard errors.
-std::vector<std::string> yield_locus_lines(const FileView& view);
-
 /// Returns the quantities that readings of steady shear need but the file lacks, such as the gap
 /// height, and asks the user to export them; with yield loci it says that points of failure need
 /// only the stresses. If all intervals are of other tests, it says that nothing is read. Empty if
@@ -50,8 +44,12 @@ std::string missing_sentence(const FileView& view);
 Output import_output(const Measurements& measurements, const std::filesystem::path& folder,
                      const std::string& study, bool all);
 
+/// Returns a sentence on why nothing of some files is used; empty if anything is.
+std::string unused_sentence(const std::vector<FileView>& views);
+
 /// Returns what `pendular import FILE` says of a file.
-Output file_output(const FileView& view, bool all);
+/// @param is_answer whether the first sentence is the answer of the command
+Output file_output(const FileView& view, bool all, bool is_answer = true);
 
 /// Returns a sentence on the number of guessed values in `toml`, the study.toml that was written.
 std::string guesses_sentence(std::size_t guesses, const std::filesystem::path& toml);

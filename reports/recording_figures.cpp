@@ -11,6 +11,7 @@
 #include "reports/figure.h"
 #include "reports/figure_style.h"
 #include "reports/layout.h"
+#include "reports/locus_figures.h"
 
 namespace pendular {
 namespace {
@@ -238,6 +239,20 @@ double greatest_stress(const YieldLocus& locus) {
                      locus.line->unconfined_strength});
 }
 
+/// Marks strength and major principal stress where their Mohr circles meet the axis.
+void add_marked_stresses(const LinearYieldLocus& line, Panel& panel) {
+    Curve marks{
+        .colour = circle_colour, .symbol = {Shape::diamond, Filling::filled}, .in_key = false};
+    const auto mark = [&](double stress, const std::string& name) {
+        marks.x.push_back(stress);
+        marks.y.push_back(0);
+        marks.names.push_back(name);
+    };
+    if (line.unconfined_strength > 0) mark(line.unconfined_strength, "σ_{c}");
+    if (line.major_principal_stress) mark(*line.major_principal_stress, "σ_{1}");
+    if (!marks.x.empty()) panel.curves.push_back(std::move(marks));
+}
+
 Panel locus_panel(const YieldLocus& locus) {
     const LinearYieldLocus& line = *locus.line;
     Curve failures{.label = "points of failure", .colour = measured_colour};
@@ -268,7 +283,8 @@ Panel locus_panel(const YieldLocus& locus) {
                                            *line.major_principal_stress - *line.preshear_centre));
         panel.curves.back().style = Curve::Style::dashed_line;
     }
-    if (locus.preshear) {
+    add_marked_stresses(line, panel);
+    if (locus.preshear && std::isfinite(locus.preshear->shear_stress)) {
         panel.curves.push_back({.label = "preshear",
                                 .colour = reached_colour,
                                 .symbol = {Shape::square, Filling::filled}});
@@ -295,7 +311,8 @@ std::string locus_title(const YieldLocus& locus) {
     std::string title = fmt::format(
         "cohesion {:.4g} Pa, slope {:.3g}°, unconfined strength {:.4g} Pa", line.cohesion,
         line.slope_angle * 180 / std::numbers::pi, line.unconfined_strength);
-    if (line.flowability) title += ": " + line.flow_class;
+    if (line.flowability)
+        title += fmt::format(": flowability {:.3g}, {}", *line.flowability, line.flow_class);
     return title;
 }
 
@@ -338,6 +355,7 @@ std::vector<Figure> file_figures(const FileView& view) {
         view.series, [](const IntervalSeries& series) { return series.size() < 2; });
     if (results || figures.front().panels.empty()) figures.clear();
     std::ranges::move(yield_locus_figures(view), std::back_inserter(figures));
+    std::ranges::move(wall_locus_figures(view), std::back_inserter(figures));
     return figures;
 }
 

@@ -112,6 +112,13 @@ bool states_radii(const FileView& view) {
            view.stated.inner_radius->value < view.stated.outer_radius->value;
 }
 
+/// Whether a file has the force on a lever in place of a torque.
+bool lacks_torque(const FileView& view) {
+    return std::ranges::any_of(view.series, [](const IntervalSeries& series) {
+        return !series.lever_force.empty() && series.shear() == series.lever_force;
+    });
+}
+
 /// @param steady whether any recording of the study needs the mass of the beads
 std::string cell_text(const FileView& view, bool steady) {
     std::string text = "[cell]\n";
@@ -131,6 +138,8 @@ std::string cell_text(const FileView& view, bool steady) {
         text += entry("inner_radius", {"10.5 mm", from});
         text += entry("outer_radius", {"21.5 mm", from});
     }
+    if (lacks_torque(view))
+        text += entry("lever_arm", {"0.2 m", "GUESS: distance of the load cell from the axis"});
     if (steady) text += entry("bead_mass", {"20 g", "GUESS: weigh the beads"});
     return text + "\n";
 }
@@ -312,8 +321,35 @@ const FileView* view_with_cell(const std::vector<FileView>& views) {
 }
 
 /// Whether a file is a workbook with several sheets to be read, even if some cannot be.
-bool has_several_sheets(const std::filesystem::path& file) {
-    return chosen_sheets(file, "").read.size() > 1;
+bool has_several_sheets(const FileView& view) {
+    return chosen_sheets(file_to_open(view.file.file), "").read.size() > 1;
+}
+
+/// Whether other views are sheets of a view's workbook.
+bool sheets_of_one_book(const std::vector<FileView>& views, const FileView& view) {
+    const auto book = file_to_open(view.file.file);
+    return std::ranges::count_if(views, [&](const FileView& each) {
+               return file_to_open(each.file.file) == book;
+           }) > 1;
+}
+
+/// @throws InputError for a name that study.toml cannot hold
+void check_name(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    if (printable(name) != name)
+        throw InputError({path.string()},
+                         "has a name that study.toml cannot hold; rename the file");
+}
+
+/// Adds a copy of a file of measurements to the files of a study; nothing if it is there as one of
+/// several sheets.
+/// @throws InputError if another file of the study has its name
+void add_recording(const std::filesystem::path& path, std::map<std::string, std::string>& files) {
+    std::string content = read_bytes(path, largest_table);
+    const auto [known, is_new] = files.try_emplace(path.filename().string(), content);
+    if (!is_new && known->second != content)
+        throw InputError({path.string()},
+                         "has the name of a file of the study; rename it, to recording.csv say");
 }
 
 std::string liquid_content_text(double mass_ratio) {
@@ -367,13 +403,28 @@ std::string end_text(bool cell, bool all_wet) {
 
 }  // namespace
 
+namespace {
+
+/// States the bulk density of preshears whose gap was recorded, for the grains of a study.
+void add_bulk_densities(FileView& view, const AnnularCell& cell, double grain_density) {
+    for (YieldLocus& locus : view.loci)
+        if (locus.preshear && locus.preshear->height && !locus.preshear->bulk_density &&
+            cell.bead_volume > 0)
+            locus.preshear->bulk_density =
+                grain_density * solid_fraction(*locus.preshear->height, cell);
+}
+
+}  // namespace
+
 SheetViews views_of_file(const std::filesystem::path& path, const FileFormat& format) {
     const ChosenSheets sheets = chosen_sheets(path, format.sheet);
-    const auto cell = cell_beside(path);
+    const auto study = study_beside(path);
+    const auto cell = study ? study->cell : std::nullopt;
     SheetViews result;
     for (const std::filesystem::path& each : sheets.read) {
         try {
             result.views.push_back(view_of_file(each, format, cell));
+            if (cell) add_bulk_densities(result.views.back(), *cell, study->grains.density);
         } catch (const InputError& error) {
             if (sheets.read.size() == 1 || !format.sheet.empty()) throw;
             result.not_read.push_back(fmt::format("A sheet is not read: {}.", error.what()));
@@ -385,6 +436,27 @@ SheetViews views_of_file(const std::filesystem::path& path, const FileFormat& fo
     return result;
 }
 
+SheetViews views_of_files(const std::vector<std::filesystem::path>& paths,
+                          const FileFormat& format) {
+    SheetViews all;
+    for (const std::filesystem::path& path : paths) {
+        SheetViews own = views_of_file(path, format);
+        std::ranges::move(own.views, std::back_inserter(all.views));
+        std::ranges::move(own.not_read, std::back_inserter(all.not_read));
+    }
+    return all;
+}
+
+bool is_used(const FileView& view) {
+    const auto has_preshear = [&](std::size_t i) {
+        return view.roles[i].role == "preshear" && !view.series[i].shear_stress.empty() &&
+               !view.series[i].normal_stress.empty();
+    };
+    for (std::size_t i = 0; i < view.roles.size(); ++i)
+        if (has_preshear(i)) return true;
+    return begins_study(view) || !view.walls.empty();
+}
+
 bool begins_study(const FileView& view) {
     return !view.loci.empty() || has_steady_recording(view);
 }
@@ -393,20 +465,19 @@ std::map<std::string, std::string> begin_study(const std::vector<FileView>& view
                                                const FileFormat& format) {
     const std::filesystem::path path = file_to_open(views.front().file.file);
     const std::string name = path.filename().string();
-    if (printable(name) != name)
-        throw InputError({path.string()},
-                         "has a name that study.toml cannot hold; rename the file");
+    for (const FileView& view : views)
+        check_name(file_to_open(view.file.file));
     std::vector<double> mass_ratios;
     for (const FileView& view : views)
         mass_ratios.push_back(guessed_mass_ratio(texts_of(view)));
     const bool wet = std::ranges::any_of(mass_ratios, [](double ratio) { return ratio > 0; });
     std::map<std::string, std::string> files;
     std::string entries;
-    const bool several_sheets =
-        views.size() > 1 || (format.sheet.empty() && has_several_sheets(path));
     for (std::size_t k = 0; k < views.size(); ++k) {
         const FileView& view = views[k];
         const std::string suffix = views.size() == 1 ? "" : fmt::format("_{}", k + 1);
+        const bool several_sheets =
+            sheets_of_one_book(views, view) || (format.sheet.empty() && has_several_sheets(view));
         std::string steady = steady_table(view, mass_ratios[k]);
         entries += entries_text(view, format_of_entry(view, format, several_sheets), suffix,
                                 !steady.empty(), wet ? liquid_content_text(mass_ratios[k]) : "");
@@ -420,9 +491,8 @@ std::map<std::string, std::string> begin_study(const std::vector<FileView>& view
     files["study.toml"] = grains_text(name, texts_of(views.front()), wet) +
                           (cell ? cell_text(*cell, any_steady) : "") + entries +
                           end_text(cell != nullptr, !dry);
-    if (any_steady && !files.emplace(name, read_bytes(path, largest_table)).second)
-        throw InputError({path.string()},
-                         "has the name of a file of the study; rename it, to recording.csv say");
+    for (const FileView& view : views)
+        if (has_steady_recording(view)) add_recording(file_to_open(view.file.file), files);
     return files;
 }
 
@@ -442,12 +512,14 @@ std::vector<std::string_view> quantities_of(const std::vector<FileView>& views) 
     return names;
 }
 
-/// Name of the test of an interval, or of its sheet where the file has several sheets.
+/// Name of the test of an interval, or of its sheet or file where there are several.
 std::string test_in_table(const FileView& view, std::size_t interval, bool several) {
     const std::string& test = view.file.blocks[interval].test;
+    if (!several) return test;
     const auto sheet = as_sheet(view.file.file);
-    if (!several || !sheet) return test;
-    return test.empty() ? sheet->sheet : fmt::format("{}, {}", sheet->sheet, test);
+    const std::string part =
+        sheet ? sheet->sheet : std::filesystem::path(view.file.file).filename().string();
+    return test.empty() ? part : fmt::format("{}, {}", part, test);
 }
 
 /// Rows of an interval in a table of the quantities `names`.

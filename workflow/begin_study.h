@@ -19,11 +19,15 @@ struct SheetViews {
 /// @throws InputError if nothing can be read, or a sheet that `format` chooses cannot
 SheetViews views_of_file(const std::filesystem::path& path, const FileFormat& format);
 
-/// Returns the files of a new study made from one file of measurements, or from the sheets of a
-/// workbook, as a map from the name of each file to its text. Each sheet is an entry of its own,
-/// and its tables have its number ("failure_2.csv").
+/// Reads files of measurements, one after the other, as `views_of_file`.
+SheetViews views_of_files(const std::vector<std::filesystem::path>& paths,
+                          const FileFormat& format);
+
+/// Returns the files of a new study made from files of measurements, or from the sheets of
+/// workbooks, as a map from the name of each file to its text. Each file or sheet is an entry of
+/// its own, and its tables have its number ("failure_2.csv").
 /// - study.toml, in which "GUESS" marks guessed values, such as the density of the grains;
-/// - a copy of the file of measurements, if it contains steady shear;
+/// - a copy of each file of measurements that contains steady shear;
 /// - steady.csv with the states at the end of the preshears, if there are any;
 /// - failure.csv with the points of failure, if there are any.
 /// In steady.csv and failure.csv, an unknown solid fraction is stated as 0.60 +- 0.1 [1].
@@ -38,9 +42,9 @@ std::map<std::string, std::string> begin_study(const std::vector<FileView>& view
 /// recording needs.
 bool begins_study(const FileView& view);
 
-/// First characters of every table that `tidy_table` returns, by which the program recognises an
-/// earlier table before a new one replaces it.
-constexpr const char* tidy_table_begin = "test,interval,role,line";
+/// Whether anything of a file is used: a study can begin with it, or it has ends of preshears or a
+/// wall yield locus.
+bool is_used(const FileView& view);
 
 /// Returns the data points of all intervals of a file of measurements as one CSV table in SI units.
 /// The first row contains the names of the columns, the second their units: test, number and role

@@ -156,15 +156,20 @@ std::filesystem::path study_folder(const std::filesystem::path& study) {
     return study.has_parent_path() ? study.parent_path() : std::filesystem::path(".");
 }
 
-std::optional<AnnularCell> cell_beside(const std::filesystem::path& file) {
+std::optional<Study> study_beside(const std::filesystem::path& file) {
     const std::filesystem::path study = file.parent_path() / "study.toml";
     std::error_code error;
     if (!std::filesystem::is_regular_file(study, error)) return std::nullopt;
     try {
-        return read_study(study).cell;
+        return read_study(study);
     } catch (const InputError&) {
         return std::nullopt;  // 'pendular import STUDY' says what is wrong with it
     }
+}
+
+std::optional<AnnularCell> cell_beside(const std::filesystem::path& file) {
+    const auto study = study_beside(file);
+    return study ? study->cell : std::nullopt;
 }
 
 EmulatorHyperparameters atlas_hyperparameters() {

@@ -52,8 +52,11 @@ void protect_inputs(const Study& study, const OutputPlaces& outputs);
 /// @throws InputError as the functions above
 StudyInput read_input(const std::filesystem::path& file, const OutputPlaces& outputs);
 
-/// Returns the shear cell that study.toml in the folder of `file` describes. Empty if study.toml
-/// does not exist, cannot be read or describes no cell.
+/// Returns the study that study.toml in the folder of `file` describes. Empty if study.toml does
+/// not exist or cannot be read.
+std::optional<Study> study_beside(const std::filesystem::path& file);
+
+/// Returns the shear cell of that study; empty without one.
 std::optional<AnnularCell> cell_beside(const std::filesystem::path& file);
 
 /// Returns the earlier runs that can train an emulator for a study: the runs of the atlas, then the

@@ -34,17 +34,6 @@ std::string bare_code(std::string_view code) {
     return bare;
 }
 
-/// Format of an identifier that needs no code.
-/// Source: ECMA-376 part 1, section 18.8.30; 27 to 36 and 50 to 58 are those of East Asia.
-CellFormat format_of_identifier(unsigned identifier) {
-    const auto within = [&](unsigned from, unsigned to) {
-        return identifier >= from && identifier <= to;
-    };
-    const bool east_asian = within(27, 36) || within(50, 58);
-    return {.date = within(14, 17) || identifier == 22 || east_asian,
-            .time = within(18, 22) || within(45, 47)};
-}
-
 std::string clock_text(std::int64_t microseconds) {
     constexpr std::int64_t second = 1'000'000, minute = 60 * second, hour = 60 * minute;
     std::string text = fmt::format("{:02}:{:02}:{:02}", microseconds / hour,
@@ -68,6 +57,16 @@ std::string date_text(std::int64_t day, bool from_1904) {
 }
 
 }  // namespace
+
+// Source: ECMA-376 part 1, section 18.8.30; 27 to 36 and 50 to 58 are those of East Asia.
+CellFormat format_of_identifier(unsigned identifier) {
+    const auto within = [&](unsigned from, unsigned to) {
+        return identifier >= from && identifier <= to;
+    };
+    const bool east_asian = within(27, 36) || within(50, 58);
+    return {.date = within(14, 17) || identifier == 22 || east_asian,
+            .time = within(18, 22) || within(45, 47)};
+}
 
 CellFormat format_of_code(std::string_view code) {
     std::string bare = bare_code(code);

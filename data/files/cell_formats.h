@@ -3,6 +3,7 @@
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pendular {
@@ -19,6 +20,9 @@ struct CellFormat {
 /// Returns what a format code such as "[h]:mm:ss" or "0.00" shows.
 CellFormat format_of_code(std::string_view code);
 
+/// Returns what the format of an identifier that needs no code shows.
+CellFormat format_of_identifier(unsigned identifier);
+
 /// Formats of the cells of a workbook.
 class CellFormats {
   public:
@@ -26,6 +30,9 @@ class CellFormats {
     /// @param styles root of the part with the styles
     /// @param from_1904 whether dates count from 1904, as in workbooks of old Macintosh programs
     CellFormats(const pugi::xml_node& styles, bool from_1904);
+    /// @param by_style formats by the index that cells state
+    CellFormats(std::vector<CellFormat> by_style, bool from_1904)
+        : by_style_(std::move(by_style)), from_1904_(from_1904) {}
 
     /// Returns the text of a number in a cell: "14:03:07.25" or "2024-03-01 14:03:07.25" for a time
     /// or date, and the number as it is stored otherwise. Hours of a format without a date count

@@ -20,6 +20,18 @@ int characters(std::string_view text) {
         std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
+/// Whether a path is that of a sheet. The answer for the last path is kept: it takes the file
+/// system microseconds, and each line of a file asks.
+bool is_of_sheet(const std::string& path) {
+    thread_local std::string last;
+    thread_local bool is_sheet = false;
+    if (path != last) {
+        is_sheet = path.ends_with(']') && as_sheet(path);
+        last = path;
+    }
+    return is_sheet;
+}
+
 /// Splits one line into cells, from left to right.
 class LineSplitter {
   public:
@@ -28,7 +40,7 @@ class LineSplitter {
           at_(at),
           delimiter_(delimiter),
           inner_(inner),
-          of_sheet_(at.file.ends_with(']') && as_sheet(at.file)) {}
+          of_sheet_(is_of_sheet(at.file)) {}
 
     Row split() {
         Row row{at_.line, {}};

@@ -3,23 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <regex>
 
-#include "data/files/csv.h"
 #include "data/files/xml_nodes.h"
 #include "data/input_error.h"
 #include "data/quantities/number.h"
 
 namespace pendular {
 namespace {
-
-/// Place of a cell, from 0.
-struct CellPlace {
-    std::size_t row = 0, column = 0;
-    auto operator<=>(const CellPlace&) const = default;
-};
 
 /// Column, from 0, of a reference such as "AB12"; `next` if there is none. Long references end
 /// before the number overflows, far beyond the columns that are read.
@@ -64,160 +56,63 @@ bool has_value(const pugi::xml_node& node) {
            (child_named(node, "v") || child_named(node, "is") || child_named(node, "f"));
 }
 
-/// Writes the rows of a sheet as lines.
-class SheetWriter {
-  public:
-    SheetWriter(const std::string& file, const SharedParts& shared)
-        : file_(file), shared_(shared) {}
-
-    void read_merged(const pugi::xml_node& merged) {
-        for (const pugi::xml_node& each : merged.children()) {
-            const std::string_view range = each.attribute("ref").value();
-            const std::size_t colon = range.find(':');
-            const auto first = place_of(range.substr(0, colon));
-            const auto last =
-                colon == std::string_view::npos ? std::nullopt : place_of(range.substr(colon + 1));
-            if (first && last) merged_[*first] = *last;
-        }
+std::size_t width_of_row(const pugi::xml_node& row) {
+    std::size_t next = 0, width = 0;
+    for (const pugi::xml_node& cell : row.children()) {
+        if (local_name(cell.name()) != "c") continue;
+        next = column_of(cell.attribute("r").value(), next) + 1;
+        if (has_value(cell)) width = next;
     }
+    return width;
+}
 
-    SheetText rows_of(const pugi::xml_node& data) {
-        std::size_t width = 0;
-        for (const pugi::xml_node& row : data.children())
-            width = std::max(width, width_of(row));
-        cells_.resize(width);
-        std::size_t cells = 0;
-        for (const pugi::xml_node& row : data.children()) {
-            if (local_name(row.name()) != "row") continue;
-            const std::size_t number = row.attribute("r").as_uint(0);
-            if (number > most_rows) refuse_rows(number);
-            while (lines_ + 1 < number)
-                add_line("");
-            if (width_of(row) == 0) {
-                add_line("");
-                continue;
-            }
-            check_cell_count(cells += width, file_, line());
-            if (row.attribute("hidden").as_bool()) add_hidden();
-            add_row(row);
-        }
-        return std::move(result_);
+std::string text_of_cell(const pugi::xml_node& cell, const SharedParts& shared) {
+    const std::string_view type = cell.attribute("t").value();
+    const pugi::xml_node value = child_named(cell, "v"), formula = child_named(cell, "f");
+    std::string text = value.child_value();
+    if (type == "inlineStr") text = text_of_item(child_named(cell, "is"));
+    if (type == "s") {
+        const auto index = parse_number(text);
+        const bool known =
+            index && *index >= 0 && *index < static_cast<double>(shared.strings.size());
+        text = known ? shared.strings[static_cast<std::size_t>(*index)] : "";
     }
+    if (type == "b") text = text == "1" ? "TRUE" : "FALSE";  // no number
+    if (type.empty() || type == "n")
+        text = shared.formats.text_of(text, cell.attribute("s").as_uint(0));
+    // A formula that gives a text without characters has an empty result.
+    if (formula && (!value || (text.empty() && type != "str")))
+        text = std::string("=") + formula.child_value();
+    return unescaped(text);
+}
 
-  private:
-    static constexpr std::size_t most_rows = 1'048'576;  // 2^20, the limit of the format
-
-    /// Number in a merged cell, which stands in the rows up to `last`.
-    struct Held {
-        std::string text;
-        std::size_t last;
-    };
-
-    int line() const { return static_cast<int>(lines_) + 1; }
-
-    [[noreturn]] void refuse_rows(std::size_t number) const {
-        throw InputError({file_},
-                         fmt::format("row {}: a sheet has at most {} rows", number, most_rows));
+void read_merged(const pugi::xml_node& merged, SheetLines& lines) {
+    for (const pugi::xml_node& each : merged.children()) {
+        const std::string_view range = each.attribute("ref").value();
+        const std::size_t colon = range.find(':');
+        const auto first = place_of(range.substr(0, colon));
+        const auto last =
+            colon == std::string_view::npos ? std::nullopt : place_of(range.substr(colon + 1));
+        if (first && last) lines.merge(*first, *last);
     }
+}
 
-    static std::size_t width_of(const pugi::xml_node& row) {
-        std::size_t next = 0, width = 0;
-        for (const pugi::xml_node& cell : row.children()) {
-            if (local_name(cell.name()) != "c") continue;
-            next = column_of(cell.attribute("r").value(), next) + 1;
-            if (has_value(cell)) width = next;
-        }
-        return width;
+/// Adds a row with values.
+void add_row(const pugi::xml_node& row, const std::string& file, const SharedParts& shared,
+             SheetLines& lines) {
+    lines.begin_row(row.attribute("hidden").as_bool());
+    std::size_t next = 0;
+    for (const pugi::xml_node& cell : row.children()) {
+        if (local_name(cell.name()) != "c") continue;
+        const std::size_t column = column_of(cell.attribute("r").value(), next);
+        if (column < next)
+            throw InputError({file, lines.line()},
+                             "the cells of this row are not in order; save the workbook anew");
+        next = column + 1;
+        if (has_value(cell)) lines.set(column, text_of_cell(cell, shared));
     }
-
-    void add_line(std::string_view text) {
-        result_.text += text;
-        result_.text += '\n';
-        ++lines_;
-    }
-
-    void add_hidden() {
-        auto& hidden = result_.hidden;
-        if (!hidden.empty() && hidden.back().second + 1 == line())
-            hidden.back().second = line();
-        else
-            hidden.emplace_back(line(), line());
-    }
-
-    /// Text of a cell, without tabs and line ends.
-    std::string text_of_cell(const pugi::xml_node& cell) const {
-        const std::string_view type = cell.attribute("t").value();
-        const pugi::xml_node value = child_named(cell, "v"), formula = child_named(cell, "f");
-        std::string text = value.child_value();
-        if (type == "inlineStr") text = text_of_item(child_named(cell, "is"));
-        if (type == "s") {
-            const auto index = parse_number(text);
-            const bool known =
-                index && *index >= 0 && *index < static_cast<double>(shared_.strings.size());
-            text = known ? shared_.strings[static_cast<std::size_t>(*index)] : "";
-        }
-        if (type == "b") text = text == "1" ? "TRUE" : "FALSE";  // no number
-        if (type.empty() || type == "n")
-            text = shared_.formats.text_of(text, cell.attribute("s").as_uint(0));
-        // A formula that gives a text without characters has an empty result.
-        if (formula && (!value || (text.empty() && type != "str")))
-            text = std::string("=") + formula.child_value();
-        text = unescaped(text);
-        for (char& c : text)
-            if (c == '\t' || c == '\n' || c == '\r') c = ' ';
-        return std::string(trimmed(text));
-    }
-
-    /// Keeps a number in a merged cell for the rows below.
-    void hold(std::size_t column, const std::string& text) {
-        const auto merged = merged_.find({lines_, column});
-        if (merged == merged_.end() || !parse_number(text)) return;
-        const CellPlace& last = merged->second;
-        if (last.column > column) {
-            result_.wide.push_back(
-                {line(), static_cast<int>(column) + 1, static_cast<int>(last.column) + 1, text});
-            return;
-        }
-        held_[column] = {text, last.row};
-    }
-
-    void add_row(const pugi::xml_node& row) {
-        std::ranges::fill(cells_, std::string());
-        std::size_t next = 0;
-        for (const pugi::xml_node& cell : row.children()) {
-            if (local_name(cell.name()) != "c") continue;
-            const std::size_t column = column_of(cell.attribute("r").value(), next);
-            if (column < next)
-                throw InputError({file_, line()},
-                                 "the cells of this row are not in order; save the workbook anew");
-            next = column + 1;
-            if (!has_value(cell)) continue;
-            cells_[column] = text_of_cell(cell);
-            if (!merged_.empty()) hold(column, cells_[column]);
-        }
-        std::erase_if(held_, [&](const auto& each) { return each.second.last < lines_; });
-        for (const auto& [column, held] : held_)
-            if (cells_[column].empty()) cells_[column] = held.text;
-        write_cells();
-    }
-
-    void write_cells() {
-        for (std::size_t i = 0; i < cells_.size(); ++i) {
-            if (i > 0) result_.text += '\t';
-            const std::string text = csv_cell(cells_[i]);  // delimiters and quotes within are none
-            result_.text += text.starts_with('#') ? '"' + text + '"' : text;  // no comment
-        }
-        add_line("");
-    }
-
-    const std::string& file_;
-    const SharedParts& shared_;
-    SheetText result_;
-    std::size_t lines_ = 0;
-    std::vector<std::string> cells_;         ///< of the present row
-    std::map<CellPlace, CellPlace> merged_;  ///< last place of merged cells, by the first
-    std::map<std::size_t, Held> held_;       ///< by column
-};
+    lines.end_row();
+}
 
 }  // namespace
 
@@ -233,9 +128,26 @@ std::string text_of_item(const pugi::xml_node& item) {
 
 SheetText rows_of_sheet(const pugi::xml_node& worksheet, const std::string& file,
                         const SharedParts& shared) {
-    SheetWriter writer(file, shared);
-    writer.read_merged(child_named(worksheet, "mergeCells"));
-    return writer.rows_of(child_named(worksheet, "sheetData"));
+    constexpr std::size_t most_rows = 1'048'576;  // 2^20, the limit of the format
+    const pugi::xml_node data = child_named(worksheet, "sheetData");
+    std::size_t width = 0;
+    for (const pugi::xml_node& row : data.children())
+        width = std::max(width, width_of_row(row));
+    SheetLines lines(file, width);
+    read_merged(child_named(worksheet, "mergeCells"), lines);
+    for (const pugi::xml_node& row : data.children()) {
+        if (local_name(row.name()) != "row") continue;
+        const std::size_t number = row.attribute("r").as_uint(0);
+        if (number > most_rows)
+            throw InputError({file},
+                             fmt::format("row {}: a sheet has at most {} rows", number, most_rows));
+        if (number > 0) lines.add_empty_until(number - 1);
+        if (width_of_row(row) == 0)
+            lines.add_empty_until(lines.lines() + 1);
+        else
+            add_row(row, file, shared, lines);
+    }
+    return lines.take();
 }
 
 }  // namespace pendular

@@ -67,9 +67,13 @@ bool convert(std::string_view bytes, const char* encoding, std::string& utf8) {
 
 DecodedText decode_bytes(const std::string& bytes, const std::filesystem::path& path,
                          const std::string& encoding) {
-    if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("\xD0\xCF\x11\xE0"))
-        throw InputError({path.string()},
-                         "is a spreadsheet, not text; save it as CSV and name that file");
+    using namespace std::string_view_literals;
+    // A ZIP archive, a compound file, and workbooks of Excel 2 to 4, which need no container.
+    for (const std::string_view begin : {"PK\x03\x04"sv, "\xD0\xCF\x11\xE0"sv, "\x09\x00\x04\x00"sv,
+                                         "\x09\x02\x06\x00"sv, "\x09\x04\x06\x00"sv})
+        if (bytes.starts_with(begin))
+            throw InputError({path.string()},
+                             "is a spreadsheet, not text; save it as CSV and name that file");
     DecodedText result;
     std::vector<std::string> candidates = {encoding};
     if (encoding.empty()) {

@@ -10,11 +10,19 @@
 #include <pugixml.hpp>
 #include <utility>
 
+#include "data/files/compound_file.h"
 #include "data/files/sheet_path.h"
 #include "data/files/xml_nodes.h"
 #include "data/input_error.h"
 
 namespace pendular {
+
+void refuse_workbook(const std::string& file, const std::string& reason) {
+    throw InputError({file}, fmt::format("is no workbook that can be read ({}); save the sheet as "
+                                         "CSV or as .xlsx and name that file",
+                                         reason));
+}
+
 namespace {
 
 /// Parts of a workbook, which is a ZIP archive in memory.
@@ -65,12 +73,7 @@ class Archive {
         return content;
     }
 
-    [[noreturn]] void refuse(const std::string& reason) const {
-        throw InputError({file_},
-                         fmt::format("is no workbook that can be read ({}); save the sheet "
-                                     "as CSV or as .xlsx and name that file",
-                                     reason));
-    }
+    [[noreturn]] void refuse(const std::string& reason) const { refuse_workbook(file_, reason); }
 
   private:
     const std::string& file_;
@@ -183,13 +186,31 @@ SharedParts shared_parts(Archive& archive, const Relations& relations, bool from
 
 }  // namespace
 
-bool is_archive(std::string_view bytes) {
-    return bytes.starts_with("PK\x03\x04");
+bool begins_workbook(std::string_view bytes) {
+    return bytes.starts_with("PK\x03\x04") || is_compound_file(bytes);
 }
 
 namespace {
 
-/// An open workbook.
+/// @throws InputError for a name of a sheet that `as_sheet` would not give back
+void check_sheet_name(const std::string& name, const std::string& file) {
+    if (!is_sheet_name(name))
+        throw InputError({file}, fmt::format("has a sheet \"{}\", a name that spreadsheets do not "
+                                             "allow; rename the sheet",
+                                             name));
+}
+
+/// @param shared size of the texts that all sheets need [bytes]
+/// @throws InputError for more sheets than can be read one by one
+void check_sheet_work(const std::string& file, std::size_t sheets, std::uintmax_t shared) {
+    constexpr std::size_t most_sheets = 1000;
+    constexpr std::uintmax_t most_work = std::uintmax_t(1) << 30;  // some seconds
+    if (sheets > most_sheets || sheets * shared > most_work)
+        refuse_workbook(file, fmt::format("it has {} sheets with {} MB of texts, too many", sheets,
+                                          shared >> 20));
+}
+
+/// An open workbook (.xlsx).
 struct Book {
     Book(const std::string& bytes, const std::string& path)
         : file(path),
@@ -198,27 +219,17 @@ struct Book {
           relations(relations_of(archive, name)),
           contents(contents_of(archive, name)) {}
 
-    /// @throws InputError for names of sheets that `as_sheet` would not give back
+    /// @throws InputError if there is no sheet, or for names as `check_sheet_name`
     void check_names() const {
         if (contents.sheets.empty()) archive.refuse("it has no sheet");
         for (const auto& [sheet, identifier] : contents.sheets)
-            if (!is_sheet_name(sheet.name))
-                throw InputError({file}, fmt::format("has a sheet \"{}\", a name that spreadsheets "
-                                                     "do not allow; rename the sheet",
-                                                     sheet.name));
+            check_sheet_name(sheet.name, file);
     }
 
-    /// @throws InputError for more sheets than can be read one by one: each needs the texts that
-    ///         all share
     void check_work(std::size_t sheets) const {
-        constexpr std::size_t most_sheets = 1000;
-        constexpr std::uintmax_t most_work = std::uintmax_t(1) << 30;  // some seconds
         const auto strings = relations.by_kind.find("sharedStrings");
-        const std::uintmax_t shared =
-            strings == relations.by_kind.end() ? 0 : archive.size_of(strings->second);
-        if (sheets > most_sheets || sheets * shared > most_work)
-            archive.refuse(fmt::format("it has {} sheets with {} MB of texts, too many", sheets,
-                                       shared >> 20));
+        check_sheet_work(file, sheets,
+                         strings == relations.by_kind.end() ? 0 : archive.size_of(strings->second));
     }
 
     SharedParts shared() { return shared_parts(archive, relations, contents.from_1904); }
@@ -245,21 +256,49 @@ struct Book {
 }  // namespace
 
 std::vector<SheetName> sheet_names(const std::string& bytes, const std::string& file) {
+    std::vector<SheetName> names;
+    if (is_compound_file(bytes)) {
+        names = OldWorkbook(bytes, file).sheets();
+        for (const SheetName& sheet : names)
+            check_sheet_name(sheet.name, file);
+        return names;
+    }
     const Book book(bytes, file);
     book.check_names();
-    std::vector<SheetName> names;
     for (const auto& [name, identifier] : book.contents.sheets)
         names.push_back(name);
     return names;
 }
 
 void check_sheet_count(const std::string& bytes, const std::string& file, std::size_t sheets) {
-    Book(bytes, file).check_work(sheets);
+    if (is_compound_file(bytes))
+        check_sheet_work(file, sheets, OldWorkbook(bytes, file).work_of_sheet());
+    else
+        Book(bytes, file).check_work(sheets);
 }
 
-void for_each_shown_sheet(
-    const std::string& bytes, const std::string& file,
-    const std::function<void(const std::string& name, const SheetText&)>& take) {
+namespace {
+
+std::size_t shown_among(const std::vector<SheetName>& sheets) {
+    return static_cast<std::size_t>(std::ranges::count(sheets, false, &SheetName::hidden));
+}
+
+using TakeSheet = std::function<void(const std::string& name, const SheetText&)>;
+
+void for_each_old_sheet(const OldWorkbook& book, const std::string& file, const TakeSheet& take) {
+    const std::vector<SheetName>& sheets = book.sheets();
+    check_sheet_work(file, shown_among(sheets), book.work_of_sheet());
+    for (std::size_t k = 0; k < sheets.size(); ++k) {
+        check_sheet_name(sheets[k].name, file);
+        if (!sheets[k].hidden) take(sheets[k].name, book.rows(k));
+    }
+}
+
+}  // namespace
+
+void for_each_shown_sheet(const std::string& bytes, const std::string& file,
+                          const TakeSheet& take) {
+    if (is_compound_file(bytes)) return for_each_old_sheet({bytes, file}, file, take);
     Book book(bytes, file);
     book.check_names();
     book.check_work(static_cast<std::size_t>(std::ranges::count_if(
@@ -270,11 +309,18 @@ void for_each_shown_sheet(
 }
 
 SheetText sheet_text(const std::string& bytes, const std::string& file, const std::string& sheet) {
+    const auto refuse = [&] { refuse_workbook(file, fmt::format("it has no sheet {}", sheet)); };
+    if (is_compound_file(bytes)) {
+        const OldWorkbook book(bytes, file);
+        const auto found = std::ranges::find(book.sheets(), sheet, &SheetName::name);
+        if (found == book.sheets().end()) refuse();
+        return book.rows(static_cast<std::size_t>(found - book.sheets().begin()));
+    }
     Book book(bytes, file);
     const auto& sheets = book.contents.sheets;
     const auto found = std::ranges::find(
         sheets, sheet, [](const Contents::Sheet& each) { return each.name.name; });
-    if (found == sheets.end()) book.archive.refuse(fmt::format("it has no sheet {}", sheet));
+    if (found == sheets.end()) refuse();
     return book.rows(sheet, found->identifier, book.shared());
 }
 

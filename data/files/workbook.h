@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "data/files/old_workbook.h"
 #include "data/files/sheet_rows.h"
 
 namespace pendular {
@@ -14,16 +15,11 @@ namespace pendular {
 /// `largest_table`, since a small archive may unpack to any size.
 constexpr std::uintmax_t largest_unpacked = 256u << 20;
 
-/// Whether bytes are the beginning of a ZIP archive, such as a workbook (.xlsx).
-bool is_archive(std::string_view bytes);
+/// Whether bytes are the beginning of a workbook: of a ZIP archive (.xlsx) or, from before 2007, of
+/// a compound file (.xls). Four bytes suffice.
+bool begins_workbook(std::string_view bytes);
 
-/// Name of a sheet, and whether the workbook hides it.
-struct SheetName {
-    std::string name;
-    bool hidden = false;
-};
-
-/// Returns the names of the sheets of a workbook (.xlsx), in its order.
+/// Returns the names of the sheets of a workbook (.xlsx or .xls), in its order.
 /// @param file path of the workbook, for error messages
 /// @throws InputError if the bytes are no workbook, or a sheet has a name that `is_sheet_name`
 ///         excludes
@@ -40,7 +36,7 @@ void for_each_shown_sheet(
     const std::string& bytes, const std::string& file,
     const std::function<void(const std::string& name, const SheetText&)>& take);
 
-/// Returns a sheet of a workbook (.xlsx) as text in UTF-8 (`rows_of_sheet`).
+/// Returns a sheet of a workbook as text in UTF-8 (`rows_of_sheet`, `OldWorkbook`).
 /// @param file path of the workbook, for error messages
 /// @throws InputError if the bytes are no workbook, lack the sheet, unpack to more than
 ///         `largest_unpacked`, have more than `most_cells` cells, or as `rows_of_sheet`

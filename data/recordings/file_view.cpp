@@ -22,7 +22,7 @@ struct Needed {
 const std::vector<Needed>& needed_quantities() {
     static const std::vector<Needed> all = {
         {"time", {"time"}},
-        {"torque or shear stress", {"torque", "shear_stress"}},
+        {"torque or shear stress", {"torque", "shear_stress", "lever_force"}},
         {"normal force or normal stress", {"normal_force", "normal_stress"}},
         {"gap", {"height"}},
         {"speed of the lid", {"rotational_speed", "angular_velocity", "shear_velocity"}}};
@@ -125,10 +125,35 @@ void split_points(BlockFile& file) {
         block.test = whole.test;
         block.preshear_normal_stress = columns.value_if_any(row, "preshear_stress");
         block.preshear_shear_stress = columns.value_if_any(row, "preshear_shear_stress");
+        block.bulk_density = columns.value_if_any(row, "bulk_density");
         block.number = static_cast<int>(file.blocks.size());
         block.columns = whole.columns;
         block.table = {whole.table.file, whole.table.header, {row}, whole.table.delimiter};
     }
+}
+
+/// Takes the normal stress of the preshear from the column that an instrument writes it in.
+void state_preshears(BlockFile& file) {
+    for (Block& block : file.blocks) {
+        if (block.preshear_normal_stress || !block.has_column("preshear_stress")) continue;
+        const Columns columns(block.table);
+        for (const Row& row : block.table.rows)
+            if (!block.preshear_normal_stress)
+                block.preshear_normal_stress = columns.value_if_any(row, "preshear_stress");
+    }
+}
+
+/// Computes torques from forces on a lever and, if the file has neither, the stresses.
+void convert_lever_forces(IntervalSeries& series, const AnnularCell& cell) {
+    if (series.lever_force.empty() || !(cell.lever_arm > 0)) return;
+    if (!series.torque.empty() || !series.shear_stress.empty()) return;
+    for (const double force : series.lever_force) {
+        series.torque.push_back(force * cell.lever_arm);
+        series.shear_stress.push_back(shear_stress(series.torque.back(), cell));
+    }
+    if (series.normal_stress.empty())
+        for (const double force : series.normal_force)
+            series.normal_stress.push_back(normal_stress(force, cell));
 }
 
 }  // namespace
@@ -140,14 +165,19 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
     refuse_unused_file(view.file);
     split_by_interval(view.file);
     split_points(view.file);
-    for (const Block& block : view.file.blocks)
+    state_preshears(view.file);
+    view.file.shown_wall = format.wall ? "the user" : shown_wall(view.file);
+    for (const Block& block : view.file.blocks) {
         view.series.push_back(series_of(block));
+        if (study_cell) convert_lever_forces(view.series.back(), *study_cell);
+    }
     view.roles = roles_of(view.file, view.series, format);
     view.cell = cell_from_columns(view.series);
     view.findings = check_file(view.file, view.series, view.cell);
     view.stated = stated_cell(view.file);
     if (study_cell) append(view.findings, header_against_study(view.file, *study_cell));
-    view.loci = yield_loci(view.file, view.series, view.roles);
+    view.loci = yield_loci(view.file, view.series, view.roles, format.prorate);
+    view.walls = wall_loci(view.file, view.series, view.roles);
     view.missing = missing_quantities(view.series);
     view.candidates = candidates(view);
     return view;

@@ -10,6 +10,7 @@
 #include "data/recordings/interval_roles.h"
 #include "data/recordings/interval_series.h"
 #include "data/recordings/stated_cell.h"
+#include "data/recordings/wall_locus.h"
 #include "data/recordings/yield_locus.h"
 
 namespace pendular {
@@ -56,6 +57,7 @@ struct FileView {
     StatedCell stated;     ///< from the header
     std::vector<Remark> findings;
     std::vector<YieldLocus> loci;
+    std::vector<WallLocus> walls;
     /// Quantities that steady shear needs but no interval has, such as "torque or shear stress".
     std::vector<std::string> missing;
     /// Columns that are not used although their unit is that of a missing quantity, each with that
@@ -66,7 +68,8 @@ struct FileView {
 
 /// Reads and examines a file of measurements. A table with a column of interval numbers is divided
 /// into intervals.
-/// @param study_cell cell of a study, compared with the header of the file; empty: no comparison
+/// @param study_cell cell of a study, compared with the header of the file, whose lever arm turns
+///        forces on a lever into torques and stresses; empty: neither
 /// @throws InputError if the file cannot be read, its layout or a value is malformed, a unit is
 ///         missing or wrong, or no column is read
 FileView view_of_file(const std::filesystem::path& path, const FileFormat& format = {},

@@ -29,6 +29,7 @@ struct Loading {
     std::optional<double> angle;    ///< angle by which the lid turned [rad], if known
     std::optional<SpeedRamp> ramp;  ///< speeds between which the lid's speed changed, if it did
     std::optional<std::string> load_ramp;  ///< as text, if the normal stress changed throughout
+    std::optional<std::string> unsteady;   ///< as text, for stress growth or stick-slip
 };
 
 double largest_known(const std::vector<double>& values) {
@@ -102,6 +103,8 @@ std::vector<Loading> loadings(const std::vector<IntervalSeries>& series) {
         loading.angle = angle_turned(each);
         loading.ramp = speed_ramp(each.angular_velocity);
         loading.load_ramp = load_ramp(each);
+        loading.unsteady = stress_growth(each);
+        if (!loading.unsteady) loading.unsteady = stick_slip(each);
         result.push_back(loading);
     }
     return result;
@@ -147,6 +150,7 @@ IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& 
                                      own.ramp->change())};
     if (!own.pressed) return {"steady", "sheared, but not under a normal stress as grains are"};
     if (own.angle && *own.angle > long_turn && own.load_ramp) return {"other", *own.load_ramp};
+    if (own.angle && *own.angle > long_turn && own.unsteady) return {"other", *own.unsteady};
     if (own.angle && *own.angle > long_turn)
         return {"steady", fmt::format("the lid turned by {:.2g} rad", *own.angle)};
     const auto before = sheared_neighbour(file, loading, i, -1);
@@ -165,6 +169,7 @@ IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& 
         return {"failure", fmt::format("the lid turned by {:.2g} rad, too little for steady shear",
                                        *own.angle)};
     if (own.load_ramp) return {"other", *own.load_ramp};
+    if (own.unsteady) return {"other", *own.unsteady};
     return {"steady", "sheared at constant set points"};
 }
 
@@ -196,6 +201,9 @@ std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<Inte
             roles.push_back({file.blocks[i].stated_role, "stated by the file"});
         else if (const auto kind = kind_shown_by_columns(file.blocks[i]))
             roles.push_back({"other", *kind});
+        else if (!file.shown_wall.empty() && (file.table_of_points || loading[i].sheared))
+            roles.push_back(
+                {"wall", fmt::format("shear along a wall, as {} shows", file.shown_wall)});
         else if (file.table_of_points)
             roles.push_back(
                 {"failure", "a table of points: one row is one test, taken for a peak"});

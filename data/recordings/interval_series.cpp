@@ -17,7 +17,8 @@ std::span<const SeriesColumn> series_columns() {
         {"shear_stress", &IntervalSeries::shear_stress},
         {"normal_stress", &IntervalSeries::normal_stress},
         {"shear_rate", &IntervalSeries::shear_rate},
-        {"shear_velocity", &IntervalSeries::shear_velocity}};
+        {"shear_velocity", &IntervalSeries::shear_velocity},
+        {"lever_force", &IntervalSeries::lever_force}};
     return columns;
 }
 

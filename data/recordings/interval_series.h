@@ -23,13 +23,15 @@ struct IntervalSeries {
     std::vector<double> normal_stress = {};   ///< [Pa]
     std::vector<double> shear_rate = {};      ///< [1/s]
     std::vector<double> shear_velocity = {};  ///< of the lid at the mean radius [m/s]
+    std::vector<double> lever_force = {};     ///< on the arm that holds the lid [N]
 
     std::size_t size() const { return line.size(); }
     /// Returns the column of a quantity, such as "torque"; empty if there is none.
     const std::vector<double>& column(std::string_view quantity) const;
-    /// Returns the shear stress [Pa] or, if the file has none, the torque [N m].
+    /// Returns the shear stress [Pa] or, if the file has none, the torque [N m] or, if it has
+    /// neither, the force on a lever [N].
     const std::vector<double>& shear() const {
-        return shear_stress.empty() ? torque : shear_stress;
+        return !shear_stress.empty() ? shear_stress : !torque.empty() ? torque : lever_force;
     }
     /// Returns the normal stress [Pa] or, if the file has none, the normal force [N].
     const std::vector<double>& normal() const {

@@ -206,7 +206,8 @@ bool numbers_tell_apart(const std::vector<Block>& blocks) {
 /// he stated none, its columns show another kind of test.
 bool has_other_role(const Block& block, const FileFormat& format, const std::string& file,
                     std::vector<Lines> lines, std::vector<Remark>& left_out) {
-    const std::string role = stated_role(block, format);
+    std::string role = stated_role(block, format);
+    if (role.empty()) role = block.stated_role;
     const auto kind = role.empty() ? kind_shown_by_columns(block) : std::nullopt;
     if (role == "steady" || (role.empty() && !kind)) return false;
     leave_out(left_out, {.kind = kind ? Remark::Kind::other_test : Remark::Kind::stated_role,
@@ -317,9 +318,9 @@ Recording recording_of(const BlockFile& file, const FileFormat& format) {
                          "; steady shear needs time, torque or shear stress, normal force or "
                          "normal stress, gap, and the lid's speed in one interval. 'pendular "
                          "import FILE' shows what the file has");
-    if (whole.size() > 0 && ((whole.torque.empty() && whole.shear_stress.empty()) ||
-                             (whole.normal_force.empty() && whole.normal_stress.empty()) ||
-                             (whole.angular_velocity.empty() && whole.shear_velocity.empty())))
+    if (whole.size() > 0 &&
+        (whole.shear().empty() || (whole.normal_force.empty() && whole.normal_stress.empty()) ||
+         (whole.angular_velocity.empty() && whole.shear_velocity.empty())))
         throw InputError({file.file},
                          "some intervals have torque, normal force or angular velocity and others "
                          "only stresses or the speed at the mean radius; export all intervals with "
@@ -334,6 +335,15 @@ Recording read_recording(const std::filesystem::path& path, const FileFormat& fo
 }
 
 void fill_from_stresses(Recording& recording, const AnnularCell& cell) {
+    if (recording.torque.empty() && recording.shear_stress.empty()) {
+        if (!recording.lever_force.empty() && !(cell.lever_arm > 0))
+            throw InputError({recording.file},
+                             "has the force on a lever in place of a torque; state the distance of "
+                             "the load cell from the axis in [cell] of study.toml, as in lever_arm "
+                             "= \"0.2 m\"");
+        for (const double force : recording.lever_force)
+            recording.torque.push_back(force * cell.lever_arm);
+    }
     if (recording.torque.empty())
         for (const double stress : recording.shear_stress)
             recording.torque.push_back(torque(stress, cell));

@@ -48,8 +48,10 @@ Recording read_recording(const std::filesystem::path& path, const FileFormat& fo
 /// `read_recording`.
 Recording recording_of(const BlockFile& file, const FileFormat& format);
 
-/// Computes torques from shear stresses, normal forces from normal stresses, and angular velocities
-/// from speeds at the mean radius (Ri + Re)/2, where a recording lacks them.
+/// Computes torques from shear stresses or from forces on a lever, normal forces from normal
+/// stresses, and angular velocities from speeds at the mean radius (Ri + Re)/2, where a recording
+/// lacks them.
+/// @throws InputError for forces on a lever if the cell states no arm
 void fill_from_stresses(Recording& recording, const AnnularCell& cell);
 
 /// Splits a recording into steps, in the order of the rows. A step begins at each new value in the

@@ -24,19 +24,21 @@ Value or_else(Function function, Value otherwise) {
 }
 
 /// Columns in which a recording needs a value in every row: torque, normal force and angular
-/// velocity, or the stresses and the speed at the mean radius that stand in for them.
+/// velocity, or the stresses, the force on a lever and the speed at the mean radius that stand in
+/// for them.
 /// @throws InputError at the header if a column is missing
 std::vector<std::string_view> needed_columns(const Columns& columns) {
-    constexpr std::pair<std::string_view, std::string_view> all[] = {
-        {"time", ""},
-        {"torque", "shear_stress"},
+    const std::vector<std::vector<std::string_view>> all = {
+        {"time"},
+        {"torque", "shear_stress", "lever_force"},
         {"normal_force", "normal_stress"},
-        {"height", ""},
+        {"height"},
         {"angular_velocity", "shear_velocity"}};
     std::vector<std::string_view> names;
-    for (const auto& [name, stand_in] : all) {
-        names.push_back(!columns.has(name) && !stand_in.empty() && columns.has(stand_in) ? stand_in
-                                                                                         : name);
+    for (const auto& alike : all) {
+        const auto has = [&](std::string_view name) { return columns.has(name); };
+        const auto found = std::ranges::find_if(alike, has);
+        names.push_back(found == alike.end() ? alike.front() : *found);
         columns.require(names.back());
     }
     return names;

@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <numeric>
 #include <string_view>
 
+#include "data/files/missing_mark.h"
+#include "data/recordings/findings/detectors.h"
 #include "data/recordings/step_series.h"
 
 namespace pendular {
@@ -22,8 +26,14 @@ bool has_column_of_readings(const Block& block) {
     constexpr std::array<std::string_view, 6> names = {"shear_velocity", "shear_rate",
                                                        "height",         "solid_fraction",
                                                        "bulk_density",   "inertial_number"};
+    // Results of ring shear testers give the density and the height at each point.
+    constexpr std::array<std::string_view, 3> also_of_points = {"height", "solid_fraction",
+                                                                "bulk_density"};
+    const bool of_points = block.has_column("preshear_stress");
     return std::ranges::any_of(block.columns, [&](const BlockColumn& column) {
-        return std::ranges::find(names, column.quantity) != names.end();
+        return std::ranges::find(names, column.quantity) != names.end() &&
+               !(of_points &&
+                 std::ranges::find(also_of_points, column.quantity) != also_of_points.end());
     });
 }
 
@@ -42,6 +52,98 @@ bool is_table_of_points(const Block& block, const IntervalSeries& series) {
         jumps += std::abs(now - before) > jump * std::max(std::abs(now), std::abs(before));
     }
     return jumps >= 2 && 4 * jumps >= series.size();
+}
+
+namespace {
+
+/// Small letters of a text, without what separates words.
+std::string joined_words(std::string_view text) {
+    std::string joined;
+    for (const char c : in_small_letters(text))
+        if (std::string_view(" _-.").find(c) == std::string_view::npos) joined += c;
+    return joined;
+}
+
+bool names_wall_friction(std::string_view text) {
+    constexpr std::array<std::string_view, 8> names = {
+        "wallfriction",       "wallyield",       "wandreibung",       "wandfließ",
+        "frottementàlaparoi", "frottementparoi", "attritoallaparete", "fricciónconlapared"};
+    const std::string joined = joined_words(text);
+    return std::ranges::any_of(
+        names, [&](std::string_view name) { return joined.find(name) != std::string::npos; });
+}
+
+bool is_of_wall(const BlockColumn& column) {
+    constexpr std::array<std::string_view, 7> names = {"wall",   "wand", "paroi", "pared",
+                                                       "parete", "tauw", "sigmaw"};
+    if (column.quantity != "shear_stress" && column.quantity != "normal_stress") return false;
+    const std::string joined = joined_words(column.name);
+    return joined == "τw" || joined == "σw" ||
+           std::ranges::any_of(names, [&](std::string_view name) {
+               return joined.find(name) != std::string::npos;
+           });
+}
+
+/// Means over the last tenths of a column's rows, the last first; of magnitudes.
+std::array<double, 3> last_tenths(const std::vector<double>& column) {
+    std::array<double, 3> means = {};
+    const std::size_t rows = std::max<std::size_t>(column.size() / 10, 1);
+    for (std::size_t k = 0; k < means.size(); ++k) {
+        for (std::size_t i = 0; i < rows; ++i)
+            means[k] += std::abs(column[column.size() - (k + 1) * rows + i]);
+        means[k] /= static_cast<double>(rows);
+    }
+    return means;
+}
+
+}  // namespace
+
+std::string shown_wall(const BlockFile& file) {
+    for (const Block& block : file.blocks) {
+        for (const BlockColumn& column : block.columns)
+            if (is_of_wall(column)) return fmt::format("its column '{}'", column.name);
+        if (names_wall_friction(block.test)) return fmt::format("its name '{}'", block.test);
+    }
+    const std::string name = std::filesystem::path(file.file).filename().string();
+    return names_wall_friction(name) ? fmt::format("its name '{}'", name) : "";
+}
+
+std::optional<std::string> stress_growth(const IntervalSeries& series) {
+    constexpr double grows = 0.02;  // in a tenth: above it, `preshear_point` sees no plateau
+    if (series.size() < shortest_step || series.shear().empty() || series.normal().empty())
+        return std::nullopt;
+    const auto rise = last_tenths(series.shear()), load = last_tenths(series.normal());
+    const auto constant = [&](const std::array<double, 3>& means) {
+        return std::abs(means[0] - means[2]) <= grows * means[0];
+    };
+    const auto speed = series.angular_velocity.empty() ? std::array<double, 3>{}
+                                                       : last_tenths(series.angular_velocity);
+    if (!constant(load) || !constant(speed) || !(rise[0] > (1 + grows) * rise[1]) ||
+        !(rise[1] > (1 + grows) * rise[2]))
+        return std::nullopt;
+    return fmt::format(
+        "stress growth: at constant speed, the shear {} still rises by {:.0f} % "
+        "over the last tenth of the rows: no steady shear is reached",
+        series.shear_stress.empty() ? "force" : "stress", 100 * (rise[0] / rise[1] - 1));
+}
+
+std::optional<std::string> stick_slip(const IntervalSeries& series) {
+    // Smaller drops are a fault of a recording that stays useful; the findings tell of them.
+    constexpr double least_drop = 0.1;
+    const std::vector<double>& shear = series.shear();
+    std::vector<double> values;  // of the second half: a peak at the beginning is none
+    for (std::size_t i = shear.size() / 2; i < shear.size(); ++i)
+        if (std::isfinite(shear[i])) values.push_back(std::abs(shear[i]));
+    if (values.size() < 2 * shortest_step) return std::nullopt;
+    const double mean =
+        std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    const auto found = slips(values, 0);
+    if (!found || found->p > finding_significance || !(found->drop > least_drop * mean))
+        return std::nullopt;
+    return fmt::format(
+        "stick-slip: the shear stress drops suddenly by {:.0f} % every {:.2g} rows: "
+        "no steady shear",
+        100 * found->drop / mean, found->samples);
 }
 
 }  // namespace pendular

@@ -12,7 +12,8 @@ namespace pendular {
 std::optional<std::string> load_ramp(const IntervalSeries& series);
 
 /// Whether a table has a column that the points of a yield locus lack but readings of steady shear
-/// have: of a speed, a rate, a gap, a solid fraction or a bulk density.
+/// have: of a speed or a rate, or, without a column of preshears, of a gap, a solid fraction or a
+/// bulk density.
 bool has_column_of_readings(const Block& block);
 
 /// Whether a table holds one test in each row, such as the points of a yield locus: no time and no
@@ -20,5 +21,18 @@ bool has_column_of_readings(const Block& block);
 /// by more than 5 %, which no control of a load does, from that of the row before in a quarter of
 /// the rows.
 bool is_table_of_points(const Block& block, const IntervalSeries& series);
+
+/// Returns what shows that grains were sheared along a wall: the name of a column, such as "Wall
+/// shear stress", or of the file, its sheet or its test, such as "Wandreibung"; empty for nothing.
+std::string shown_wall(const BlockFile& file);
+
+/// Returns "stress growth: ..." for an interval at constant speed and load whose shear stress still
+/// rises at its end: by more than 2 % over each of the last two tenths of the rows. Empty for
+/// others, and for fewer than `shortest_step` rows.
+std::optional<std::string> stress_growth(const IntervalSeries& series);
+
+/// Returns "stick-slip: ..." for an interval whose shear stress rises slowly and drops suddenly,
+/// again and again, by more than a tenth of itself; empty for others.
+std::optional<std::string> stick_slip(const IntervalSeries& series);
 
 }  // namespace pendular

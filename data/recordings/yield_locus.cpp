@@ -62,21 +62,79 @@ void add_preshear(LinearYieldLocus& locus, const PreshearPoint& preshear) {
     locus.flow_class = flow_class_of(*locus.flowability);
 }
 
-/// Preshear of the same test before an interval; empty if none was recorded.
-std::optional<PreshearPoint> preshear_before(const BlockFile& file,
-                                             const std::vector<IntervalSeries>& series,
-                                             const std::vector<IntervalRole>& roles,
-                                             std::size_t i) {
-    if (const auto normal = file.blocks[i].preshear_normal_stress)
-        return PreshearPoint{*normal, file.blocks[i].preshear_shear_stress.value_or(std::nan(""))};
+/// Preshear of a point of failure, and the interval in which it is.
+struct OwnPreshear {
+    PreshearPoint point;
+    std::size_t interval;
+};
+
+/// Preshear of the same test before an interval, or else the one that the file states; empty if
+/// there is none.
+std::optional<OwnPreshear> preshear_before(const BlockFile& file,
+                                           const std::vector<IntervalSeries>& series,
+                                           const std::vector<IntervalRole>& roles, std::size_t i) {
+    const std::size_t own = i;
     while (i-- > 0 && file.blocks[i].test == file.blocks[i + 1].test)
         if (roles[i].role == "preshear" && !series[i].shear_stress.empty() &&
             !series[i].normal_stress.empty()) {
             PreshearPoint point = preshear_point(series[i]);
             point.bulk_density = file.blocks[i].bulk_density;
-            return point;
+            return OwnPreshear{point, i};
         }
+    if (const auto normal = file.blocks[own].preshear_normal_stress)
+        return OwnPreshear{
+            {.normal_stress = *normal,
+             .shear_stress = file.blocks[own].preshear_shear_stress.value_or(std::nan("")),
+             .bulk_density = file.blocks[own].bulk_density},
+            own};
     return std::nullopt;
+}
+
+/// Takes the mean of a value over preshears that have it.
+void set_mean(std::optional<double>& mean, const std::vector<OwnPreshear>& all,
+              std::optional<double> PreshearPoint::*value) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (const OwnPreshear& each : all)
+        if (each.point.*value) sum += *(each.point.*value), ++count;
+    if (count > 0) mean = sum / static_cast<double>(count);
+}
+
+/// Sets the preshear of a locus from those of its points, which are in their order, and what each
+/// point would be multiplied by.
+/// @param average whether the preshear becomes their mean
+void compare_preshears(YieldLocus& locus, const std::vector<OwnPreshear>& of_points, bool average) {
+    std::vector<OwnPreshear> all;  // several points may follow one preshear
+    for (const OwnPreshear& each : of_points)
+        if (all.empty() || all.back().interval != each.interval) all.push_back(each);
+    const double n = static_cast<double>(all.size());
+    double normal = 0, shear = 0, squares = 0;
+    for (const OwnPreshear& each : all)
+        normal += each.point.normal_stress / n, shear += each.point.shear_stress / n;
+    for (const OwnPreshear& each : all)
+        squares += std::pow(each.point.shear_stress - shear, 2);
+    if (average) {
+        locus.preshear->normal_stress = normal;
+        locus.preshear->shear_stress = shear;
+        set_mean(locus.preshear->bulk_density, all, &PreshearPoint::bulk_density);
+        set_mean(locus.preshear->height, all, &PreshearPoint::height);
+    }
+    // A table that repeats one value in each row tells of one preshear.
+    if (all.size() < 2 || !(squares > 0) || !(shear > 0)) return;
+    const double deviation = std::sqrt(squares / (n - 1));
+    locus.preshear->shear_stress_error = average ? deviation / std::sqrt(n) : deviation;
+    for (std::size_t i = 0; i < of_points.size(); ++i)
+        if (of_points[i].point.shear_stress > 0)
+            locus.points[i].prorating = shear / of_points[i].point.shear_stress;
+}
+
+void prorate_points(YieldLocus& locus) {
+    for (FailurePoint& point : locus.points) {
+        if (!point.prorating) continue;
+        point.shear_stress *= *point.prorating;
+        point.smoothed_shear_stress *= *point.prorating;
+        locus.prorated = true;
+    }
 }
 
 /// Locus with the test and preshear of a point; a new locus if there is none.
@@ -136,18 +194,23 @@ LocusErrors propagated_errors(const LinearYieldLocus& locus, double slope,
                               const std::optional<PreshearPoint>& preshear,
                               const LineCovariance& line) {
     constexpr double part = 1e-3;
-    const double da = part * std::sqrt(line.intercept), db = part * std::sqrt(line.slope);
-    const auto at = [&](double a, double b) {
-        return locus_of_line(locus.intercept + a, slope + b, preshear);
+    const double sheared = preshear ? preshear->shear_stress_error.value_or(0) : 0;
+    const double da = part * std::sqrt(line.intercept), db = part * std::sqrt(line.slope),
+                 dt = part * sheared;
+    const auto at = [&](double a, double b, double t) {
+        std::optional<PreshearPoint> moved = preshear;
+        if (moved) moved->shear_stress += t;
+        return locus_of_line(locus.intercept + a, slope + b, moved);
     };
-    const LinearYieldLocus more = at(da, 0), less = at(-da, 0), steeper = at(0, db),
-                           flatter = at(0, -db);
+    const LinearYieldLocus more = at(da, 0, 0), less = at(-da, 0, 0), steeper = at(0, db, 0),
+                           flatter = at(0, -db, 0), above = at(0, 0, dt), below = at(0, 0, -dt);
     const auto error = [&](const auto& value) {
         if (!(da > 0) || !(db > 0)) return 0.0;
         const double by_a = (value(more) - value(less)) / (2 * da),
-                     by_b = (value(steeper) - value(flatter)) / (2 * db);
+                     by_b = (value(steeper) - value(flatter)) / (2 * db),
+                     by_t = dt > 0 ? (value(above) - value(below)) / (2 * part) : 0;
         return std::sqrt(std::max(0.0, by_a * by_a * line.intercept + by_b * by_b * line.slope +
-                                           2 * by_a * by_b * line.both));
+                                           2 * by_a * by_b * line.both + by_t * by_t));
     };
     using Locus = const LinearYieldLocus&;
     return {.cohesion = std::sqrt(line.intercept),
@@ -201,6 +264,10 @@ PreshearPoint preshear_point(const IntervalSeries& series) {
     point.shear_stress_deviation = std::sqrt(squares / static_cast<double>(rows));
     point.shear_stress = std::abs(point.shear_stress);
     point.begin = begin;
+    if (const double gap =
+            series.height.empty() ? NAN : mean_of(series.height, begin, series.size());
+        std::isfinite(gap))
+        point.height = gap;
     const double before =
         std::abs(mean_of(series.shear_stress, begin - std::min(rows, begin), begin));
     constexpr double steady = 0.02;  // relative, as for `are_replicates`
@@ -233,15 +300,22 @@ FailurePoint failure_point(const Block& block, const IntervalSeries& series) {
 }
 
 std::vector<YieldLocus> yield_loci(const BlockFile& file, const std::vector<IntervalSeries>& series,
-                                   const std::vector<IntervalRole>& roles) {
+                                   const std::vector<IntervalRole>& roles, bool prorate) {
     std::vector<YieldLocus> loci;
+    std::vector<std::vector<OwnPreshear>> preshears;  // of the points of each locus
     for (std::size_t i = 0; i < series.size(); ++i) {
         if (roles[i].role != "failure" || !row_of_peak(series[i])) continue;
-        const auto preshear = preshear_before(file, series, roles, i);
-        locus_for(loci, file.blocks[i].test, preshear)
-            .points.push_back(failure_point(file.blocks[i], series[i]));
+        const auto own = preshear_before(file, series, roles, i);
+        YieldLocus& locus =
+            locus_for(loci, file.blocks[i].test, own ? std::optional(own->point) : std::nullopt);
+        locus.points.push_back(failure_point(file.blocks[i], series[i]));
+        preshears.resize(loci.size());
+        if (own) preshears[static_cast<std::size_t>(&locus - loci.data())].push_back(*own);
     }
-    for (YieldLocus& locus : loci) {
+    for (std::size_t k = 0; k < loci.size(); ++k) {
+        YieldLocus& locus = loci[k];
+        if (locus.preshear) compare_preshears(locus, preshears[k], prorate || file.table_of_points);
+        if (prorate) prorate_points(locus);
         locus.line = fitted(locus, &FailurePoint::normal_stress, &FailurePoint::shear_stress);
         locus.smoothed = fitted(locus, &FailurePoint::smoothed_normal_stress,
                                 &FailurePoint::smoothed_shear_stress);

@@ -22,6 +22,9 @@ struct FailurePoint {
     /// Whether the peak is in the last 5 % of the rows: failure may not have been reached.
     bool at_end = false;
     std::optional<double> height;  ///< gap at the data point [m], if recorded
+    /// Mean shear stress of the locus's preshears over that of the point's own [1]; empty if they
+    /// are not known or there is one preshear.
+    std::optional<double> prorating = {};
 };
 
 /// State at the end of a preshear, the steady shear that consolidates the sample before it is
@@ -36,10 +39,14 @@ struct PreshearPoint {
     /// Whether the shear stress differs by at most 2 % from that over the preceding tenth.
     bool plateau = true;
     std::optional<double> bulk_density = {};  ///< with the liquid [kg/m^3], if the file states it
+    /// Standard error of the shear stress [Pa], from the scatter between the preshears of the
+    /// locus; empty for a single one.
+    std::optional<double> shear_stress_error = {};
+    std::optional<double> height = {};  ///< mean gap over the last tenth [m], if recorded
 };
 
 /// Standard errors of the results of a linear yield locus, from the scatter of its points about the
-/// line; those of results that the locus lacks are 0.
+/// line and that of its preshears; those of results that the locus lacks are 0.
 struct LocusErrors {
     double cohesion = 0;                ///< [Pa]
     double slope_angle = 0;             ///< [rad]
@@ -82,8 +89,8 @@ struct LinearYieldLocus {
 /// "very cohesive" below 2, "cohesive" below 4, "easy-flowing" below 10, and else "free-flowing".
 ///
 /// The variance of intercept and slope is that of ordinary least squares, with the residual
-/// variance over n - 2; other errors follow by first-order propagation with their covariance. The
-/// error of the preshear is not in them.
+/// variance over n - 2; other errors follow by first-order propagation with their covariance and
+/// with the error of the shear stress of the preshear, where that is known.
 /// @throws std::invalid_argument if there are fewer than two different normal stresses
 /// Source: Jenike, Bulletin 123, University of Utah (1964); Schulze, Powders and Bulk Solids
 /// (2008).
@@ -94,8 +101,11 @@ LinearYieldLocus linear_yield_locus(const std::vector<double>& normal_stress,
 /// Points of failure of one test after preshears of equal normal stress. The lines through them are
 /// empty if all points have equal normal stress.
 struct YieldLocus {
-    std::string test;                       ///< name in the file
-    std::optional<PreshearPoint> preshear;  ///< before the first point, if recorded
+    std::string test;  ///< name in the file
+    /// Before the first point, if recorded; the mean over all points for a table of points, and if
+    /// they are prorated.
+    std::optional<PreshearPoint> preshear;
+    bool prorated = false;  ///< whether the shear stresses of the points are times `prorating`
     std::vector<FailurePoint> points;
     std::optional<LinearYieldLocus> line;      ///< through the largest shear stresses
     std::optional<LinearYieldLocus> smoothed;  ///< through the smoothed peaks
@@ -112,7 +122,9 @@ FailurePoint failure_point(const Block& block, const IntervalSeries& series);
 /// Returns the yield loci of a file. Points of failure share a locus if the normal stresses of
 /// their preshears agree within 5 %. Intervals without stresses are left out.
 /// @param series,roles in the order of the file's blocks
+/// @param prorate whether to multiply the shear stresses of each locus by its points' `prorating`
+/// Source of prorating: ASTM D6128 and D6773; Schulze, Powders and Bulk Solids (2008).
 std::vector<YieldLocus> yield_loci(const BlockFile& file, const std::vector<IntervalSeries>& series,
-                                   const std::vector<IntervalRole>& roles);
+                                   const std::vector<IntervalRole>& roles, bool prorate = false);
 
 }  // namespace pendular

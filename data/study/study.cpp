@@ -25,8 +25,8 @@ const Keys top_keys = {"grains",  "liquid",     "cell",         "recording", "re
                        "scatter", "instrument", "allow_outside"};
 const Keys grains_keys = {"diameter", "density", "youngs_modulus", "poisson_ratio"};
 const Keys liquid_keys = {"surface_tension", "contact_angle", "viscosity"};
-const Keys cell_keys = {"inner_radius", "outer_radius", "bead_mass", "bead_volume",
-                        "torque_formula"};
+const Keys cell_keys = {"inner_radius", "outer_radius",   "bead_mass",
+                        "bead_volume",  "torque_formula", "lever_arm"};
 const Keys readings_keys = {"file",    "liquid_content", "bead_mass", "bead_volume", "encoding",
                             "decimal", "state",          "sheet",     "missing",     "columns"};
 const Keys recording_keys = {"file",      "liquid_content", "bead_mass", "bead_volume",
@@ -191,6 +191,7 @@ std::optional<AnnularCell> read_cell(const StudyTable& root, const GrainProperti
         table->refuse("inner_radius", "must be smaller than 'outer_radius'");
     cell.bead_volume = bead_volume(*table, grains).value_or(0);
     cell.torque_formula = form(*table, "torque_formula");
+    if (table->has("lever_arm")) cell.lever_arm = table->positive_quantity("lever_arm", "m");
     return cell;
 }
 

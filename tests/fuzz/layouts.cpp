@@ -3,6 +3,7 @@
 #include "data/files/formats/layouts.h"
 
 #include "data/recordings/file_view.h"
+#include "data/recordings/locus_table.h"
 #include "data/recordings/recording.h"
 #include "tests/fuzz/support.h"
 
@@ -19,6 +20,10 @@ FileFormat format_of(std::uint8_t layout, std::uint8_t style) {
     if (style % 4 == 2) format.decimal = ",";
     if (style % 8 >= 4) format.encoding = "windows-1252";
     if (style % 16 >= 8) format.repair = true;
+    if (style % 64 >= 32) {
+        format.prorate = true;
+        format.wall = style % 2 == 1;
+    }
     if (style % 32 >= 16) format.columns = {"Time [s]", "Torque [mN m]"};
     return format;
 }
@@ -37,6 +42,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         }
         const FileView view = view_of_file(file, format);
         fuzz::demand(view.roles.size() == view.file.blocks.size());
+        fuzz::demand(locus_table({view}).starts_with(locus_table_begin));
     });
     return 0;
 }

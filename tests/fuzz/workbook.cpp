@@ -1,4 +1,4 @@
-// Workbooks (.xlsx): the sheet, and its rows as a recording.
+// Workbooks (.xlsx and .xls, by their first bytes): the sheets, and their rows as a recording.
 #include "data/files/workbook.h"
 
 #include "data/recordings/recording.h"

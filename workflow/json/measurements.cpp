@@ -78,17 +78,35 @@ Json locus_json(const YieldLocus& locus) {
                           {"smoothed_normal_stress", point.smoothed_normal_stress},
                           {"smoothed_shear_stress", point.smoothed_shear_stress},
                           {"at_end", point.at_end},
-                          {"height", number_or_null(point.height)}});
+                          {"height", number_or_null(point.height)},
+                          {"prorating", number_or_null(point.prorating)}});
     Json preshear;
     if (locus.preshear)
         preshear = {{"normal_stress", locus.preshear->normal_stress},
                     {"shear_stress", number_or_null(locus.preshear->shear_stress)},
+                    {"shear_stress_stderr", number_or_null(locus.preshear->shear_stress_error)},
+                    {"bulk_density", number_or_null(locus.preshear->bulk_density)},
                     {"plateau", locus.preshear->plateau}};
     return {{"test", locus.test},
             {"preshear", preshear},
+            {"prorated", locus.prorated},
             {"points", points},
             {"line", line_json(locus.line)},
             {"smoothed", line_json(locus.smoothed)}};
+}
+
+Json wall_json(const WallLocus& wall) {
+    Json points = Json::array(), errors;
+    for (const WallPoint& point : wall.points)
+        points.push_back({{"line", point.line},
+                          {"normal_stress", point.normal_stress},
+                          {"shear_stress", point.shear_stress}});
+    if (wall.errors)
+        errors = {{"coefficient", wall.errors->coefficient},
+                  {"adhesion", wall.errors->adhesion},
+                  {"slope", wall.errors->slope}};
+    return {{"test", wall.test},         {"points", points},    {"coefficient", wall.coefficient},
+            {"adhesion", wall.adhesion}, {"slope", wall.slope}, {"stderr", errors}};
 }
 
 Json scatter_json(const ReplicateScatter& scatter) {
@@ -173,6 +191,7 @@ Json to_json(const FileView& view) {
                  {"findings", Json::array()},
                  {"left_out", Json::array()},
                  {"yield_loci", Json::array()},
+                 {"wall_loci", Json::array()},
                  {"missing", view.missing}};
     for (const Fact& fact : view.file.facts)
         json["facts"].push_back({{"key", fact.key}, {"value", fact.value}, {"line", fact.line}});
@@ -186,6 +205,8 @@ Json to_json(const FileView& view) {
                                     {"reason", text_of(rows)}});
     for (const YieldLocus& locus : view.loci)
         json["yield_loci"].push_back(locus_json(locus));
+    for (const WallLocus& wall : view.walls)
+        json["wall_loci"].push_back(wall_json(wall));
     return json;
 }
 

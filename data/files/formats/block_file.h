@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -46,6 +47,11 @@ struct Block {
     /// [unit]`. Those of unused columns keep the text of the file, with the number of the column,
     /// and all in the layout "plain" keep the text of the file.
     Table table;
+
+    /// Whether a column is read as a quantity.
+    bool has_column(std::string_view quantity) const {
+        return std::ranges::find(columns, quantity, &BlockColumn::quantity) != columns.end();
+    }
 };
 
 /// Cell whose text states that there is no value, such as "NaN", and that is empty for that.
@@ -78,6 +84,9 @@ struct BlockFile {
     std::vector<Remark> skipped;   ///< rows that were not read, in the order of reading
     std::vector<Lines> hidden;     ///< rows that a workbook hides; they are read
     bool table_of_points = false;  ///< whether each row is a test of its own, and a block
+    /// What shows that grains were sheared along a wall, such as "its column 'Wall shear stress'";
+    /// empty: nothing.
+    std::string shown_wall;
     FileCounts counts;
     std::set<std::string> known_keys;  ///< keys of `facts`, in lower case
 

@@ -26,6 +26,11 @@ struct FileFormat {
     /// Whether torques that lost their decimal or thousands mark are corrected by means of the
     /// shear stresses (`repair_torques`). Corrections are reported.
     bool repair = false;
+    /// Whether shear stresses at failure are multiplied by the mean shear stress of the preshears
+    /// over that of their own (prorating), to take out how unequally samples were consolidated.
+    bool prorate = false;
+    /// Whether the file holds grains sheared along a wall, not grains along grains.
+    bool wall = false;
 };
 
 }  // namespace pendular

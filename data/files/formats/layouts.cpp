@@ -106,6 +106,20 @@ void refuse_wide_numbers(const BlockFile& file, const std::vector<WideNumber>& w
         }
 }
 
+/// @throws InputError for a table of results that Pendular wrote, which holds no measurement
+void refuse_lists(const std::filesystem::path& path, std::string_view text) {
+    const std::pair<std::string_view, const char*> lists[] = {
+        {"file,first_line,last_line,reason", "a list of rows that were left out"},
+        {"file,test,kind,points,preshear_stress", "a table of the results of yield loci"}};
+    for (const auto& [begin, what] : lists)
+        if (text.starts_with(begin))
+            throw InputError(
+                {path.string()},
+                fmt::format("is {}, as Pendular writes it, and no measurement; name the "
+                            "file that it was made from",
+                            what));
+}
+
 FileText text_of_file(const std::filesystem::path& path, const FileFormat& format) {
     if (const auto part = as_sheet(path)) {
         const std::string bytes = read_bytes(part->book, largest_table);
@@ -125,11 +139,17 @@ FileText text_of_file(const std::filesystem::path& path, const FileFormat& forma
 }  // namespace
 
 const std::vector<Layout>& layouts() {
-    static const std::vector<Layout> all = {rheocompass_layout(), rheoplus_layout(),
-                                            trios_layout(),       rspace_layout(),
-                                            rheowin_layout(),     yield_locus_report_layout(),
-                                            transposed_layout(),  unit_row_layout(),
-                                            headerless_layout(),  plain_layout()};
+    static const std::vector<Layout> all = {tidy_layout(),
+                                            rheocompass_layout(),
+                                            rheoplus_layout(),
+                                            trios_layout(),
+                                            rspace_layout(),
+                                            rheowin_layout(),
+                                            yield_locus_report_layout(),
+                                            transposed_layout(),
+                                            unit_row_layout(),
+                                            headerless_layout(),
+                                            plain_layout()};
     return all;
 }
 
@@ -142,7 +162,7 @@ std::vector<std::string> layout_names() {
 
 const std::vector<std::string>& interval_roles() {
     static const std::vector<std::string> roles = {"filling",   "preshear", "unloading", "failure",
-                                                   "reloading", "steady",   "other"};
+                                                   "reloading", "steady",   "wall",      "other"};
     return roles;
 }
 
@@ -152,6 +172,7 @@ BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileForma
                                            ? file_or_book
                                            : chosen_sheets(file_or_book, format.sheet).read.front();
     const FileText text = text_of_file(path, format);
+    refuse_lists(path, text.decoded.text);
     SourceLines source{path.string(), split_lines(text.decoded.text)};
     BlockFile file;
     file.file = source.file;

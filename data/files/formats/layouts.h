@@ -27,7 +27,7 @@ const std::vector<Layout>& layouts();
 std::vector<std::string> layout_names();
 
 /// Returns the roles that an interval may have in a test: "filling", "preshear", "unloading",
-/// "failure", "reloading", "steady" and "other".
+/// "failure", "reloading", "steady", "wall" and "other".
 const std::vector<std::string>& interval_roles();
 
 /// Reads a file of measurements in any known layout. Layout, encoding, delimiter and decimal mark
@@ -50,7 +50,12 @@ Layout yield_locus_report_layout();
 Layout unit_row_layout();
 Layout transposed_layout();
 Layout headerless_layout();
+Layout tidy_layout();
 Layout plain_layout();
+
+/// First characters of every table that `import --tidy` writes, by which the program recognises an
+/// earlier table before a new one replaces it, and reads it.
+constexpr const char* tidy_table_begin = "test,interval,role,line";
 
 /// Returns the role that the user states for an interval by its number, its name or the name of its
 /// test; empty if there is none.

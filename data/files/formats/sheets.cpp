@@ -27,7 +27,7 @@ bool is_workbook(const std::filesystem::path& path) {
     if (std::filesystem::file_size(path, error) < 4 || error) return false;
     std::string begin(4, '\0');
     std::ifstream file(path, std::ios::binary);
-    return file.read(begin.data(), 4) && is_archive(begin);
+    return file.read(begin.data(), 4) && begins_workbook(begin);
 }
 
 /// Names of the sheets that are shown and hold a table.
@@ -53,7 +53,7 @@ ChosenSheets chosen_sheets(const std::filesystem::path& path, const std::string&
     if (!is_workbook(path)) {
         if (!wanted.empty())
             throw InputError({path.string()},
-                             "is no workbook (.xlsx), so that 'sheet' cannot name a "
+                             "is no workbook (.xlsx, .xls), so that 'sheet' cannot name a "
                              "part of it; leave 'sheet' out");
         return {{path}, {}};
     }

@@ -1,0 +1,64 @@
+#include "data/files/sheet_lines.h"
+
+#include <algorithm>
+
+#include "data/files/csv.h"
+#include "data/quantities/number.h"
+
+namespace pendular {
+
+void SheetLines::add_line() {
+    result_.text += '\n';
+    ++lines_;
+}
+
+void SheetLines::add_empty_until(std::size_t lines) {
+    while (lines_ < lines)
+        add_line();
+}
+
+void SheetLines::begin_row(bool hidden) {
+    check_cell_count(cell_count_ += cells_.size(), file_, line());
+    std::ranges::fill(cells_, std::string());
+    if (!hidden) return;
+    auto& all = result_.hidden;
+    if (!all.empty() && all.back().second + 1 == line())
+        all.back().second = line();
+    else
+        all.emplace_back(line(), line());
+}
+
+void SheetLines::set(std::size_t column, std::string text) {
+    for (char& c : text)
+        if (c == '\t' || c == '\n' || c == '\r') c = ' ';
+    cells_[column] = trimmed(text);
+    if (!merged_.empty()) hold(column);
+}
+
+/// Keeps a number in a merged cell for the rows below.
+void SheetLines::hold(std::size_t column) {
+    const std::string& text = cells_[column];
+    const auto merged = merged_.find({lines_, column});
+    if (merged == merged_.end() || !parse_number(text)) return;
+    const CellPlace& last = merged->second;
+    if (last.column > column) {
+        result_.wide.push_back(
+            {line(), static_cast<int>(column) + 1, static_cast<int>(last.column) + 1, text});
+        return;
+    }
+    held_[column] = {text, last.row};
+}
+
+void SheetLines::end_row() {
+    std::erase_if(held_, [&](const auto& each) { return each.second.last < lines_; });
+    for (const auto& [column, held] : held_)
+        if (cells_[column].empty()) cells_[column] = held.text;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        if (i > 0) result_.text += '\t';
+        const std::string text = csv_cell(cells_[i]);  // delimiters and quotes within are none
+        result_.text += text.starts_with('#') ? '"' + text + '"' : text;  // no comment
+    }
+    add_line();
+}
+
+}  // namespace pendular

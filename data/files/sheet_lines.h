@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace pendular {
+
+/// Number in a cell that is merged over several columns, so that it is not known where it belongs.
+struct WideNumber {
+    int line = 0;                           ///< from 1
+    int first_column = 0, last_column = 0;  ///< from 1
+    std::string text;
+};
+
+/// Rows of a sheet of a workbook as text.
+struct SheetText {
+    /// One line per row, with cells separated by tabs. Each row with values has as many cells as
+    /// the widest row, and each row without values is an empty line.
+    std::string text;
+    /// First and last lines, from 1, of rows with values that the spreadsheet hides.
+    std::vector<std::pair<int, int>> hidden;
+    std::vector<WideNumber> wide;  ///< in the order of the lines; the first of its cells has it
+};
+
+/// Place of a cell, from 0.
+struct CellPlace {
+    std::size_t row = 0, column = 0;
+    auto operator<=>(const CellPlace&) const = default;
+};
+
+/// Writes the rows of a sheet as lines, from the first to the last. A number in a merged cell of
+/// one column stands in each of its rows. Tabs and line ends within a cell become blanks.
+class SheetLines {
+  public:
+    /// @param file path of the sheet, for error messages; must outlive the object
+    /// @param width number of cells of each row
+    SheetLines(const std::string& file, std::size_t width) : file_(file), cells_(width) {}
+
+    void merge(const CellPlace& first, const CellPlace& last) { merged_[first] = last; }
+
+    /// Number of lines so far: index of the next row.
+    std::size_t lines() const { return lines_; }
+    /// Number of the next line, from 1.
+    int line() const { return static_cast<int>(lines_) + 1; }
+
+    /// Adds empty lines until there are `lines`.
+    void add_empty_until(std::size_t lines);
+
+    /// Begins a row with values.
+    /// @throws InputError for more than `most_cells` cells so far
+    void begin_row(bool hidden);
+    /// @param column from 0, below the width
+    void set(std::size_t column, std::string text);
+    void end_row();
+
+    SheetText take() { return std::move(result_); }
+
+  private:
+    /// Number in a merged cell, which stands in the rows up to `last`.
+    struct Held {
+        std::string text;
+        std::size_t last;
+    };
+
+    void hold(std::size_t column);
+    void add_line();
+
+    const std::string& file_;
+    SheetText result_;
+    std::size_t lines_ = 0, cell_count_ = 0;
+    std::vector<std::string> cells_;         ///< of the present row
+    std::map<CellPlace, CellPlace> merged_;  ///< last place of merged cells, by the first
+    std::map<std::size_t, Held> held_;       ///< by column
+};
+
+}  // namespace pendular

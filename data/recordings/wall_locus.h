@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "data/recordings/interval_roles.h"
+
+namespace pendular {
+
+/// Stresses at which grains slide along a wall.
+struct WallPoint {
+    int line = 0;              ///< of the file, from 1
+    double normal_stress = 0;  ///< [Pa]
+    double shear_stress = 0;   ///< [Pa]
+};
+
+/// Standard errors of a wall yield locus, from the scatter of its points about its lines.
+struct WallErrors {
+    double coefficient = 0;  ///< [1]
+    double adhesion = 0;     ///< [Pa]
+    double slope = 0;        ///< [1]
+};
+
+/// Wall yield locus: shear stress against normal stress of grains that slide along a wall.
+struct WallLocus {
+    std::string test;  ///< name in the file
+    std::vector<WallPoint> points;
+    /// Friction coefficient of the wall: slope of the line through the origin [1]. Its angle is the
+    /// angle of wall friction.
+    double coefficient = 0;
+    double adhesion = 0;  ///< shear stress at zero normal stress of the line that fits best [Pa]
+    double slope = 0;     ///< of that line [1]
+    /// Empty for fewer than four points: with one degree of freedom, the scatter is not known.
+    std::optional<WallErrors> errors;
+
+    /// Whether the line that fits best misses the origin by more than two standard errors.
+    bool adheres() const;
+};
+
+/// Returns the wall yield loci of a file, one for each test with two different normal stresses: of
+/// the intervals with the role "wall", each with the means over its last tenth.
+///     coefficient = sum(s t)/sum(s^2)      s: normal stress, t: shear stress
+/// Errors are those of ordinary least squares.
+/// @param series,roles in the order of the file's blocks
+/// Source: Schulze, Powders and Bulk Solids (2008); ASTM D6128.
+std::vector<WallLocus> wall_loci(const BlockFile& file, const std::vector<IntervalSeries>& series,
+                                 const std::vector<IntervalRole>& roles);
+
+}  // namespace pendular
