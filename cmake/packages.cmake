@@ -62,21 +62,32 @@ set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_DEPENDS
   "fonts-font-awesome, fonts-katex, fonts-lato, libjs-jquery, libjs-katex, libjs-lunr, libjs-modernizr, sphinx-rtd-theme-common")
 
-# Whoever builds the module for Python installs it as component `python`.
+# Whoever builds the module for Python installs it as component `python`. It has an atlas of its own, and
+# needs neither the program nor gnuplot.
 if(TARGET pendular_python)
   pendular_package(python python3-pendular python
     "granular rheometry with a discrete-element model (Python 3)"
     "Pendular fits a discrete-element model to recordings of an annular shear cell
 with dry or wet beads and finds the physical effect that the model lacks.
 .
-This package contains the module for Python 3.")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "pendular ${same_version}, python3 (<< 3.12), python3 (>= 3.11)")
+This package contains the module pendular for Python 3, which does what the
+program does over numpy arrays and tables of pandas.")
+  math(EXPR later_python "${PENDULAR_PYTHON_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (<< 3.${later_python}), python3 (>= 3.${PENDULAR_PYTHON_MINOR}), python3-numpy, libudunits2-data")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-pandas")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "pendular, python3-emcee, python3-scipy, python3-tqdm, python3-xarray")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${packaging}/python3/postinst ${packaging}/python3/prerm)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 endif()
 
 # SOURCE_DATE_EPOCH, which scripts/package.sh sets, makes packages of one commit equal.
 string(TIMESTAMP day "%a, %d %b %Y %H:%M:%S +0000" UTC)
-set(PENDULAR_CONTACT "" CACHE STRING "Maintainer of the packages, NAME <ADDRESS>")
+# Debian demands an address. Whoever distributes packages states one; a domain that cannot exist (RFC 2606)
+# keeps mail from strangers where nobody does.
+set(PENDULAR_CONTACT "The Pendular developers <nobody@pendular.invalid>" CACHE STRING
+    "Maintainer of the packages, NAME <ADDRESS>")
 set(CPACK_PACKAGE_CONTACT "${PENDULAR_CONTACT}")
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/changelog.Debian CONTENT
 "pendular (${PROJECT_VERSION}-1) unstable; urgency=medium

@@ -39,6 +39,20 @@ std::string duration(double seconds) {
                     : fmt::format("{} h {} min", s / 3600, s / 60 % 60);
 }
 
+namespace {
+
+/// Fit at the end of a round. The first of several, where no simulation was made for it, is the
+/// answer that a user need not wait for.
+std::string round_sentence(const Event& event) {
+    const std::string friction = fmt::format("friction = {}", estimate_text(*event.fit, 0, "1"));
+    return event.number == 1 && event.total > 1 && event.runs.runs == 0
+               ? fmt::format("From earlier simulations: {}. New simulations check this fit now.",
+                             friction)
+               : fmt::format("Round {}: {}.", event.number, friction);
+}
+
+}  // namespace
+
 std::string progress_sentence(const Event& event) {
     switch (event.kind) {
         case Event::Kind::stage:
@@ -46,8 +60,7 @@ std::string progress_sentence(const Event& event) {
         case Event::Kind::runs:
             return as_sentence(event.text + ": " + progress_numbers(event.runs));
         case Event::Kind::round:
-            return fmt::format("Round {}: friction = {}.", event.number,
-                               estimate_text(*event.fit, 0, "1"));
+            return round_sentence(event);
         case Event::Kind::refits:  // a single fit is too short to be told
             return event.total < 2
                        ? ""

@@ -64,17 +64,24 @@ Calibration fit_study(const ResolvedStudy& study, const Measurements& measuremen
     CalibrationRequest request =
         request_for(runs_before(study, session, options), session, options);
     std::string stage = "round 1";
+    EnsembleProgress of_round;
+    const bool has_time = request.budget.seconds_left() > 0;  // a limit may be 0
     request.stage = [&](std::string_view name) { stage = name; };
     // A repeated fit reads its own runs from the store, even if it was cold.
     const Workers workers{session.threads, session.stop,
                           [&](const EnsembleProgress& progress) {
+                              of_round = progress;
                               tell(session.listener,
                                    {.kind = Event::Kind::runs, .text = stage, .runs = progress});
                           },
                           session.store, !options.cold || session.training};
     const auto report = [&](int round, const Fit& fit) {
         tell(session.listener,
-             {.kind = Event::Kind::round, .number = static_cast<std::size_t>(round), .fit = &fit});
+             {.kind = Event::Kind::round,
+              .runs = std::exchange(of_round, {}),
+              .number = static_cast<std::size_t>(round),
+              .total = has_time ? static_cast<std::size_t>(request.options.fewest_rounds) : 1,
+              .fit = &fit});
         stage = fmt::format("round {}", round + 1);
     };
     try {

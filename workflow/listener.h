@@ -20,8 +20,9 @@ struct Event {
     };
     Kind kind = Kind::note;
     std::string text = {};  ///< text of the note, or name of the stage of work or of the refits
-    EnsembleProgress runs = {};  ///< for the kind `runs`
-    /// Round (`round`), or refits that are done and all refits (`refits`).
+    EnsembleProgress runs = {};  ///< for the kinds `runs` and `round`; no runs: the round had none
+    /// Round and the least number of rounds (`round`), or refits that are done and all refits
+    /// (`refits`).
     std::size_t number = 0, total = 0;
     const Fit* fit = nullptr;  ///< fit at the end of a round; valid while the listener is called
 };

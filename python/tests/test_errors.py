@@ -61,6 +61,23 @@ def test_progress_goes_to_a_function_and_its_exception_ends_the_work(study):
     assert study.diagnose().verdict  # a later call is as any other
 
 
+def test_the_answer_of_earlier_simulations_comes_before_those_that_check_it(example):
+    study = pendular.open(example("polystyrene"), fidelity="quick", store=False)
+    kinds = []
+
+    class Enough(Exception):
+        pass
+
+    def stop(kind, *_):
+        kinds.append(kind)
+        if kind == "runs":
+            raise Enough
+
+    with pytest.raises(Enough):
+        study.calibrate(confirm=True, progress=stop)
+    assert [kind for kind in kinds if kind != "note"] == ["round", "runs"]
+
+
 def test_progress_shows_the_bars_of_tqdm(study, capfd):
     study.diagnose(progress=True)
     assert "%" in capfd.readouterr().err

@@ -37,6 +37,15 @@ inside() {
     DEBIAN_FRONTEND=noninteractive chroot "$1" /bin/sh -ec "cd /root; $2"
 }
 
+# purge FOLDER: removes all packages of Pendular from such a system, and fails if a file of one is left.
+purge() {
+  inside "$1" "
+    apt-get purge -q -y \$(dpkg-query -W -f '\${Package} ' '*pendular*') && apt-get autoremove -q -y --purge" >"$work/purge.log" 2>&1 || fail "$(tail "$work/purge.log")"
+  inside "$1" "find / -xdev \( -path /proc -o -path /root -o -path /packages -o -path /var/log -o -path /var/lib/apt \) -prune \
+    -o -iname '*pendular*' -print" >"$work/left"
+  [ ! -s "$work/left" ] || fail "purge leaves $(cat "$work/left")"
+}
+
 fail() {
   echo "FAILED: $*"
   exit 1
