@@ -41,7 +41,7 @@ std::string of_sheets(const TemporaryFolder& folder, const std::string& points) 
     return book.string();
 }
 
-/// What docs/how-to/yield-locus.md promises of a German workbook, but for the calibration.
+/// Commands of docs/how-to/yield-locus.md on a German workbook, but for the calibration.
 TEST(YieldLoci, OfAGermanWorkbookBeginAStudy) {
     const TemporaryFolder folder;
     const std::string book = of_sheets(folder, points(3000));
