@@ -111,12 +111,24 @@ Eigen::VectorXd precision_of(const std::vector<DirectMeasurement>& direct) {
     return precision;
 }
 
+/// Standard errors of values by measurement, noise of the runs and inexactness of the model,
+/// without what all readings share. Unlike the covariance of measurement alone, they are never 0:
+/// readings of a coarse gap may repeat to the digit.
+Eigen::VectorXd own_errors(const Measured& measured, const Prediction& prediction) {
+    Eigen::VectorXd variance = measured.covariance.diagonal();
+    for (const Eigen::MatrixXd* part : {&prediction.run_noise, &prediction.discrepancy})
+        if (part->rows() == variance.size()) variance += part->diagonal();
+    return variance.cwiseSqrt();
+}
+
 /// Sets `InstrumentError::alike`.
 /// @param changes of the readings by each of `all`
-/// @param covariance of the readings' own errors
+/// @param errors_of_values standard errors of the readings
 void add_alike(std::vector<InstrumentError>& errors, const std::vector<SharedUncertainty>& all,
-               const Eigen::MatrixXd& changes, const Eigen::MatrixXd& covariance) {
-    Eigen::MatrixXd directions = Whitening(covariance).apply(changes);
+               const Eigen::MatrixXd& changes, const Eigen::VectorXd& errors_of_values) {
+    const Eigen::VectorXd weights =
+        (errors_of_values.array() > 0).select(errors_of_values.cwiseInverse(), 0.0);
+    Eigen::MatrixXd directions = weights.asDiagonal() * changes;
     for (auto direction : directions.colwise()) {
         if (direction.norm() < rounding)
             direction.setZero();
@@ -177,7 +189,7 @@ void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Read
     }
     const auto values = 2 * std::ssize(readings);
     add_alike(fit.instrument, uncertainties, changes.topRows(values),
-              measured.covariance.topLeftCorner(values, values));
+              own_errors(measured, fit.prediction).head(values));
 }
 
 std::vector<InstrumentError> largest_errors(const Fit& fit, Eigen::Index k, bool counts,

@@ -149,4 +149,13 @@ TEST(InstrumentBudget, NamesWhatActsAlike) {
     EXPECT_EQ(causes.front().name, largest_errors(fit, 0, false, 1).front().name);
 }
 
+// Solid fractions of a coarse gap repeat to the digit: their scatter is 0.
+TEST(InstrumentBudget, NeedsNoScatter) {
+    std::vector<Reading> readings = readings_with({}, 3);
+    for (Reading& reading : readings)
+        reading.covariance.row(1).setZero(), reading.covariance.col(1).setZero();
+    EXPECT_THAT(named(fit_of(planted_study(), readings), "torque-gain").alike,
+                testing::Contains("normal-force-gain"));
+}
+
 }  // namespace calib_instrument_budget_test

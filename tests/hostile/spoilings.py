@@ -235,12 +235,15 @@ def judged(case, answer, usual):
     return row
 
 
+UNNAMED = ("covered", "wrong", "failed")  # fates that --check accepts only where the table of results has them
+
+
 def known_wrong(path):
-    """Copies that the table says are believed and wrong."""
+    """Copies that the table says are believed and off, without the cause."""
     if not path.exists():
         return set()
     with path.open() as file:
-        return {key_of(row) for row in csv.DictReader(file) if row["fate"] in ("wrong", "failed")}
+        return {key_of(row) for row in csv.DictReader(file) if row["fate"] in UNNAMED}
 
 
 def key_of(row):
@@ -269,7 +272,8 @@ def summary(rows):
     if honest:
         fates = Counter(row["fate"] for row in honest)
         lines.append("")
-        lines.append(f"Of {len(honest)} honest copies, {fates['doubted']} are doubted, {fates['wrong']} off by more than 3 errors.")
+        off = sum(abs(row["off_in_errors"]) > 3 for row in honest)
+        lines.append(f"Of {len(honest)} honest copies, {fates['doubted']} are doubted, {off} off by more than 3 errors.")
     believed = [row for row in spoiled if row["fate"] in ("named", "covered", "wrong")]
     beyond = sum(abs(row.get("off_with_typical", math.inf)) > 3 for row in believed)
     silent = sum(not row["printed"] for row in believed)
@@ -291,7 +295,7 @@ def arguments():
     parser.add_argument("--jobs", type=int, default=1, help="copies at a time (default: 1)")
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build/spoilings", help="folder of finished copies")
     parser.add_argument("--table", type=pathlib.Path, help="file for the table, with the summary beside it as .md (default of a complete run: bench/results/spoilings.csv)")
-    parser.add_argument("--check", action="store_true", help="write no table; exit code 1 if a copy is wrong or failed that bench/results/spoilings.csv does not list so")
+    parser.add_argument("--check", action="store_true", help="write no table; exit code 1 if a copy is covered, wrong or failed that bench/results/spoilings.csv does not list so")
     parser.add_argument("--list", action="store_true", help="print the copies, calibrate none")
     given = parser.parse_args()
     given.program = given.program or given.program_option
@@ -346,7 +350,7 @@ def main():
         path.with_suffix(".md").write_text(summary(rows) + "\n", encoding="utf-8")
     if given.check:
         known = known_wrong(RESULTS)
-        new = [row for row in rows if row["kind"] != "honest" and row["fate"] in ("wrong", "failed") and key_of(row) not in known]
+        new = [row for row in rows if row["kind"] != "honest" and row["fate"] in UNNAMED and key_of(row) not in known]
         for row in new:
             print(f"Not listed as {row['fate']}: {', '.join(key_of(row))}")
         return 1 if new else 0
