@@ -195,8 +195,15 @@ std::vector<std::filesystem::path> all_files(const std::filesystem::path& first,
     return paths;
 }
 
-/// @throws InputError if a table that the user wants cannot be written
-void check_tables(const ImportFileOptions& options) {
+/// @throws InputError if a table that the user wants cannot be written, or is an input
+void check_tables(const ImportFileOptions& options,
+                  const std::vector<std::filesystem::path>& inputs) {
+    for (const std::string& table : {options.tidy, options.loci})
+        for (const std::filesystem::path& input : inputs) {
+            std::error_code error;  // set where there is no such table yet
+            if (!table.empty() && std::filesystem::equivalent(table, input, error))
+                throw InputError({table}, "is the file to be read; name another one");
+        }
     if (!options.tidy.empty()) {
         demand_writable(options.tidy, "--tidy", false);
         demand_table(options.tidy, tidy_table_begin);
@@ -245,7 +252,7 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
     const auto paths = all_files(path, options.more);
     const SheetViews read = views_of_files(paths, format);
     const std::vector<FileView>& views = read.views;
-    check_tables(options);
+    check_tables(options, paths);
     std::size_t guesses = 0;
     if (!options.study.empty()) {
         const auto files = files_of_study(options.study, views, format);

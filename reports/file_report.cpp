@@ -14,6 +14,7 @@
 #include "data/files/formats/named_columns.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
+#include "data/recordings/test_kinds.h"
 #include "data/remarks/wording.h"
 #include "reports/locus_report.h"
 #include "reports/tables.h"
@@ -181,25 +182,18 @@ std::vector<std::string> checks_lines(const FileView& view, bool all) {
 
 namespace {
 
-/// Whether a file is a table of readings without time: with both stresses, a solid fraction and a
-/// rate.
-bool is_table_of_readings(const FileView& view) {
-    if (view.file.layout != "plain" || view.file.table_of_points) return false;
-    const auto& columns = view.file.blocks.front().columns;
-    const auto has = [&](std::string_view name) {
-        return std::ranges::find(columns, name, &BlockColumn::quantity) != columns.end();
-    };
-    return !has("time") && has("normal_stress") && (has("shear_stress") || has("stress_ratio")) &&
-           (has("solid_fraction") || has("bulk_density")) &&
-           (has("shear_rate") || has("inertial_number") || has("inertial_number_diameter_density"));
+/// Whether a file is a table of readings.
+bool shows_readings(const FileView& view) {
+    return view.file.layout == "plain" && !view.file.table_of_points &&
+           is_table_of_readings(view.file.blocks.front());
 }
 
 }  // namespace
 
 std::string missing_sentence(const FileView& view) {
-    if (is_table_of_readings(view))
+    if (shows_readings(view))
         return fmt::format(
-            "The file has no time, but all that a table of readings needs: write file = \"{}\" "
+            "The file has all that a table of readings needs: write file = \"{}\" "
             "below [[readings]] in study.toml.",
             std::filesystem::path(view.file.file).filename().string());
     const auto lacks = [&](const char* name) {
@@ -319,9 +313,7 @@ std::string usual_reason(const FileView& view) {
 }  // namespace
 
 std::string unused_sentence(const std::vector<FileView>& views) {
-    const auto useful = [](const FileView& view) {
-        return is_used(view) || is_table_of_readings(view);
-    };
+    const auto useful = [](const FileView& view) { return is_used(view) || shows_readings(view); };
     if (std::ranges::any_of(views, useful)) return "";
     const FileView& view = views.front();
     const bool sheared = std::ranges::any_of(view.roles, [](const IntervalRole& each) {

@@ -85,7 +85,8 @@ void refuse_unused_file(const BlockFile& file) {
 
 /// Divides a table with a column of intervals into one block per interval.
 void split_by_interval(BlockFile& file) {
-    if (file.blocks.size() != 1) return;
+    // Readings of several recordings have the numbers of these, or none.
+    if (file.blocks.size() != 1 || is_table_of_readings(file.blocks.front())) return;
     const Block whole = std::move(file.blocks.front());
     const Columns columns(whole.table);
     if (!columns.has("interval")) {

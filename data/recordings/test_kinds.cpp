@@ -37,6 +37,14 @@ bool has_column_of_readings(const Block& block) {
     });
 }
 
+bool is_table_of_readings(const Block& block) {
+    const auto has = [&](std::string_view name) { return block.has_column(name); };
+    return (!has("time") || has("error_assumed") || has("sampled_seconds")) &&
+           has("normal_stress") && (has("shear_stress") || has("stress_ratio")) &&
+           (has("solid_fraction") || has("bulk_density")) &&
+           (has("shear_rate") || has("inertial_number") || has("inertial_number_diameter_density"));
+}
+
 bool is_table_of_points(const Block& block, const IntervalSeries& series) {
     constexpr std::size_t most_points = 1000, fewest_points = 3;
     // Two thirds of the least step between set points that steps.cpp tells apart.
@@ -131,9 +139,9 @@ std::optional<std::string> stick_slip(const IntervalSeries& series) {
     // Smaller drops are a fault of a recording that stays useful; the findings tell of them.
     constexpr double least_drop = 0.1;
     const std::vector<double>& shear = series.shear();
-    std::vector<double> values;  // of the second half: a peak at the beginning is none
-    for (std::size_t i = shear.size() / 2; i < shear.size(); ++i)
-        if (std::isfinite(shear[i])) values.push_back(std::abs(shear[i]));
+    std::vector<double> values;
+    for (const double value : shear)
+        if (std::isfinite(value)) values.push_back(std::abs(value));
     if (values.size() < 2 * shortest_step) return std::nullopt;
     const double mean =
         std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());

@@ -22,6 +22,10 @@ bool has_column_of_readings(const Block& block);
 /// the rows.
 bool is_table_of_points(const Block& block, const IntervalSeries& series);
 
+/// Whether a table is one of readings: with both stresses, a solid fraction and a rate, and without
+/// time unless it states, as readings.csv does, how each reading was averaged.
+bool is_table_of_readings(const Block& block);
+
 /// Returns what shows that grains were sheared along a wall: the name of a column, such as "Wall
 /// shear stress", or of the file, its sheet or its test, such as "Wandreibung"; empty for nothing.
 std::string shown_wall(const BlockFile& file);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "tests/support/app_support.h"
@@ -138,6 +139,17 @@ TEST(OwnFiles, AreReadOrCalledWhatTheyAre) {
         told.push_back(fmt::format("{} {}", run.code, first.substr(0, first.find('\n'))));
     }
     expect_told(told);
+    // As a table of readings, readings.csv is read again to the same number of readings.
+    const std::string readings = content_of(study + "/out/readings.csv");
+    folder.write("again.csv", readings);
+    folder.write("study.toml",
+                 "[grains]\ndiameter = \"500 um\"\ndensity = \"2500 kg/m^3\"\n[cell]\n"
+                 "inner_radius = \"10.5 mm\"\nouter_radius = \"21.5 mm\"\n[[readings]]\nfile = "
+                 "\"again.csv\"\n");
+    const Outcome again = run_pendular("import " + folder.path().string());
+    EXPECT_EQ(again.code, 0) << again.errors;
+    EXPECT_EQ(std::ranges::count(content_of(folder.path() / "out/readings.csv"), '\n'),
+              std::ranges::count(readings, '\n'));
 }
 
 }  // namespace app_loci_test

@@ -110,6 +110,7 @@ void refuse_wide_numbers(const BlockFile& file, const std::vector<WideNumber>& w
 void refuse_lists(const std::filesystem::path& path, std::string_view text) {
     const std::pair<std::string_view, const char*> lists[] = {
         {"file,first_line,last_line,reason", "a list of rows that were left out"},
+        {"panel,curve,x,y", "the table of a figure"},
         {"file,test,kind,points,preshear_stress", "a table of the results of yield loci"}};
     for (const auto& [begin, what] : lists)
         if (text.starts_with(begin))
