@@ -15,7 +15,11 @@ accept() {
         folder=app filter="*Transcripts.*$name"
     elif [[ -f $file ]]; then
         filter=$(sed -n 's/^== \([^ ]*\).*/\1/p' "$file" | paste -sd:) && rm "$file"
+    elif [[ $1 == */* ]]; then
+        echo "$file does not exist; new ones are written with all of the folder $folder" >&2
+        return 2
     else
+        [[ -x build/release/tests/${folder}_tests ]] || { echo "build ${folder}_tests first" >&2; return 2; }
         rm -rf "tests/golden/$folder"
     fi
     "build/release/tests/${folder}_tests" --gtest_brief=1 --gtest_filter="$filter"

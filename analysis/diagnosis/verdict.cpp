@@ -237,25 +237,22 @@ void Rules::measurement_is_doubtful() {
 
 /// Known effects have the benefit of the doubt, as has an error of one measurement: a change of
 /// unknown cause that explains the readings must be clearly better than each of their models, with
-/// as few changes. The verdict is then `unknown`; else the known effects come first, and the next
-/// diagnosis, with them in the model, proposes what remains.
+/// as few changes as leading effects or, where known effects fit, with one: some of the many pairs
+/// of changes describe chance better. The verdict is then `unknown`; else the known effects come
+/// first, and the next diagnosis, with them in the model, proposes what remains.
 void Rules::weigh_proposals() {
-    const std::vector<FittedModel> known = result_.leaders
-                                               ? std::vector{result_.leaders->model}
-                                               : std::exchange(result_.confidence_set, {});
+    const std::vector<FittedModel> known =
+        result_.leaders ? std::vector{result_.leaders->model} : result_.confidence_set;
     if (known.empty()) return;
+    const std::size_t most_changes = result_.leaders ? result_.leaders->model.chosen.size() : 1;
     const auto outdoes = [&](const Circumstances::Proposed& proposed) {
-        return proposed.fits && std::ranges::all_of(known, [&](const FittedModel& each) {
-                   return proposed.changes <= std::max<std::size_t>(1, each.chosen.size()) &&
-                          proposed.penalised_chi2 + clearly_better < each.fit.chi2;
+        return proposed.fits && proposed.changes <= most_changes &&
+               std::ranges::all_of(known, [&](const FittedModel& each) {
+                   return proposed.penalised_chi2 + clearly_better < each.fit.chi2;
                });
     };
-    if (std::ranges::any_of(circumstances_.proposals, outdoes)) {
-        known_effects_are_outdone(known);
-        return;
-    }
-    result_.proposals_stand = false;
-    if (!result_.leaders) result_.confidence_set = known;
+    result_.proposals_stand = std::ranges::any_of(circumstances_.proposals, outdoes);
+    if (result_.proposals_stand) known_effects_are_outdone(known);
 }
 
 void Rules::known_effects_are_outdone(const std::vector<FittedModel>& known) {
@@ -267,7 +264,7 @@ void Rules::known_effects_are_outdone(const std::vector<FittedModel>& known) {
     }
     result_.verdict = Verdict::unknown;
     result_.complete = false;
-    result_.proposals_stand = true;
+    result_.confidence_set.clear();
     result_.effects.clear();
     result_.suspects.clear();
     result_.leaders.reset();

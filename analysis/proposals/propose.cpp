@@ -53,7 +53,7 @@ class ShapeSearch {
         const std::vector<Score> singles = scored_.unlike(scored_.singles(), most_singles);
         if (diagnosis_.complete && !promises_more(singles)) return {};
         std::vector<Proposal> found = fitted(singles);
-        if (std::ranges::none_of(found, &Proposal::fits) && !one_effect_fits()) {
+        if (!diagnosis_.complete && std::ranges::none_of(found, &Proposal::fits)) {
             auto pairs = fitted(scored_.unlike(scored_.pairs(most_firsts), most_pairs));
             std::erase_if(pairs, [](const Proposal& pair) {
                 return std::ranges::any_of(pair.shapes, needless);
@@ -64,13 +64,6 @@ class ShapeSearch {
     }
 
   private:
-    /// Whether a model with one known effect, or one error of measurement, fits: pairs of shapes
-    /// are then no rivals.
-    bool one_effect_fits() const {
-        return diagnosis_.complete &&
-               std::ranges::any_of(diagnosis_.confidence_set,
-                                   [](const FittedModel& each) { return each.chosen.size() < 2; });
-    }
     bool promises_more(const std::vector<Score>& singles) const;
     /// Refits the model with the shapes of each score, and tests the best results among the known
     /// effects and the other shapes.
@@ -93,9 +86,8 @@ class ShapeSearch {
 };
 
 /// Whether a single shape, by its linear estimate, may describe the readings clearly better than
-/// all models that fit, or needs a pair to do so.
+/// all models that fit.
 bool ShapeSearch::promises_more(const std::vector<Score>& singles) const {
-    if (!one_effect_fits()) return true;
     double least = INFINITY;  // chi2
     for (const FittedModel& each : diagnosis_.confidence_set) {
         least = std::min(least, each.fit.chi2);

@@ -218,18 +218,17 @@ void set_cell(const Points& points, const Row& row, Reading& reading) {
     }
 }
 
-/// Whether a row is a point of failure, as the entry of study.toml states.
-/// @throws InputError if the row states the contrary
+/// Whether a row is a point of failure, as its column `failure` says or, without one, the entry of
+/// study.toml. readings.csv has points of failure and steady shear in one table.
+/// @throws InputError if the row is steady shear in an entry of points of failure
 bool at_failure(const Points& points, const Row& row) {
     const bool stated = points.source.at_failure;
-    const double value = points.columns.value_if_any(row, "failure").value_or(stated ? 1 : 0);
-    if ((value != 0) != stated)
+    const bool fails = points.columns.value_if_any(row, "failure").value_or(stated ? 1 : 0) != 0;
+    if (stated && !fails)
         throw InputError(points.columns.at(row, "failure"),
-                         stated ? "the row is steady shear, but the entry of study.toml has state "
-                                  "= \"failure\"; move it to a table of its own"
-                                : "the row is a point of failure; move these rows to a table of "
-                                  "their own, with state = \"failure\" in [[readings]]");
-    return stated;
+                         "the row is steady shear, but the entry of study.toml has state = "
+                         "\"failure\"; leave that line out, or move the row to a table of its own");
+    return fails;
 }
 
 Reading reading_of(const Points& points, const Row& row) {

@@ -286,6 +286,9 @@ TEST(Verdict, GivesEffectsThatFitUpOnlyForClearlyBetterProposals) {
         EXPECT_FALSE(c.proposals_stand);
         EXPECT_EQ(c.confidence_set.size(), 2u);
     }
+    TestResults pairs = misfit();
+    fits_with(pairs, {0, 1}, 60);
+    EXPECT_EQ(concluded(pairs, {.proposals = {{true, 2, 40}}}).verdict, Verdict::missing);
     const Conclusion c = with({true, 1, 49.9});
     EXPECT_EQ(c.verdict, Verdict::unknown);
     EXPECT_FALSE(c.complete);
