@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
+#include <set>
 #include <vector>
 
 #include "data/files/file_access.h"
@@ -389,26 +391,85 @@ bool begins_study(const FileView& view) {
     return !view.loci.empty() || has_steady_recording(view);
 }
 
+SheetViews views_of_files(const std::vector<std::filesystem::path>& paths,
+                          const FileFormat& format) {
+    if (paths.size() == 1) return views_of_file(paths.front(), format);
+    SheetViews result;
+    for (const std::filesystem::path& path : paths) {
+        try {
+            SheetViews found = views_of_file(path, format);
+            std::ranges::move(found.not_read, std::back_inserter(result.not_read));
+            if (std::ranges::none_of(found.views, begins_study))
+                refuse_to_begin(found.views.front());
+            std::ranges::move(found.views, std::back_inserter(result.views));
+        } catch (const InputError& error) {
+            result.not_read.push_back(fmt::format("A file is not read: {}.", error.what()));
+        }
+    }
+    if (result.views.empty())
+        throw InputError({paths.empty() ? "" : paths.front().parent_path().string()},
+                         paths.empty() ? "no file is given to begin a study with"
+                                       : "no file can begin a study. " + result.not_read.front());
+    return result;
+}
+
+namespace {
+
+/// Adds copies of the files of recordings.
+/// @throws InputError as `begin_study`
+void add_recordings(const std::vector<FileView>& views, std::map<std::string, std::string>& files) {
+    std::set<std::filesystem::path> added;  // a workbook has several views
+    for (const FileView& view : views) {
+        const std::filesystem::path path = file_to_open(view.file.file);
+        if (!has_steady_recording(view) || !added.insert(path).second) continue;
+        if (!files.emplace(path.filename().string(), read_bytes(path, largest_table)).second)
+            throw InputError({path.string()},
+                             "has the name of a file of the study; rename it, to recording.csv "
+                             "say");
+    }
+}
+
+/// Name of the file, or of the first of several, as a comment has it.
+std::string name_of(const std::vector<FileView>& views) {
+    std::set<std::filesystem::path> files;
+    for (const FileView& view : views) {
+        const std::filesystem::path path = file_to_open(view.file.file);
+        files.insert(path);
+        if (const std::string name = path.filename().string(); printable(name) != name)
+            throw InputError({path.string()},
+                             "has a name that study.toml cannot hold; rename the file");
+    }
+    const std::string first = file_to_open(views.front().file.file).filename().string();
+    return files.size() == 1 ? first : fmt::format("{} and {} more", first, files.size() - 1);
+}
+
+/// Whether a view is of one of several sheets of a workbook.
+bool one_of_several_sheets(const FileView& view, const std::vector<FileView>& views,
+                           const FileFormat& format) {
+    const std::filesystem::path path = file_to_open(view.file.file);
+    return std::ranges::count_if(
+               views, [&](const FileView& each) { return file_to_open(each.file.file) == path; }) >
+               1 ||
+           (format.sheet.empty() && has_several_sheets(path));
+}
+
+}  // namespace
+
 std::map<std::string, std::string> begin_study(const std::vector<FileView>& views,
                                                const FileFormat& format) {
-    const std::filesystem::path path = file_to_open(views.front().file.file);
-    const std::string name = path.filename().string();
-    if (printable(name) != name)
-        throw InputError({path.string()},
-                         "has a name that study.toml cannot hold; rename the file");
+    const std::string name = name_of(views);
     std::vector<double> mass_ratios;
     for (const FileView& view : views)
         mass_ratios.push_back(guessed_mass_ratio(texts_of(view)));
     const bool wet = std::ranges::any_of(mass_ratios, [](double ratio) { return ratio > 0; });
     std::map<std::string, std::string> files;
     std::string entries;
-    const bool several_sheets =
-        views.size() > 1 || (format.sheet.empty() && has_several_sheets(path));
     for (std::size_t k = 0; k < views.size(); ++k) {
         const FileView& view = views[k];
         const std::string suffix = views.size() == 1 ? "" : fmt::format("_{}", k + 1);
         std::string steady = steady_table(view, mass_ratios[k]);
-        entries += entries_text(view, format_of_entry(view, format, several_sheets), suffix,
+        const bool one_of_several = one_of_several_sheets(view, views, format);
+        entries += entries_text(view, format_of_entry(view, format, one_of_several), suffix,
                                 !steady.empty(), wet ? liquid_content_text(mass_ratios[k]) : "");
         if (!view.loci.empty()) files[fmt::format("failure{}.csv", suffix)] = failure_table(view);
         if (!steady.empty()) files[fmt::format("steady{}.csv", suffix)] = std::move(steady);
@@ -420,9 +481,7 @@ std::map<std::string, std::string> begin_study(const std::vector<FileView>& view
     files["study.toml"] = grains_text(name, texts_of(views.front()), wet) +
                           (cell ? cell_text(*cell, any_steady) : "") + entries +
                           end_text(cell != nullptr, !dry);
-    if (any_steady && !files.emplace(name, read_bytes(path, largest_table)).second)
-        throw InputError({path.string()},
-                         "has the name of a file of the study; rename it, to recording.csv say");
+    add_recordings(views, files);
     return files;
 }
 

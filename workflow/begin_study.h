@@ -12,18 +12,24 @@ namespace pendular {
 /// Views of a file of measurements, or of the chosen sheets of a workbook.
 struct SheetViews {
     std::vector<FileView> views;
-    std::vector<std::string> not_read;  ///< sentences on sheets that are not read
+    std::vector<std::string> not_read;  ///< sentences on sheets or files that are not read
 };
 
 /// Reads a file of measurements, or the sheets of a workbook that `format` chooses.
 /// @throws InputError if nothing can be read, or a sheet that `format` chooses cannot
 SheetViews views_of_file(const std::filesystem::path& path, const FileFormat& format);
 
-/// Returns the files of a new study made from one file of measurements, or from the sheets of a
-/// workbook, as a map from the name of each file to its text. Each sheet is an entry of its own,
-/// and its tables have its number ("failure_2.csv").
+/// Reads several files of measurements as `views_of_file` does. Of several, those with which no
+/// study can begin are left out, and `not_read` says why.
+/// @throws InputError if no study can begin with any of them
+SheetViews views_of_files(const std::vector<std::filesystem::path>& paths,
+                          const FileFormat& format);
+
+/// Returns the files of a new study made from files of measurements, or from the sheets of a
+/// workbook, as a map from the name of each file to its text. Each file and each sheet is an entry
+/// of its own, and its tables have its number ("failure_2.csv").
 /// - study.toml, in which "GUESS" marks guessed values, such as the density of the grains;
-/// - a copy of the file of measurements, if it contains steady shear;
+/// - a copy of each file of measurements that contains steady shear;
 /// - steady.csv with the states at the end of the preshears, if there are any;
 /// - failure.csv with the points of failure, if there are any.
 /// In steady.csv and failure.csv, an unknown solid fraction is stated as 0.60 +- 0.1 [1].
