@@ -55,18 +55,22 @@ void bind_files(py::module_& module) {
                                              .sheet = sheet,
                                              .columns = columns});
                });
-    module.def("begin_study", [](const std::filesystem::path& path, const std::string& sheet) {
-        const FileFormat format{.sheet = sheet};
-        std::map<std::string, std::string> files;
-        {
-            const py::gil_scoped_release release;
-            files = begin_study(views_of_file(path, format).views, format);
-        }
-        py::dict contents;  // bytes, since a workbook is no text
-        for (const auto& [name, text] : files)
-            contents[py::str(name)] = py::bytes(text);
-        return contents;
-    });
+    module.def("begin_study",
+               [](const std::vector<std::filesystem::path>& paths, const std::string& sheet) {
+                   const FileFormat format{.sheet = sheet};
+                   std::map<std::string, std::string> files;
+                   std::vector<std::string> not_read;
+                   {
+                       const py::gil_scoped_release release;
+                       SheetViews found = views_to_begin_with(paths, format);
+                       files = begin_study(found.views, format);
+                       not_read = std::move(found.not_read);
+                   }
+                   py::dict contents;  // bytes, since a workbook is no text
+                   for (const auto& [name, text] : files)
+                       contents[py::str(name)] = py::bytes(text);
+                   return py::make_tuple(contents, not_read);
+               });
 }
 
 }  // namespace pendular::python

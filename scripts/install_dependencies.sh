@@ -13,7 +13,7 @@ packages=(
   libcpp-httplib-dev libmimalloc-dev pkg-config
   # the Python module, its tests and notebooks
   pybind11-dev python3-dev python3-numpy python3-pip python3-venv python3-setuptools python3-wheel python3-pytest
-  python3-pandas python3-matplotlib python3-xarray python3-scipy python3-emcee python3-tqdm python3-nbclient
+  python3-pandas python3-matplotlib python3-xarray python3-scipy python3-emcee python3-lmfit python3-iminuit python3-tqdm python3-nbclient
   python3-ipykernel mypy
   # figures
   gnuplot-nox fonts-dejavu-core

@@ -461,6 +461,28 @@ bool begins_study(const FileView& view) {
     return !view.loci.empty() || has_steady_recording(view);
 }
 
+SheetViews views_to_begin_with(const std::vector<std::filesystem::path>& paths,
+                               const FileFormat& format) {
+    if (paths.size() == 1) return views_of_file(paths.front(), format);
+    SheetViews result;
+    for (const std::filesystem::path& path : paths) {
+        try {
+            SheetViews found = views_of_file(path, format);
+            std::ranges::move(found.not_read, std::back_inserter(result.not_read));
+            if (std::ranges::none_of(found.views, begins_study))
+                refuse_to_begin(found.views.front());
+            std::ranges::move(found.views, std::back_inserter(result.views));
+        } catch (const InputError& error) {
+            result.not_read.push_back(fmt::format("A file is not read: {}.", error.what()));
+        }
+    }
+    if (result.views.empty())
+        throw InputError({paths.empty() ? "" : paths.front().parent_path().string()},
+                         paths.empty() ? "no file is given to begin a study with"
+                                       : "no file can begin a study. " + result.not_read.front());
+    return result;
+}
+
 std::map<std::string, std::string> begin_study(const std::vector<FileView>& views,
                                                const FileFormat& format) {
     const std::filesystem::path path = file_to_open(views.front().file.file);

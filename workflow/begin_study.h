@@ -23,6 +23,12 @@ SheetViews views_of_file(const std::filesystem::path& path, const FileFormat& fo
 SheetViews views_of_files(const std::vector<std::filesystem::path>& paths,
                           const FileFormat& format);
 
+/// Reads files of a folder as `views_of_files` does; those with which no study can begin are left
+/// out, and `not_read` says why. A single file is read even so.
+/// @throws InputError if no study can begin with any of them
+SheetViews views_to_begin_with(const std::vector<std::filesystem::path>& paths,
+                               const FileFormat& format);
+
 /// Returns the files of a new study made from files of measurements, or from the sheets of
 /// workbooks, as a map from the name of each file to its text. Each file or sheet is an entry of
 /// its own, and its tables have its number ("failure_2.csv").

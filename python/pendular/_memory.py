@@ -57,6 +57,22 @@ def write_study(folder: Path, tables: Mapping[str, Any], readings: Any,
     (folder / "study.toml").write_text(text + "\n".join(sources), encoding="utf-8")
 
 
+def with_stated(text: str, tables: Mapping[str, Any]) -> str:
+    """Returns the text of a study.toml with the keys of `tables` in place of the guesses there."""
+    for name, entries in tables.items():
+        heading = f"[{name}]\n"
+        if entries and heading not in text:
+            text = heading + "\n" + text
+        for key, value in (entries or {}).items():
+            begin = text.index(heading) + len(heading)
+            end = text.find("\n[", begin)
+            section = text[begin:] if end < 0 else text[begin:end]
+            kept = "".join(line for line in section.splitlines(True)
+                           if not re.match(rf"{re.escape(_key(key))}\s*=", line))
+            text = text[:begin] + _lines({key: value}) + kept + text[begin + len(section):]
+    return text
+
+
 def _put_recordings(folder: Path, file: Any, number: int) -> List[str]:
     """Writes a table, or copies the files that a path or pattern names, and returns the names."""
     if not isinstance(file, (str, os.PathLike)):

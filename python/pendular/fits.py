@@ -25,7 +25,10 @@ class Readings(Result):
         self._folder = folder
 
     def __repr__(self) -> str:
-        return f"<{len(self.keys_of_readings)} readings>"
+        aside = [each["reason"] for each in self["excluded"]
+                 if each["reason"].startswith("set aside: ")]
+        more = f", {len(aside)} {aside[0]}" if aside else ""
+        return f"<{len(self.keys_of_readings)} readings{more}>"
 
     @property
     def keys_of_readings(self) -> List[Key]:

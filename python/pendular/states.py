@@ -29,6 +29,14 @@ def store_file(store: Store) -> Optional[str]:
     return "" if store is False else os.fspath(store)
 
 
+def cores() -> int:
+    """Returns the number of cores that this process may use; where the system does not tell, that
+    of the machine."""
+    if hasattr(os, "sched_getaffinity"):  # not on macOS and Windows
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
 class States:
     """Observables of steady shear at states, with standard errors.
 
@@ -221,7 +229,7 @@ def predict(friction: Numbers = 0.09, inertial_number: Numbers = 0.0,
         np.ascontiguousarray(arrays[name]).ravel() if name in arrays else None
         for name in _QUANTITIES
     ]
-    count = len(os.sched_getaffinity(0)) if threads is None else threads
+    count = cores() if threads is None else threads
     with told(progress) as listener:
         result = predictor.states(listener, derivatives, count, *flat)
     dims = list(coordinates) or [f"state_{k}" if len(shape) > 1 else "state"

@@ -6,6 +6,7 @@ import math
 import os
 import shutil
 import tempfile
+import warnings
 from pathlib import Path
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Union
 
@@ -13,22 +14,17 @@ import numpy as np
 
 from pendular import _core
 from pendular._core import InputError
-from pendular._memory import write_study
-from pendular._notify import Progress, told
+from pendular._memory import with_stated, write_study
+from pendular._notify import Note, Progress, told
 from pendular._forward import Forward
 from pendular.fits import Comparison, Fit, Prediction, Readings, Recording
-from pendular.states import Numbers, States, Store, predict, store_file
+from pendular.states import Numbers, States, Store, cores, predict, store_file
 from pendular.verdicts import Change, Diagnosis, NextMeasurement
 
 PathLike = Union[str, "os.PathLike[str]"]
 #: Time for simulations that check a result: minutes, True for no limit, False for none.
 Confirm = Union[bool, float]
 Table = Mapping[str, Any]
-
-
-def cores() -> int:
-    """Returns the number of cores that this process may use."""
-    return len(os.sched_getaffinity(0))
 
 
 def _seconds(confirm: Confirm) -> Optional[float]:
@@ -277,26 +273,50 @@ class Study:
         return study
 
 
-def begin(file: PathLike, folder: PathLike, *, sheet: str = "", **settings: Any) -> Study:
-    """Begins a study with a file of measurements, and opens it: writes study.toml and the tables to
-    a folder. Each guess in study.toml, such as the density of the grains, is marked GUESS.
+def begin(files: Union[PathLike, Sequence[PathLike]], folder: PathLike, *, sheet: str = "",
+          grains: Optional[Table] = None, cell: Optional[Table] = None,
+          liquid: Optional[Table] = None, **settings: Any) -> Study:
+    """Begins a study with files of measurements, and opens it: writes study.toml and copies of the
+    files to a folder. What neither the files nor the arguments state, such as the density of the
+    grains, is guessed and marked GUESS in study.toml: correct it there, and `open` the study again.
 
-    file: recording or export of a rheometer, as `import_file` reads it
+    files: recording or export of a rheometer, as `import_file` reads it; several of them; or a
+        folder, whose files are taken in the order of their names. Of several files, those with
+        which no study can begin are left out, with a warning
     folder: of the study, made where it is missing
     sheet: sheet of a workbook
+    grains, cell, liquid: tables of study.toml, such as cell={"bead_mass": "60 g"}
     settings: as of `open`
 
     Raises InputError, and writes nothing, where the folder has a file of one of the names.
     """
-    written, into = _core.begin_study(os.fspath(file), sheet), Path(folder)
+    written, not_read = _core.begin_study(_paths(files), sheet)
+    into = Path(folder)
     for name in written:
         if (into / name).exists():
             raise InputError(f"{into / name} is there already; nothing was written: name another "
                              "folder")
+    for each in not_read:
+        warnings.warn(each, Note, stacklevel=2)
+    written["study.toml"] = with_stated(
+        written["study.toml"].decode(), {"grains": grains, "cell": cell, "liquid": liquid}).encode()
     into.mkdir(parents=True, exist_ok=True)
     for name, content in written.items():
         (into / name).write_bytes(content)
     return Study(into, **settings)
+
+
+def _paths(files: Union[PathLike, Sequence[PathLike]]) -> List[str]:
+    """Paths of files, or of the files of a folder."""
+    if not isinstance(files, (str, os.PathLike)):
+        return [os.fspath(each) for each in files]
+    if not os.path.isdir(files):
+        return [os.fspath(files)]
+    found = sorted(each for each in Path(files).iterdir()
+                   if each.is_file() and not each.name.startswith("."))
+    if not found:
+        raise InputError(f"{os.fspath(files)} has no file to begin a study with")
+    return [str(each) for each in found]
 
 
 def open(study: PathLike, *, fidelity: Optional[str] = None, seed: int = 1,

@@ -118,3 +118,13 @@ class Change(Result):
     def written(self) -> bool:
         """Whether study.toml was changed; it is not where the new fit does not converge."""
         return bool(self["written"])
+
+    def _repr_html_(self) -> str:
+        sides = (self["before"], self["after"])
+        rows: List[List[Any]] = [["chi2/dof", *(each["chi2"] / each["dof"] for each in sides)]]
+        for name in ("shear_stress", "solid_fraction"):
+            rows.append([f"RMS error of {name.replace('_', ' ')} [%]",
+                         *(each["rms_percent"][name] for each in sides)])
+        what = f"{self['effect']}: {self['change']}"
+        return html_table(("", "before", "after"), rows, what if self.written else
+                          what + ", not written")

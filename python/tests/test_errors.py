@@ -167,3 +167,31 @@ def test_a_study_begins_with_a_file(example, tmp_path):
         pendular.begin(file, folder)
     assert (folder / "study.toml").read_text() == "mine"
     assert not (folder / "dry_1.csv").exists()
+
+
+def test_a_study_begins_with_a_folder_of_files(example, tmp_path):
+    source = example("dry-recordings")
+    files = tmp_path / "exports"
+    files.mkdir()
+    for name in ("dry_2.csv", "dry_1.csv"):
+        (files / name).write_bytes((source / name).read_bytes())
+    (files / "notes.txt").write_text("Washed with ethanol.\n")
+    with pytest.warns(pendular.Note, match="notes.txt"):
+        study = pendular.begin(files, tmp_path / "begun", store=False,
+                               grains={"density": "1050 kg/m^3"},
+                               cell={"inner_radius": "21 mm", "outer_radius": "45 mm"})
+    assert list(study.recordings) == ["dry_1.csv", "dry_2.csv"]
+    assert len(study.readings["readings"]) == 6
+    assert not (study.folder / "notes.txt").exists()
+    text = (study.folder / "study.toml").read_text()
+    assert "GUESS: the file does not state the diameter" in text and "2500" not in text
+    named = pendular.begin([files / "dry_2.csv"], tmp_path / "named", store=False)
+    assert list(named.recordings) == ["dry_2.csv"]
+    # The guessed cell makes the beads denser than any packing: it says why nothing is left.
+    assert "0 readings, 3 set aside: the solid fraction" in repr(named.readings)
+    with pytest.raises(pendular.InputError, match="no file can begin a study"):
+        pendular.begin([files / "notes.txt", files / "notes.txt"], tmp_path / "none")
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(pendular.InputError, match="no file"):
+        pendular.begin(tmp_path / "empty", tmp_path / "none")
+    assert not (tmp_path / "none").exists()

@@ -203,6 +203,51 @@ def test_scipy_finds_the_fit_of_the_program(study):
     assert 2 * found.cost == pytest.approx(chi2, rel=1e-6)
 
 
+def test_lmfit_finds_the_fit_of_the_program(study):
+    lmfit = pytest.importorskip("lmfit")
+    f = study.add("wall-friction").forward()
+    estimates, covariance, chi2 = f.fit()
+    residuals = f.whitened([each.value for each in estimates.values()])
+    start = lmfit.Parameters()
+    keys = [name.replace("-", "_").replace(".", "_") for name in f.names]  # lmfit wants identifiers
+    for key, value, (lower, upper) in zip(keys, f.start, f.bounds):
+        start.add(key, value=value, min=lower, max=upper)
+    found = lmfit.minimize(lambda p: residuals(list(p.valuesdict().values())), start,
+                           scale_covar=False)
+    assert found.chisqr == pytest.approx(chi2, rel=1e-5)
+    for key, each in zip(keys, estimates.values()):
+        assert found.params[key].value == pytest.approx(each.value, abs=0.02 * each.stderr)
+        # lmfit differentiates by differences, and through the map of its bounds.
+        assert found.params[key].stderr == pytest.approx(each.stderr, rel=0.05)
+    intervals = lmfit.conf_interval(lmfit.Minimizer(
+        lambda p: residuals(list(p.valuesdict().values())), start, scale_covar=False), found,
+        sigmas=[1])
+    lower, upper = f.profile("friction")
+    ends = [value for _, value in intervals[keys[0]]]
+    # lmfit's F test with 49 degrees of freedom and chi2/dof below 1 is another criterion than a
+    # rise of chi2 by 1: the ratio of their widths is sqrt(chi2/dof), up to some per cent.
+    ratio = (ends[-1] - ends[0]) / (upper - lower)
+    assert ratio == pytest.approx((chi2 / (len(f.measured) - len(f.names))) ** 0.5, rel=0.1)
+
+
+def test_iminuit_finds_the_fit_of_the_program(study):
+    iminuit = pytest.importorskip("iminuit")
+    f = study.add("wall-friction").forward()
+    estimates, _, chi2 = f.fit()
+    residuals = f.whitened([each.value for each in estimates.values()])
+    minuit = iminuit.Minuit(lambda p: float(np.sum(residuals(p) ** 2)), f.start, name=f.names)
+    minuit.errordef, minuit.limits = iminuit.Minuit.LEAST_SQUARES, f.bounds
+    minuit.migrad()
+    minuit.minos()
+    assert minuit.valid and minuit.fval == pytest.approx(chi2, rel=1e-5)
+    for name, each in estimates.items():
+        assert minuit.values[name] == pytest.approx(each.value, abs=0.02 * each.stderr)
+        # Minos follows the rise of chi2 by 1, as `profile` does.
+        lower, upper = f.profile(name)
+        errors = minuit.merrors[name]
+        assert errors.upper - errors.lower == pytest.approx(upper - lower, rel=0.02)
+
+
 def test_profile_is_the_error_where_the_model_is_linear(study):
     f = study.add("wall-friction").forward()
     estimates, _, _ = f.fit()

@@ -109,6 +109,14 @@ def test_results_are_pickled_copied_and_shown(study):
             matplotlib.pyplot.close("all")
 
 
+def test_a_change_is_shown_as_its_errors_before_and_after(study):
+    change = study.add("wall-friction").change
+    text = change._repr_html_()
+    assert "RMS error of shear stress" in text
+    assert f"{change['before']['rms_percent']['shear_stress']:.4g}" in text
+    assert f"{change['after']['chi2'] / change['after']['dof']:.4g}" in text
+
+
 def test_states_have_the_shape_of_their_arguments():
     friction, pressure = np.array([0.06, 0.1, 0.2]), np.array([1.0, 3.0])
     states = pendular.predict(friction, reduced_pressure=pressure, liquid_content=0.02, grid=True,
