@@ -218,18 +218,17 @@ void set_cell(const Points& points, const Row& row, Reading& reading) {
     }
 }
 
-/// Whether a row is a point of failure, as the entry of study.toml states.
-/// @throws InputError if the row states the contrary
+/// Whether a row is a point of failure: as it states itself, as those of readings.csv do, or as the
+/// entry of study.toml does.
+/// @throws InputError if the row states steady shear and the entry failure
 bool at_failure(const Points& points, const Row& row) {
     const bool stated = points.source.at_failure;
-    const double value = points.columns.value_if_any(row, "failure").value_or(stated ? 1 : 0);
-    if ((value != 0) != stated)
+    const bool own = points.columns.value_if_any(row, "failure").value_or(stated ? 1 : 0) != 0;
+    if (stated && !own)
         throw InputError(points.columns.at(row, "failure"),
-                         stated ? "the row is steady shear, but the entry of study.toml has state "
-                                  "= \"failure\"; move it to a table of its own"
-                                : "the row is a point of failure; move these rows to a table of "
-                                  "their own, with state = \"failure\" in [[readings]]");
-    return stated;
+                         "the row is steady shear, but the entry of study.toml has state "
+                         "= \"failure\"; move it to a table of its own");
+    return own;
 }
 
 Reading reading_of(const Points& points, const Row& row) {

@@ -87,7 +87,8 @@ TEST(YieldLoci, AlongAWallAreADirectMeasurement) {
                  "1000,300,0.6,0.01\n2000,600,0.6,0.01\n");
     folder.write("study.toml",
                  "[grains]\ndiameter = \"500 um\"\ndensity = \"2500 kg/m^3\"\n[cell]\n"
-                 "inner_radius = \"20 mm\"\nouter_radius = \"40 mm\"\n[[readings]]\nfile = "
+                 "inner_radius = \"20 mm\"\nouter_radius = \"40 mm\"\nbead_mass = \"60 "
+                 "g\"\n[[readings]]\nfile = "
                  "\"points.csv\"\n" +
                      lines + "\n");
     const Outcome study = run_pendular("import " + folder.path().string());
