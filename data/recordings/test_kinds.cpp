@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "data/files/missing_mark.h"
+#include "data/quantities/statistics.h"
 #include "data/recordings/findings/detectors.h"
 #include "data/recordings/step_series.h"
 
@@ -145,7 +146,7 @@ std::optional<std::string> stick_slip(const IntervalSeries& series) {
     if (values.size() < 2 * shortest_step) return std::nullopt;
     const double mean =
         std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-    const auto found = slips(values, 0);
+    const auto found = slips(values, least_step(values));
     if (!found || found->p > finding_significance || !(found->drop > least_drop * mean))
         return std::nullopt;
     return fmt::format(

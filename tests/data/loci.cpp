@@ -165,7 +165,7 @@ IntervalSeries sheared(const std::function<double(int)>& stress) {
 }
 
 TEST(KindsOfShear, AreStressGrowthAndStickSlip) {
-    const auto noise = [](int i) { return (i * 7919 % 101 - 50) * 0.02; };
+    const auto noise = [](int i) { return std::sin(12.9898 * i * i); };
     const auto growing = sheared([&](int i) { return 5 + 1.5 * i + noise(i); });
     const auto level = sheared([&](int i) { return 300 * (1 - std::exp(-i / 10.0)) + noise(i); });
     const auto saw = sheared([&](int i) { return 300 + 8.0 * (i % 12) + noise(i); });
