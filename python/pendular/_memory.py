@@ -67,9 +67,9 @@ def with_stated(text: str, tables: Mapping[str, Any]) -> str:
             begin = text.index(heading) + len(heading)
             end = text.find("\n[", begin)
             section = text[begin:] if end < 0 else text[begin:end]
-            kept = "".join(line for line in section.splitlines(True)
-                           if not re.match(rf"{re.escape(_key(key))}\s*=", line))
-            text = text[:begin] + _lines({key: value}) + kept + text[begin + len(section):]
+            line = _lines({key: value})
+            changed, found = re.subn(rf"(?m)^{re.escape(_key(key))}\s*=.*\n?", lambda _: line, section)
+            text = text[:begin] + (changed if found else line + section) + text[begin + len(section):]
     return text
 
 

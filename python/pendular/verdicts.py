@@ -17,8 +17,10 @@ class Diagnosis(Result):
 
     @property
     def verdict(self) -> str:
-        """Result in one word: "nothing-missing", "inconclusive", "missing", "indistinguishable",
-        "unknown" or "suspect-measurement"."""
+        """Result in one word: "missing" (all of `effects` are needed), "indistinguishable"
+        (several models fit that have none of `effects` in common: alternatives, which the
+        measurement of `Study.next` tells apart), "nothing-missing", "inconclusive" (the readings could not show
+        some effects), "unknown" (no known effect explains the misfit) or "suspect-measurement"."""
         return str(self["verdict"])
 
     @property

@@ -244,8 +244,8 @@ def test_iminuit_finds_the_fit_of_the_program(study):
         assert minuit.values[name] == pytest.approx(each.value, abs=0.02 * each.stderr)
         # Minos follows the rise of chi2 by 1, as `profile` does.
         lower, upper = f.profile(name)
-        errors = minuit.merrors[name]
-        assert errors.upper - errors.lower == pytest.approx(upper - lower, rel=0.02)
+        below, above = minuit.params[name].merror
+        assert above - below == pytest.approx(upper - lower, rel=0.02)
 
 
 def test_profile_is_the_error_where_the_model_is_linear(study):
