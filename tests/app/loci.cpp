@@ -42,7 +42,7 @@ std::string of_sheets(const TemporaryFolder& folder, const std::string& points) 
     return book.string();
 }
 
-/// What docs/how-to/yield-locus.md promises of a German workbook, but for the calibration.
+/// The commands of docs/how-to/yield-locus.md for a German workbook, without the calibration.
 TEST(YieldLoci, OfAGermanWorkbookBeginAStudy) {
     const TemporaryFolder folder;
     const std::string book = of_sheets(folder, points(3000));

@@ -84,7 +84,7 @@ struct BlockFile {
     std::vector<Remark> skipped;   ///< rows that were not read, in the order of reading
     std::vector<Lines> hidden;     ///< rows that a workbook hides; they are read
     bool table_of_points = false;  ///< whether each row is a test of its own, and a block
-    /// What shows that grains were sheared along a wall, such as "its column 'Wall shear stress'";
+    /// Evidence that grains were sheared along a wall, such as "its column 'Wall shear stress'";
     /// empty: nothing.
     std::string shown_wall;
     FileCounts counts;
