@@ -17,12 +17,12 @@ struct ImportFileOptions {
     /// Names and units of the file's columns: header cells `name [unit]`, separated by semicolons,
     /// or an array as in study.toml.
     std::string columns;
-    std::string study;    ///< folder of the new study that is made from the file
-    std::string tidy;     ///< CSV file for all rows of the file in SI units
-    std::string loci;     ///< CSV file for the results of all yield loci
-    std::string figures;  ///< folder for the figures of the file or study
-    bool prorate = false;  ///< whether points of failure are prorated
-    bool wall = false;     ///< whether the file holds shear along a wall
+    std::string study;              ///< folder of the new study that is made from the file
+    std::string tidy;               ///< CSV file for all rows of the file in SI units
+    std::string loci;               ///< CSV file for the results of all yield loci
+    std::string figures;            ///< folder for the figures of the file or study
+    bool prorate = false;           ///< whether points of failure are prorated
+    bool wall = false;              ///< whether the file holds shear along a wall
     std::vector<std::string> more;  ///< further files, read as the first
 
     /// Adds the options to the command line of `pendular import`.
