@@ -241,16 +241,16 @@ double greatest_stress(const YieldLocus& locus) {
 
 /// Marks strength and major principal stress where their Mohr circles meet the axis.
 void add_marked_stresses(const LinearYieldLocus& line, Panel& panel) {
-    Curve marks{
-        .colour = circle_colour, .symbol = {Shape::diamond, Filling::filled}, .in_key = false};
-    const auto mark = [&](double stress, const std::string& name) {
-        marks.x.push_back(stress);
-        marks.y.push_back(0);
-        marks.names.push_back(name);
+    const auto mark = [&](double stress, const std::string& label, Filling filling) {
+        panel.curves.push_back(
+            {.label = label, .colour = circle_colour, .symbol = {Shape::diamond, filling}});
+        panel.curves.back().x = {stress};
+        panel.curves.back().y = {0};
     };
-    if (line.unconfined_strength > 0) mark(line.unconfined_strength, "σ_{c}");
-    if (line.major_principal_stress) mark(*line.major_principal_stress, "σ_{1}");
-    if (!marks.x.empty()) panel.curves.push_back(std::move(marks));
+    if (line.unconfined_strength > 0)
+        mark(line.unconfined_strength, "unconfined strength", Filling::hollow);
+    if (line.major_principal_stress)
+        mark(*line.major_principal_stress, "major principal stress", Filling::filled);
 }
 
 Panel locus_panel(const YieldLocus& locus) {

@@ -72,7 +72,7 @@ def results():
         result(sheet, row, 1, "number", value)
     sheet.write(6, 0, 6)
     result(sheet, 6, 1, "empty")
-    result(sheet, 1, 2, "text", "größer als µ")
+    result(sheet, 1, 2, "text", "größer: µ")
     result(sheet, 2, 2, "error", 7)
     result(sheet, 3, 2, "truth", 1)
     sheet.row(4).set_cell_error(2, 0x2A)

@@ -52,7 +52,7 @@ TEST(OldWorkbook, GivesResultsOfFormulas) {
     EXPECT_THAT(column_of(file, 1),
                 ElementsAre("0.1", "0.3333333333333333", "1e+300", "-2.5e-09", "12345678", ""));
     EXPECT_THAT(column_of(file, 2),
-                ElementsAre("größer als µ", "#DIV/0!", "TRUE", "#N/A", "FALSE", ""));
+                ElementsAre("größer: µ", "#DIV/0!", "TRUE", "#N/A", "FALSE", ""));
 }
 
 TEST(OldWorkbook, RefusesCellsWithoutANumberByTheirNames) {
