@@ -24,6 +24,8 @@
 #include "reports/locus_report.h"
 #include "reports/recording_figures.h"
 #include "workflow/begin_study.h"
+#include "workflow/file_views.h"
+#include "workflow/tidy_table.h"
 #include "workflow/json/measurements.h"
 #include "workflow/study_input.h"
 

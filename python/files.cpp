@@ -10,6 +10,7 @@
 #include "python/bindings.h"
 #include "python/convert.h"
 #include "workflow/begin_study.h"
+#include "workflow/file_views.h"
 #include "workflow/json/measurements.h"
 #include "workflow/study_input.h"
 

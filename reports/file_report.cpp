@@ -18,7 +18,7 @@
 #include "data/remarks/wording.h"
 #include "reports/locus_report.h"
 #include "reports/tables.h"
-#include "workflow/begin_study.h"
+#include "workflow/file_views.h"
 
 namespace pendular {
 namespace {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
+#include <set>
 #include <vector>
 
 #include "data/files/file_access.h"
@@ -20,7 +21,7 @@
 #include "data/quantities/quantity.h"
 #include "data/remarks/wording.h"
 #include "data/study/study_edit.h"
-#include "workflow/study_input.h"
+#include "workflow/file_views.h"
 
 namespace pendular {
 namespace {
@@ -94,16 +95,6 @@ std::string comment_text(std::string text) {
 std::string entry(const std::string& key, const Guess& guess) {
     const std::string setting = fmt::format("{} = {}", key, toml_string(guess.value));
     return fmt::format("{:<32} # {}\n", setting, comment_text(guess.from));
-}
-
-bool has_role(const FileView& view, const char* role) {
-    return std::ranges::any_of(view.roles,
-                               [&](const IntervalRole& each) { return each.role == role; });
-}
-
-/// Whether the file has intervals of steady shear with all that a recording needs.
-bool has_steady_recording(const FileView& view) {
-    return has_role(view, "steady") && view.missing.empty();
 }
 
 /// Whether the header of a file states both radii of the cell.
@@ -302,10 +293,6 @@ std::string entries_text(const FileView& view, const FileFormat& format, const s
     return text;
 }
 
-}  // namespace
-
-namespace {
-
 /// The view that shows the cell best: one whose header states the radii, else one whose columns
 /// show them, else one of a recording, whose radii are guessed. Null: no cell is needed.
 const FileView* view_with_cell(const std::vector<FileView>& views) {
@@ -341,15 +328,18 @@ void check_name(const std::filesystem::path& path) {
                          "has a name that study.toml cannot hold; rename the file");
 }
 
-/// Adds a copy of a file of measurements to the files of a study; nothing if it is there as one of
-/// several sheets.
+/// Adds a copy of each file of measurements with steady shear to the files of a study.
 /// @throws InputError if another file of the study has its name
-void add_recording(const std::filesystem::path& path, std::map<std::string, std::string>& files) {
-    std::string content = read_bytes(path, largest_table);
-    const auto [known, is_new] = files.try_emplace(path.filename().string(), content);
-    if (!is_new && known->second != content)
-        throw InputError({path.string()},
-                         "has the name of a file of the study; rename it, to recording.csv say");
+void add_recordings(const std::vector<FileView>& views, std::map<std::string, std::string>& files) {
+    std::set<std::filesystem::path> added;  // a workbook has several views
+    for (const FileView& view : views) {
+        const std::filesystem::path path = file_to_open(view.file.file);
+        if (!has_steady_recording(view) || !added.insert(path).second) continue;
+        if (!files.emplace(path.filename().string(), read_bytes(path, largest_table)).second)
+            throw InputError(
+                {path.string()},
+                "has the name of a file of the study; rename it, to recording.csv say");
+    }
 }
 
 std::string liquid_content_text(double mass_ratio) {
@@ -380,16 +370,6 @@ std::string grains_text(const std::string& name, const std::string& texts, bool 
     return text;
 }
 
-/// @throws InputError that says what a file lacks to begin a study with
-[[noreturn]] void refuse_to_begin(const FileView& view) {
-    throw InputError(
-        {view.file.file},
-        fmt::format("shows neither steady shear nor points of failure, so that no study can "
-                    "begin with it; it has no {}",
-                    view.missing.empty() ? "interval of either"
-                                         : fmt::format("{}", fmt::join(view.missing, ", "))));
-}
-
 std::string end_text(bool cell, bool all_wet) {
     return fmt::format(
                "[instrument]                     # errors that all readings share\n"
@@ -402,86 +382,6 @@ std::string end_text(bool cell, bool all_wet) {
 }
 
 }  // namespace
-
-namespace {
-
-/// States the bulk density of preshears whose gap was recorded, for the grains of a study.
-void add_bulk_densities(FileView& view, const AnnularCell& cell, double grain_density) {
-    for (YieldLocus& locus : view.loci)
-        if (locus.preshear && locus.preshear->height && !locus.preshear->bulk_density &&
-            cell.bead_volume > 0)
-            locus.preshear->bulk_density =
-                grain_density * solid_fraction(*locus.preshear->height, cell);
-}
-
-}  // namespace
-
-SheetViews views_of_file(const std::filesystem::path& path, const FileFormat& format) {
-    const ChosenSheets sheets = chosen_sheets(path, format.sheet);
-    const auto study = study_beside(path);
-    const auto cell = study ? study->cell : std::nullopt;
-    SheetViews result;
-    for (const std::filesystem::path& each : sheets.read) {
-        try {
-            result.views.push_back(view_of_file(each, format, cell));
-            if (cell) add_bulk_densities(result.views.back(), *cell, study->grains.density);
-        } catch (const InputError& error) {
-            if (sheets.read.size() == 1 || !format.sheet.empty()) throw;
-            result.not_read.push_back(fmt::format("A sheet is not read: {}.", error.what()));
-        }
-    }
-    if (result.views.empty()) view_of_file(sheets.read.front(), format, cell);  // throws
-    if (!sheets.others.empty())
-        result.not_read.push_back(unread_sheets_text(path.string(), sheets.others));
-    return result;
-}
-
-SheetViews views_of_files(const std::vector<std::filesystem::path>& paths,
-                          const FileFormat& format) {
-    SheetViews all;
-    for (const std::filesystem::path& path : paths) {
-        SheetViews own = views_of_file(path, format);
-        std::ranges::move(own.views, std::back_inserter(all.views));
-        std::ranges::move(own.not_read, std::back_inserter(all.not_read));
-    }
-    return all;
-}
-
-bool is_used(const FileView& view) {
-    const auto has_preshear = [&](std::size_t i) {
-        return view.roles[i].role == "preshear" && !view.series[i].shear_stress.empty() &&
-               !view.series[i].normal_stress.empty();
-    };
-    for (std::size_t i = 0; i < view.roles.size(); ++i)
-        if (has_preshear(i)) return true;
-    return begins_study(view) || !view.walls.empty();
-}
-
-bool begins_study(const FileView& view) {
-    return !view.loci.empty() || has_steady_recording(view);
-}
-
-SheetViews views_to_begin_with(const std::vector<std::filesystem::path>& paths,
-                               const FileFormat& format) {
-    if (paths.size() == 1) return views_of_file(paths.front(), format);
-    SheetViews result;
-    for (const std::filesystem::path& path : paths) {
-        try {
-            SheetViews found = views_of_file(path, format);
-            std::ranges::move(found.not_read, std::back_inserter(result.not_read));
-            if (std::ranges::none_of(found.views, begins_study))
-                refuse_to_begin(found.views.front());
-            std::ranges::move(found.views, std::back_inserter(result.views));
-        } catch (const InputError& error) {
-            result.not_read.push_back(fmt::format("A file is not read: {}.", error.what()));
-        }
-    }
-    if (result.views.empty())
-        throw InputError({paths.empty() ? "" : paths.front().parent_path().string()},
-                         paths.empty() ? "no file is given to begin a study with"
-                                       : "no file can begin a study. " + result.not_read.front());
-    return result;
-}
 
 std::map<std::string, std::string> begin_study(const std::vector<FileView>& views,
                                                const FileFormat& format) {
@@ -513,70 +413,8 @@ std::map<std::string, std::string> begin_study(const std::vector<FileView>& view
     files["study.toml"] = grains_text(name, texts_of(views.front()), wet) +
                           (cell ? cell_text(*cell, any_steady) : "") + entries +
                           end_text(cell != nullptr, !dry);
-    for (const FileView& view : views)
-        if (has_steady_recording(view)) add_recording(file_to_open(view.file.file), files);
+    add_recordings(views, files);
     return files;
-}
-
-namespace {
-
-/// Names of the quantities of which any interval has a column.
-std::vector<std::string_view> quantities_of(const std::vector<FileView>& views) {
-    std::vector<std::string_view> names;
-    for (const auto& [name, values] : series_columns()) {
-        const auto has = [column = values](const IntervalSeries& each) {
-            return !(each.*column).empty();
-        };
-        if (std::ranges::any_of(
-                views, [&](const FileView& view) { return std::ranges::any_of(view.series, has); }))
-            names.push_back(name);
-    }
-    return names;
-}
-
-/// Name of the test of an interval, or of its sheet or file where there are several.
-std::string test_in_table(const FileView& view, std::size_t interval, bool several) {
-    const std::string& test = view.file.blocks[interval].test;
-    if (!several) return test;
-    const auto sheet = as_sheet(view.file.file);
-    const std::string part =
-        sheet ? sheet->sheet : std::filesystem::path(view.file.file).filename().string();
-    return test.empty() ? part : fmt::format("{}, {}", part, test);
-}
-
-/// Rows of an interval in a table of the quantities `names`.
-void add_rows(const IntervalSeries& series, const std::string& begin,
-              const std::vector<std::string_view>& names, std::string& text) {
-    for (std::size_t i = 0; i < series.size(); ++i) {
-        text += fmt::format("{},{}", begin, series.line[i]);
-        for (const std::string_view name : names) {
-            const auto& column = series.column(name);
-            const bool known = i < column.size() && std::isfinite(column[i]);
-            text += known ? fmt::format(",{:.10g}", column[i]) : ",";
-        }
-        text += "\n";
-    }
-}
-
-}  // namespace
-
-std::string tidy_table(const std::vector<FileView>& views) {
-    const std::vector<std::string_view> names = quantities_of(views);
-    std::string text = tidy_table_begin, units = ",1,,1";
-    for (const std::string_view name : names) {
-        text += fmt::format(",{}", name);
-        units += fmt::format(",{}", quantity(name).unit);
-    }
-    text += "\n" + units + "\n";
-    for (const FileView& view : views) {
-        for (std::size_t k = 0; k < view.series.size(); ++k) {
-            const std::string begin =
-                fmt::format("{},{},{}", csv_text_cell(test_in_table(view, k, views.size() > 1)),
-                            view.file.blocks[k].number, view.roles[k].role);
-            add_rows(view.series[k], begin, names, text);
-        }
-    }
-    return text;
 }
 
 }  // namespace pendular

@@ -41,10 +41,15 @@ def result(sheet, row, column, kind, value=0, style=None):
     sheet.row(row).insert_cell(column, Result(row, column, index, kind, value))
 
 
-def recording(book, name, torque, header=HEADER):
+def titled(book, name, header):
     sheet = book.add_sheet(name)
     for column, text in enumerate(header):
         sheet.write(0, column, text)
+    return sheet
+
+
+def recording(book, name, torque, header=HEADER):
+    sheet = titled(book, name, header)
     for row in range(1, 6):
         for column, value in enumerate([row - 1, torque + row / 1000, 5, 6.25, 0.5]):
             sheet.write(row, column, value)
@@ -64,9 +69,7 @@ def cells():
 
 def results():
     book = xlwt.Workbook()
-    sheet = book.add_sheet("Ω β")
-    for column, text in enumerate(["Time [s]", "Torque [N m]", "Remark"]):
-        sheet.write(0, column, text)
+    sheet = titled(book, "Ω β", ["Time [s]", "Torque [N m]", "Remark"])
     for row, value in enumerate([0.1, 1 / 3, 1e300, -2.5e-9, 12345678], 1):
         sheet.write(row, 0, row)
         result(sheet, row, 1, "number", value)
@@ -79,17 +82,13 @@ def results():
     sheet.row(5).set_cell_boolean(2, False)
     book.save(folder / "results.xls")
     book = xlwt.Workbook()
-    sheet = book.add_sheet("Data")
-    for column, text in enumerate(["Time [s]", "Torque [N m]"]):
-        sheet.write(0, column, text)
+    sheet = titled(book, "Data", ["Time [s]", "Torque [N m]"])
     for row in range(1, 4):
         sheet.write(row, 0, row)
         sheet.write(row, 1, xlwt.Formula(f"A{row + 1}*2"))
     book.save(folder / "not_computed.xls")
     book = xlwt.Workbook()
-    sheet = book.add_sheet("Data")
-    for column, text in enumerate(["Time [s]", "Torque [N m]"]):
-        sheet.write(0, column, text)
+    sheet = titled(book, "Data", ["Time [s]", "Torque [N m]"])
     for row in range(1, 4):
         sheet.write(row, 0, row)
         if row < 3:
@@ -102,11 +101,9 @@ def dates():
     for name, mode in ("1900", False), ("1904", True):
         book = xlwt.Workbook()
         book.dates_1904 = mode
-        sheet = book.add_sheet("Data")
+        sheet = titled(book, "Data", ["Date", "Time", "Torque [N m]"])
         day = xlwt.easyxf(num_format_str="dd/mm/yyyy\\ hh:mm:ss")
         clock = xlwt.easyxf(num_format_str="[h]:mm:ss")
-        for column, text in enumerate(["Date", "Time", "Torque [N m]"]):
-            sheet.write(0, column, text)
         for row, (date, hour) in enumerate([(45352, 0.25), (59, 0.25 + 5.25 / 86400), (61, 1.25)], 1):
             sheet.write(row, 0, date, day)
             sheet.write(row, 1, hour, clock)
@@ -116,9 +113,7 @@ def dates():
 
 def layout():
     book = xlwt.Workbook()
-    sheet = book.add_sheet("Data")
-    for column, text in enumerate(["Interval", "Time [s]", "Torque [N m]"]):
-        sheet.write(0, column, text)
+    sheet = titled(book, "Data", ["Interval", "Time [s]", "Torque [N m]"])
     sheet.merge(1, 2, 0, 0)
     sheet.write(1, 0, 7)
     for row in range(1, 5):

@@ -1,0 +1,110 @@
+#include "workflow/file_views.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+#include "data/files/formats/sheets.h"
+#include "data/input_error.h"
+#include "data/remarks/wording.h"
+#include "workflow/study_input.h"
+
+namespace pendular {
+namespace {
+
+/// States the bulk density of preshears whose gap was recorded, for the grains of a study.
+void add_bulk_densities(FileView& view, const AnnularCell& cell, double grain_density) {
+    for (YieldLocus& locus : view.loci)
+        if (locus.preshear && locus.preshear->height && !locus.preshear->bulk_density &&
+            cell.bead_volume > 0)
+            locus.preshear->bulk_density =
+                grain_density * solid_fraction(*locus.preshear->height, cell);
+}
+
+}  // namespace
+
+bool has_steady_recording(const FileView& view) {
+    return view.missing.empty() && std::ranges::find(view.roles, std::string("steady"),
+                                                     &IntervalRole::role) != view.roles.end();
+}
+
+void refuse_to_begin(const FileView& view) {
+    throw InputError(
+        {view.file.file},
+        fmt::format("shows neither steady shear nor points of failure, so that no study can "
+                    "begin with it; it has no {}",
+                    view.missing.empty() ? "interval of either"
+                                         : fmt::format("{}", fmt::join(view.missing, ", "))));
+}
+
+SheetViews views_of_file(const std::filesystem::path& path, const FileFormat& format) {
+    const ChosenSheets sheets = chosen_sheets(path, format.sheet);
+    const auto study = study_beside(path);
+    const auto cell = study ? study->cell : std::nullopt;
+    SheetViews result;
+    for (const std::filesystem::path& each : sheets.read) {
+        try {
+            result.views.push_back(view_of_file(each, format, cell));
+            if (cell) add_bulk_densities(result.views.back(), *cell, study->grains.density);
+        } catch (const InputError& error) {
+            if (sheets.read.size() == 1 || !format.sheet.empty()) throw;
+            result.not_read.push_back(fmt::format("A sheet is not read: {}.", error.what()));
+        }
+    }
+    if (result.views.empty()) view_of_file(sheets.read.front(), format, cell);  // throws
+    if (!sheets.others.empty())
+        result.not_read.push_back(unread_sheets_text(path.string(), sheets.others));
+    return result;
+}
+
+SheetViews views_of_files(const std::vector<std::filesystem::path>& paths,
+                          const FileFormat& format) {
+    SheetViews all;
+    for (const std::filesystem::path& path : paths) {
+        SheetViews own = views_of_file(path, format);
+        std::ranges::move(own.views, std::back_inserter(all.views));
+        std::ranges::move(own.not_read, std::back_inserter(all.not_read));
+    }
+    return all;
+}
+
+bool is_used(const FileView& view) {
+    const auto has_preshear = [&](std::size_t i) {
+        return view.roles[i].role == "preshear" && !view.series[i].shear_stress.empty() &&
+               !view.series[i].normal_stress.empty();
+    };
+    for (std::size_t i = 0; i < view.roles.size(); ++i)
+        if (has_preshear(i)) return true;
+    return begins_study(view) || !view.walls.empty();
+}
+
+bool begins_study(const FileView& view) {
+    return !view.loci.empty() || has_steady_recording(view);
+}
+
+SheetViews views_to_begin_with(const std::vector<std::filesystem::path>& paths,
+                               const FileFormat& format) {
+    if (paths.size() == 1) return views_of_file(paths.front(), format);
+    SheetViews result;
+    for (const std::filesystem::path& path : paths) {
+        try {
+            SheetViews found = views_of_file(path, format);
+            std::ranges::move(found.not_read, std::back_inserter(result.not_read));
+            if (std::ranges::none_of(found.views, begins_study))
+                refuse_to_begin(found.views.front());
+            std::ranges::move(found.views, std::back_inserter(result.views));
+        } catch (const InputError& error) {
+            result.not_read.push_back(fmt::format("A file is not read: {}.", error.what()));
+        }
+    }
+    if (result.views.empty())
+        throw InputError({paths.empty() ? "" : paths.front().parent_path().string()},
+                         paths.empty() ? "no file is given to begin a study with"
+                                       : "no file can begin a study. " + result.not_read.front());
+    return result;
+}
+
+}  // namespace pendular
