@@ -77,7 +77,8 @@ std::string speeds_text(const UnstatedSpeeds& speeds) {
         "The readings at each normal stress state one inertial number, but differ as readings at "
         "different speeds do: those with a larger shear stress have a smaller solid fraction "
         "(correlation {:.2f}, p < 0.001), and they scatter more than their errors allow. Check the "
-        "inertial number or shear rate of each reading.",
+        "inertial number or shear rate of each reading, and whether the friction of the beads "
+        "differs between batches or by wear.",
         speeds.correlation);
 }
 
@@ -158,19 +159,20 @@ std::string_view to_string(Agreement::Degree degree) {
 Agreement agreement_of(const std::vector<Reading>& readings,
                        const std::vector<DirectMeasurement>& direct, const Prediction& prediction,
                        const std::vector<bool>& at_bound, const Misfit& misfit,
-                       const ModelSettings& model, const std::array<double, 2>& excess) {
+                       const ModelSettings& model, const ExcessOfErrors& excess) {
     Agreement agreement{.misfit = misfit,
                         .readings = readings.size(),
                         .rms_percent = rms_percent(readings, prediction.value),
                         .discrepancy = model.discrepancy,
                         .as_inexact = misfit};
     const Measured measured = stack(readings, direct);
-    if (excess != std::array{1.0, 1.0}) {
+    if (excess.factor != std::array{1.0, 1.0}) {
+        const Measured smaller = with_smaller_errors(measured, readings.size(), excess.factor);
+        const double largest = model.discrepancy_stated ? 1 : largest_inexactness;
         agreement.by_scatter = misfit;
         agreement.by_scatter->chi2 =
-            likely_inexactness(with_smaller_errors(measured, readings.size(), excess), prediction,
-                               at_bound)
-                .chi2;
+            likely_inexactness(smaller, prediction, at_bound, largest).chi2;
+        agreement.by_scatter->freedom = std::min(misfit.freedom, excess.freedom);
     }
     if (model.discrepancy_stated) return agreement;
     const Inexactness likely = likely_inexactness(measured, prediction, at_bound);
@@ -182,12 +184,14 @@ Agreement agreement_of(const std::vector<Reading>& readings,
     return agreement;
 }
 
-std::array<double, 2> excess_of_errors(const Measurements& measurements) {
-    std::array<double, 2> excess = {1, 1};
-    for (const Remark& note : measurements.notes())
-        if (note.kind == Remark::Kind::errors_above_scatter)
-            excess[note.quantity == "shear_stress" ? 0 : 1] =
-                std::min(most_excess, 1 / note.relative);
+ExcessOfErrors excess_of_errors(const Measurements& measurements) {
+    ExcessOfErrors excess;
+    for (const Remark& note : measurements.notes()) {
+        if (note.kind != Remark::Kind::errors_above_scatter) continue;
+        excess.factor[note.quantity == "shear_stress" ? 0 : 1] =
+            std::min(most_excess, 1 / note.relative);
+        excess.freedom = std::min(excess.freedom, note.freedom);
+    }
     return excess;
 }
 

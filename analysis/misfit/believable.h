@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,12 @@
 #include "data/study/study.h"
 
 namespace pendular {
+
+/// How much larger stated errors are than the scatter of replicates.
+struct ExcessOfErrors {
+    std::array<double, 2> factor = {1, 1};  ///< of shear stress and solid fraction [1]
+    double freedom = INFINITY;              ///< degrees of freedom of the scatter [1]
+};
 
 /// How well a fitted model describes a set of readings.
 struct Agreement {
@@ -42,16 +49,13 @@ std::string_view to_string(Agreement::Degree degree);
 /// @param at_bound as for `likely_inexactness`
 /// @param misfit of the readings and the direct measurements
 /// @param model states the discrepancy, which is enlarged unless study.toml states it
-/// @param excess how many times the stated errors of shear stress and solid fraction are larger
-///        than the scatter of replicates [1] (`excess_of_errors`)
 Agreement agreement_of(const std::vector<Reading>& readings,
                        const std::vector<DirectMeasurement>& direct, const Prediction& prediction,
                        const std::vector<bool>& at_bound, const Misfit& misfit,
-                       const ModelSettings& model, const std::array<double, 2>& excess = {1, 1});
+                       const ModelSettings& model, const ExcessOfErrors& excess = {});
 
-/// Returns how many times the stated errors of shear stress and solid fraction exceed the scatter
-/// of replicates [1]; 1 where they do not.
-std::array<double, 2> excess_of_errors(const Measurements& measurements);
+/// Returns by how much stated errors exceed the scatter, as the notes of the import say.
+ExcessOfErrors excess_of_errors(const Measurements& measurements);
 
 /// Judgement on whether the fit of a study's model can be believed.
 struct Belief {

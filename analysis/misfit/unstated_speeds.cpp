@@ -23,22 +23,17 @@ bool scatter_beyond_errors(const Measurements& measurements) {
     });
 }
 
-/// Whether two values agree within 2 %, as those of replicates (`are_replicates`).
-bool agree(double a, double b) {
-    return std::abs(a - b) <= 0.02 * std::max(a, b);
-}
-
 /// Whether no normal stress has readings that state different inertial numbers.
 bool state_one_speed(const std::vector<Reading>& readings) {
     std::vector<Condition> seen;
     for (const Reading& reading : readings) {
         const Condition& here = reading.condition;
         const auto same = std::ranges::find_if(seen, [&](const Condition& other) {
-            return agree(other.normal_stress, here.normal_stress);
+            return same_set_point(other.normal_stress, here.normal_stress);
         });
         if (same == seen.end())
             seen.push_back(here);
-        else if (!agree(same->inertial_number, here.inertial_number))
+        else if (!same_set_point(same->inertial_number, here.inertial_number))
             return false;
     }
     return true;
@@ -48,7 +43,9 @@ bool state_one_speed(const std::vector<Reading>& readings) {
 /// means of its repetitions.
 struct Deviations {
     Eigen::Matrix2d products = Eigen::Matrix2d::Zero();
-    double freedom = 0;
+    /// Largest number of repetitions of one condition. The k-th repetitions of all conditions may
+    /// belong to one filling and share its deviation: only as many are surely independent.
+    std::size_t independent = 0;
 
     void add(const std::vector<Reading>& readings, const std::vector<std::size_t>& group) {
         Eigen::Vector2d mean = Eigen::Vector2d::Zero();
@@ -58,7 +55,7 @@ struct Deviations {
             const Eigen::Vector2d off = (relative(readings[k]) - mean).cwiseQuotient(mean);
             products += off * off.transpose();
         }
-        freedom += static_cast<double>(group.size()) - 1;
+        independent = std::max(independent, group.size());
     }
     static Eigen::Vector2d relative(const Reading& reading) {
         return {reading.stress_ratio(), reading.value(1)};
@@ -76,7 +73,8 @@ std::optional<UnstatedSpeeds> unstated_speeds(const Measurements& measurements) 
     Deviations deviations;
     for (const std::vector<std::size_t>& group : replicate_groups(readings))
         deviations.add(readings, group);
-    const double r = deviations.correlation(), freedom = deviations.freedom - 1;
+    const double r = deviations.correlation();
+    const double freedom = static_cast<double>(deviations.independent) - 2;
     if (!(r < 0) || freedom < 1) return std::nullopt;
     const double t = -r * std::sqrt(freedom / std::max(1 - r * r, 1e-12));
     if (students_t_tail(t, freedom) > chance) return std::nullopt;

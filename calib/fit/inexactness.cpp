@@ -50,17 +50,17 @@ double restricted_log_likelihood(const Eigen::MatrixXd& covariance,
 }
 
 Inexactness likely_inexactness(const Measured& measured, const Prediction& prediction,
-                               const std::vector<bool>& at_bound) {
+                               const std::vector<bool>& at_bound, double largest) {
     const Eigen::MatrixXd exact = measured.covariance + prediction.covariance;
     const Eigen::VectorXd residuals = measured.value - prediction.value;
-    const bool inexact = prediction.discrepancy.size() > 0;
+    const bool inexact = prediction.discrepancy.size() > 0 && largest > 1;
     Eigen::MatrixXd slopes = prediction.jacobian;
     for (std::size_t k = 0; k < at_bound.size(); ++k)
         if (at_bound[k]) slopes.col(static_cast<Eigen::Index>(k)).setZero();
     Inexactness best;
     double to_beat = -INFINITY;
     for (int step = 0; step <= (inexact ? steps : 0); ++step) {
-        const double factor = std::pow(largest_inexactness, static_cast<double>(step) / steps);
+        const double factor = std::pow(largest, static_cast<double>(step) / steps);
         const double more = factor * factor - 1;
         const Whitened whitened(
             more > 0 ? Eigen::MatrixXd(exact + more * prediction.discrepancy) : exact, residuals,

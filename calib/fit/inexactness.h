@@ -38,7 +38,7 @@ struct Inexactness {
     double criterion() const { return chi2 + log_determinant + prior; }
 };
 
-/// Returns the factor between 1 and `largest_inexactness` on `Prediction::discrepancy` with the
+/// Returns the factor between 1 and `largest` on `Prediction::discrepancy` with the
 /// largest restricted likelihood times prior, or 1 if it is not significantly larger (p > 0.05).
 /// The prior is log-normal: a factor of 2 is one standard deviation. Without a discrepancy, the
 /// factor is 1.
@@ -46,6 +46,7 @@ struct Inexactness {
 /// @param at_bound whether each parameter ended at a bound, and so cannot move to imitate a change;
 ///        empty: none did
 Inexactness likely_inexactness(const Measured& measured, const Prediction& prediction,
-                               const std::vector<bool>& at_bound = {});
+                               const std::vector<bool>& at_bound = {},
+                               double largest = largest_inexactness);
 
 }  // namespace pendular

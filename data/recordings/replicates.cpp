@@ -267,12 +267,13 @@ StatedErrorTest Pooling::test_stated(Eigen::Index o, const std::vector<MeanSquar
 void Pooling::note_test(Eigen::Index o, const StatedErrorTest& test) {
     if (!test.too_small() && !test.too_large()) return;
     const double scatter = test.chi2 + (test.too_large() ? test.chi2_of_rounding : 0);
-    all_.remarks.push_back({.kind = test.too_small() ? Remark::Kind::errors_below_scatter
-                                                     : Remark::Kind::errors_above_scatter,
-                            .quantity = o == 0 ? "shear_stress" : "solid_fraction",
-                            .relative = std::sqrt(scatter / test.freedom),
-                            .p = test.too_small() ? chi_squared_tail(test.chi2, test.freedom)
-                                                  : test.p_of_agreement()});
+    all_.remarks.push_back(
+        {.kind = test.too_small() ? Remark::Kind::errors_below_scatter
+                                  : Remark::Kind::errors_above_scatter,
+         .quantity = o == 0 ? "shear_stress" : "solid_fraction",
+         .relative = std::sqrt(scatter / test.freedom),
+         .p = test.too_small() ? chi_squared_tail(test.chi2, test.freedom) : test.p_of_agreement(),
+         .freedom = test.freedom});
 }
 
 void Pooling::estimate_steps(bool scatter_is_stated) {

@@ -160,6 +160,8 @@ struct Remark {
     /// Probability [1] of as clear a finding by chance in one step or, for level changes and
     /// drifts, in one study.
     double p = 1;
+    /// Degrees of freedom [1] of the scatter to which stated errors are compared.
+    double freedom = 0;
     bool offset = false;     ///< whether a level change is an offset rather than a factor
     bool corrected = false;  ///< whether the readings with the fault were excluded or corrected
     std::vector<std::string> names = {};  ///< names from the file, such as those of its columns
