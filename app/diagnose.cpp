@@ -39,8 +39,9 @@ that describe the readings. Verdicts:
   indistinguishable     several effects explain the residuals equally well
   suspect-measurement   an error in one condition, in one file, or in all files from one
                         on explains the residuals
-  unknown               something is missing, and no known effect explains it
-If no known effect explains the residuals, the command tries empirical corrections, for example a
+  unknown               something is missing, and no known effect explains it, or none as well as a
+                        proposed change
+If something is missing, the command tries empirical corrections, for example a
 torque that depends on the normal stress. Corrections that explain the readings are written to
 proposed.toml as [[effect]] tables. If the sensor that a correction concerns is right, add the first
 correction with 'pendular add STUDY --proposed 1'.

@@ -270,8 +270,7 @@ std::string outdone_line(const Diagnosis& d, const ModelSpace& space) {
     if (best == d.fitting.end()) return "";
     return fmt::format(
         "{} would describe the readings too ({}), but proposal 1 describes them clearly better: "
-        "its "
-        "chi2 is lower by more than 10 after a penalty for the choice.",
+        "its chi2 is lower by more than 10 after a penalty for the choice.",
         with_estimates(*best, space), reduction(d, *best));
 }
 

@@ -115,20 +115,30 @@ std::string uncertainty_text(const InstrumentError& error) {
                        error.assumed && error.counts ? " (assumed)" : "");
 }
 
+/// Names of the errors that act alike with the largest one of a cause, and their contribution
+/// together: " (0.047 together with height-offset and bead_mass, which act alike)".
+std::string alike_text(const SharedCause& cause, const std::string& unit) {
+    const std::vector<std::string>& alike = cause.largest.alike;
+    if (alike.empty()) return "";
+    const std::string names = joined(alike, "and"),
+                      alone = with_unit(std::abs(cause.largest.shift(0)), unit),
+                      together = with_unit(cause.together, unit),
+                      verb = alike.size() == 1 ? "acts" : "act";
+    return alone == together
+               ? fmt::format(" ({} {} alike)", names, verb)
+               : fmt::format(" ({} together with {}, which {} alike)", together, names, verb);
+}
+
 /// The three largest causes among the errors that count (or do not), with their parts of the error
 /// of the first parameter: "torque-gain 2 % (assumed) gives 0.0080 (normal-force-gain acts alike),
 /// ...".
 std::string largest_parts(const Calibration& c, bool counts) {
+    const std::string& unit = c.parameters[0].unit;
     std::vector<std::string> parts;
-    for (const InstrumentError& each : largest_causes(c.fit, 0, counts, 3)) {
-        const std::string others = each.alike.empty()
-                                       ? ""
-                                       : fmt::format(" ({} act{} alike)", joined(each.alike, "and"),
-                                                     each.alike.size() == 1 ? "s" : "");
-        parts.push_back(fmt::format("{} gives {}{}", uncertainty_text(each),
-                                    with_unit(std::abs(each.shift(0)), c.parameters[0].unit),
-                                    others));
-    }
+    for (const SharedCause& each : largest_causes(c.fit, 0, counts, 3))
+        parts.push_back(fmt::format("{} gives {}{}", uncertainty_text(each.largest),
+                                    with_unit(std::abs(each.largest.shift(0)), unit),
+                                    alike_text(each, unit)));
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -140,9 +150,9 @@ void add_instrument_lines(Output& output, const Calibration& c) {
         output.line(fmt::format("Largest parts of what all readings share: {}.", parts));
     if (const std::string parts = largest_parts(c, false); !parts.empty())
         output.line(fmt::format(
-            "Largest parts of the typical systematic error: {}. State yours in [instrument] of "
+            "Largest parts of the typical systematic error, {}: {}. State yours in [instrument] of "
             "study.toml, and the fit weighs the readings by them.",
-            parts));
+            with_unit(c.fit.instrument_error(0, false), c.parameters[0].unit), parts));
 }
 
 /// The error of the first parameter by what study.toml does not state, as an addition to its text:

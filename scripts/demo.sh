@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # From nothing to a calibrated friction with its figures: installs what is missing, builds, calibrates
-# the published measurement of dry polystyrene beads and predicts the wet range, at first from the simulations that
-# come with the program, in a second, then confirmed by new discrete-element simulations; compares. About six minutes on 2 cores once the packages are installed, the build among them.
+# the published measurement of dry polystyrene beads, and predicts the wet range. The first figure
+# rests on the simulations that come with the program; new ones confirm it. Takes about six minutes
+# on two cores, most of it the build.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

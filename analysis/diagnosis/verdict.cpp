@@ -258,8 +258,7 @@ void Rules::weigh_proposals() {
 void Rules::known_effects_are_outdone(const std::vector<FittedModel>& known) {
     for (const FittedModel& each : known) {
         for (const std::size_t k : each.chosen) {
-            result_.decisions[k] =
-                result_.complete ? Decision::outdone : Decision::does_not_explain;
+            result_.decisions[k] = each.accepted ? Decision::outdone : Decision::does_not_explain;
         }
     }
     result_.verdict = Verdict::unknown;

@@ -24,9 +24,9 @@
 //      they share nothing; `suspect_measurement` if only an error of measurement fits. Where only
 //      pairs fit, an effect that removes most of the misfit alone is a rival of theirs.
 //   4. No model fits: `missing` with the leading effects (`complete` is false), or `unknown`.
-//   5. Of 3 and 4, `unknown` where a proposed change of unknown cause describes the readings
-//   clearly
-//      better than each model with known effects, or with an error of measurement, and as shortly.
+//   5. `unknown` in place of 3 and 4 where a proposed change of unknown cause describes the
+//      readings clearly better than each model with known effects or an error of measurement: a
+//      single change in place of 3, as few changes as there are leading effects in place of 4.
 namespace pendular {
 
 enum class Verdict {

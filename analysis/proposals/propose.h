@@ -17,8 +17,8 @@ struct FittedShape {
     double standard_error = 0;  ///< [unit of `change`]
 };
 
-/// One or two changes of unknown cause that explain a misfit which no known effect explains, or at
-/// least half of it.
+/// One or two changes of unknown cause that explain a misfit which no known effect explains as
+/// well, or at least half of it.
 struct Proposal {
     std::vector<FittedShape> shapes;
     /// Changes that would change the readings in nearly the same way as a single proposed one, by

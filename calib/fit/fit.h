@@ -21,8 +21,7 @@ struct InstrumentError {
     Eigen::VectorXd shift = {};
     double needed = 0;  ///< most likely error by the readings [standard uncertainties]
     /// Names of the errors, and of effects of the instrument without a budget, that change the
-    /// readings in the same way, so that these cannot tell which of them is the cause: bead_mass
-    /// and height-offset, for example.
+    /// fitted readings in nearly the same way: bead_mass and height-offset, for example.
     std::vector<std::string> alike = {};
 };
 

@@ -205,15 +205,21 @@ std::vector<InstrumentError> largest_errors(const Fit& fit, Eigen::Index k, bool
     return errors;
 }
 
-std::vector<InstrumentError> largest_causes(const Fit& fit, Eigen::Index k, bool counts,
-                                            std::size_t most) {
-    std::vector<InstrumentError> causes;
+std::vector<SharedCause> largest_causes(const Fit& fit, Eigen::Index k, bool counts,
+                                        std::size_t most) {
+    std::vector<SharedCause> causes;
     for (InstrumentError& each : largest_errors(fit, k, counts, fit.instrument.size())) {
-        const bool known = std::ranges::any_of(causes, [&](const InstrumentError& larger) {
-            return std::ranges::find(larger.alike, each.name) != larger.alike.end();
+        const auto known = std::ranges::find_if(causes, [&](const SharedCause& cause) {
+            return std::ranges::find(cause.largest.alike, each.name) != cause.largest.alike.end();
         });
-        if (!known && causes.size() < most) causes.push_back(std::move(each));
+        const double part = std::abs(each.shift(k));
+        if (known != causes.end())
+            known->together = std::hypot(known->together, part);
+        else
+            causes.push_back({.largest = std::move(each), .together = part});
     }
+    std::ranges::stable_sort(causes, std::greater{}, &SharedCause::together);
+    if (causes.size() > most) causes.resize(most);
     return causes;
 }
 

@@ -39,10 +39,17 @@ void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Read
 std::vector<InstrumentError> largest_errors(const Fit& fit, Eigen::Index k, bool counts,
                                             std::size_t most);
 
-/// Returns the largest contributions as `largest_errors` does, but of errors that are alike
-/// (`InstrumentError::alike`) the largest alone: each is a cause of its own.
-std::vector<InstrumentError> largest_causes(const Fit& fit, Eigen::Index k, bool counts,
-                                            std::size_t most);
+/// Errors that change the readings alike, as one cause.
+struct SharedCause {
+    InstrumentError largest;  ///< the one that contributes most
+    double together = 0;      ///< contribution of all of them [unit of the parameter]
+};
+
+/// Returns the causes that contribute most to the error of parameter `k`, the largest first, of the
+/// errors that `largest_errors` returns. Errors that are alike (`InstrumentError::alike`) add up in
+/// quadrature.
+std::vector<SharedCause> largest_causes(const Fit& fit, Eigen::Index k, bool counts,
+                                        std::size_t most);
 
 /// Returns the shared errors that a fit needs two or more standard uncertainties away from 0, the
 /// farthest first, whether or not they count.

@@ -20,7 +20,8 @@ class Diagnosis(Result):
         """Result in one word: "missing" (all of `effects` are needed), "indistinguishable"
         (several models fit that have none of `effects` in common: alternatives, which the
         measurement of `Study.next` tells apart), "nothing-missing", "inconclusive" (the readings could not show
-        some effects), "unknown" (no known effect explains the misfit) or "suspect-measurement"."""
+        some effects), "unknown" (no known effect explains the misfit, or none as well as a proposed
+        change) or "suspect-measurement"."""
         return str(self["verdict"])
 
     @property

@@ -145,10 +145,16 @@ TEST(InstrumentBudget, NamesWhatActsAlike) {
     EXPECT_EQ(in_budget("wall-friction"), 0);
     const auto causes = largest_causes(fit, 0, false, 3);
     ASSERT_EQ(causes.size(), 3U);
-    for (const InstrumentError& each : causes)
-        for (const InstrumentError& other : causes)
-            EXPECT_THAT(each.alike, testing::Not(testing::Contains(other.name)));
-    EXPECT_EQ(causes.front().name, largest_errors(fit, 0, false, 1).front().name);
+    for (const SharedCause& each : causes)
+        for (const SharedCause& other : causes)
+            EXPECT_THAT(each.largest.alike, testing::Not(testing::Contains(other.largest.name)));
+    EXPECT_GE(causes[0].together, causes[1].together);
+    // Gains of torque and force act alike: who measures the torque's is left with the force's.
+    const auto gain = std::ranges::find(causes, std::string("torque-gain"),
+                                        [](const SharedCause& each) { return each.largest.name; });
+    ASSERT_NE(gain, causes.end());
+    EXPECT_GE(gain->together, std::hypot(named(fit, "torque-gain").shift(0),
+                                         named(fit, "normal-force-gain").shift(0)));
 }
 
 // Solid fractions of a coarse gap repeat to the digit: their scatter is 0.
