@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/misfit/unstated_speeds.h"
 #include "calib/fit/calibration_notes.h"
 #include "calib/fit/inexactness.h"
 #include "calib/fit/parameter_errors.h"
@@ -71,17 +70,6 @@ std::string far_text(const InstrumentError& far) {
         far.name, std::abs(far.needed), far.assumed ? "typical " : "", size, others);
 }
 
-/// Sentence on readings that state one inertial number, but were made at several.
-std::string speeds_text(const UnstatedSpeeds& speeds) {
-    return fmt::format(
-        "The readings at each normal stress state one inertial number, but differ as readings at "
-        "different speeds do: those with a larger shear stress have a smaller solid fraction "
-        "(correlation {:.2f}, p < 0.001), and they scatter more than their errors allow. Check the "
-        "inertial number or shear rate of each reading, and whether the friction of the beads "
-        "differs between batches or by wear.",
-        speeds.correlation);
-}
-
 /// Faults inside recordings that change what is averaged.
 bool shifts_means(const Remark& fault) {
     using enum Remark::Kind;
@@ -129,8 +117,6 @@ void add_doubts(Belief& belief, const Measurements& measurements) {
     } else if (std::string text = unsteady_text(measurements); !text.empty()) {
         belief.reasons.push_back(std::move(text));
     }
-    if (const auto speeds = unstated_speeds(measurements))
-        belief.reasons.push_back(speeds_text(*speeds));
 }
 
 }  // namespace

@@ -82,8 +82,8 @@ constexpr double incredible_p = 1e-3;
 
 /// Returns the reasons not to believe a fit: a wrong unit, a large misfit of fitted or predicted
 /// readings, errors so large that they hide a misfit, a shared error that the readings would need,
-/// parameters at the end of their range, doubts and faults of the import, steps of which most gave
-/// no reading, and one stated inertial number where readings differ as by their speeds.
+/// parameters at the end of their range, doubts and faults of the import, and steps of which most
+/// gave no reading.
 /// @param parameters the first is the friction coefficient
 Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const Agreement& fitted,
                  const std::optional<Agreement>& predicted, const Measurements& measurements,

@@ -7,9 +7,6 @@
 
 namespace pendular {
 
-/// Whether two normal stresses, inertial numbers or other set points agree within 2 %.
-bool same_set_point(double a, double b);
-
 /// Whether two readings were taken at one condition: equal liquid contents, both steady shear or
 /// both failure, and normal stresses, inertial numbers, preshear stresses and volumes of grains
 /// that agree within 2 %.

@@ -140,43 +140,6 @@ TEST(Agreement, TakesTheExcessOfErrorsFromTheNotesOfImport) {
     EXPECT_EQ(excess_of_errors(measurements).factor, (std::array{1.0, 10.0}));
 }
 
-/// Twelve readings at each of two normal stresses that state one inertial number, or another for
-/// every other one. The shear stress of every other reading is `up` [1] larger and its solid
-/// fraction `down` [1] smaller.
-Measurements at_two_speeds(double up, double down, double other_inertial_number) {
-    Measurements measurements;
-    for (int k = 0; k < 24; ++k) {
-        Reading reading;
-        reading.condition = {.normal_stress = k < 12 ? 500.0 : 2000.0, .inertial_number = 1e-3};
-        if (k % 2) reading.condition.inertial_number = other_inertial_number;
-        const double noise = 0.002 * ((7 * k) % 5 - 2), other_noise = 0.0005 * ((11 * k) % 7 - 3);
-        reading.value = {0.3 * reading.condition.normal_stress * (1 + up * (k % 2) + noise),
-                         0.6 * (1 - down * (k % 2) + other_noise)};
-        measurements.readings.push_back(reading);
-    }
-    measurements.remarks = {{.kind = Remark::Kind::errors_below_scatter,
-                             .outcome = Remark::Outcome::note,
-                             .quantity = "shear_stress",
-                             .relative = 4.2,
-                             .p = 1e-9}};
-    return measurements;
-}
-
-TEST(Belief, EndsWhereReadingsDifferAsByTheirSpeeds) {
-    const auto reasons = [](Measurements measurements) {
-        return belief(agreement(22, 22), fit_at(0.1), measurements).reasons;
-    };
-    const Measurements hidden = at_two_speeds(0.05, 0.01, 1e-3);
-    ASSERT_EQ(reasons(hidden).size(), 1U);
-    EXPECT_THAT(reasons(hidden).front(), HasSubstr("as readings at different speeds do"));
-    EXPECT_TRUE(reasons(at_two_speeds(0.05, -0.01, 1e-3)).empty());  // the denser is the stronger
-    EXPECT_TRUE(reasons(at_two_speeds(0.05, 0, 1e-3)).empty());      // as the fillings of a torque
-    EXPECT_TRUE(reasons(at_two_speeds(0.05, 0.01, 1e-2)).empty());   // the speeds are stated
-    Measurements within_errors = hidden;
-    within_errors.remarks.clear();
-    EXPECT_TRUE(reasons(within_errors).empty());
-}
-
 TEST(Belief, EndsWhereALargerDiscrepancyDoesNotHelp) {
     EXPECT_TRUE(belief(agreement(22, 22)).believable());
     EXPECT_TRUE(belief(agreement(60, 25)).believable());
