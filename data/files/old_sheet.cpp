@@ -56,17 +56,17 @@ std::string text_in_code_page(std::string_view bytes, const std::string& code_pa
     return decode_bytes(std::string(bytes), file, code_page).text;
 }
 
-void OldSheet::add(const CellPlace& place, std::string text) {
-    check_cell_count(cells_.size() + 1, file_, static_cast<int>(place.row) + 1);
-    cells_.push_back({place, std::move(text)});
+void OldSheet::add(Cell cell) {
+    check_cell_count(cells_.size() + 1, file_, static_cast<int>(cell.place.row) + 1);
+    cells_.push_back(std::move(cell));
 }
 
 void OldSheet::add(std::string_view record, std::string text) {
-    add(place_of_record(record), std::move(text));
+    add({.place = place_of_record(record), .text = std::move(text)});
 }
 
 void OldSheet::add_number(const CellPlace& place, unsigned style, double value) {
-    add(place, formats_.text_of(fmt::format("{}", value), style));
+    add({.place = place, .text = formats_.text_of(fmt::format("{}", value), style)});
 }
 
 void OldSheet::take_numbers(std::string_view record) {
@@ -117,7 +117,8 @@ void OldSheet::take(const OldRecord& record) {
     if (record.kind == kind::text || record.kind == kind::rich_text) add(body, text_at_(body, 6));
     if (record.kind == kind::shared_text) {
         const std::size_t index = four_bytes(body, 6);
-        add(body, index < strings_.size() ? strings_[index] : "");
+        if (index < strings_.size())
+            add({.place = place_of_record(body), .text = {}, .shared = &strings_[index]});
     }
     if (record.kind == kind::truth_or_error)
         add(body, truth_or_error_text(one_byte(body, 6), one_byte(body, 7) != 0));
@@ -130,7 +131,7 @@ SheetText OldSheet::text() {
     if (!computed_)
         for (const std::size_t index : without_result_)
             cells_[index].text = "=";
-    std::erase_if(cells_, [](const Cell& cell) { return cell.text.empty(); });
+    std::erase_if(cells_, [](const Cell& cell) { return cell.content().empty(); });
     std::ranges::stable_sort(cells_, {}, &Cell::place);
     std::size_t width = 0;
     for (const Cell& cell : cells_)
@@ -143,7 +144,7 @@ SheetText OldSheet::text() {
         lines.add_empty_until(row);
         lines.begin_row(hidden_.contains(row));
         for (; i < cells_.size() && cells_[i].place.row == row; ++i)
-            lines.set(cells_[i].place.column, std::move(cells_[i].text));
+            lines.set(cells_[i].place.column, cells_[i].content());
         lines.end_row();
     }
     return lines.take();

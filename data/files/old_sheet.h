@@ -42,10 +42,14 @@ class OldSheet {
     struct Cell {
         CellPlace place;
         std::string text;
+        /// Text that all sheets share, instead: one may be long and in many cells.
+        const std::string* shared = nullptr;
+
+        const std::string& content() const { return shared ? *shared : text; }
     };
 
     void add(std::string_view record, std::string text);
-    void add(const CellPlace& place, std::string text);
+    void add(Cell cell);
     void add_number(const CellPlace& place, unsigned style, double value);
     void take_formula(std::string_view record);
     void take_numbers(std::string_view record);
