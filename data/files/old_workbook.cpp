@@ -1,5 +1,7 @@
 #include "data/files/old_workbook.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
@@ -25,6 +27,7 @@ OldWorkbook::OldWorkbook(const std::string& bytes, const std::string& file) : fi
     if (stream_.empty()) refuse("it holds no stream called Workbook");
     read_globals();
     if (names_.empty()) refuse("it has no sheet with cells");
+    find_ends();
 }
 
 void OldWorkbook::read_globals() {
@@ -62,6 +65,18 @@ void OldWorkbook::read_sheet(std::string_view record) {
     begins_.push_back(four_bytes(record, 0));
 }
 
+void OldWorkbook::find_ends() {
+    std::map<std::size_t, std::size_t> sheets;  // by their beginnings
+    for (std::size_t k = 0; k < begins_.size(); ++k)
+        if (const auto [other, added] = sheets.emplace(begins_[k], k); !added)
+            refuse(fmt::format("its sheets {} and {} begin at the same record",
+                               names_[other->second].name, names_[k].name));
+    for (const std::uint32_t begin : begins_) {
+        const auto next = sheets.upper_bound(begin);
+        ends_.push_back(next == sheets.end() ? stream_.size() : next->first);
+    }
+}
+
 void OldWorkbook::read_shared(std::string_view record, std::size_t& at) {
     // Each takes 32 bytes of memory or more. A sheet has 65,536 rows.
     constexpr std::size_t most_strings = 5'000'000;
@@ -93,6 +108,8 @@ SheetText OldWorkbook::rows(std::size_t sheet) const {
                    [&](std::string_view record, std::size_t at) { return text_at(record, at, 2); });
     std::size_t at = begins_[sheet], depth = 0;
     while (const auto record = next_record(stream_, at)) {
+        if (at > ends_[sheet])
+            refuse(fmt::format("another sheet begins within its sheet {}", names_[sheet].name));
         // Charts within the sheet are lists of records of their own.
         if (record->kind == kind::begin) ++depth;
         if (record->kind == kind::end && depth-- <= 1) break;

@@ -41,12 +41,15 @@ class OldWorkbook {
     /// times as fast.
     std::size_t work_of_sheet() const { return shared_size_ + stream_.size() / 8; }
 
-    /// @throws InputError for more than `most_cells` cells
+    /// @throws InputError for more than `most_cells` cells, and if another sheet begins within it
     SheetText rows(std::size_t sheet) const;
 
   private:
     void read_globals();
     void read_sheet(std::string_view record);
+    /// @throws InputError if sheets begin at the same place, so that a short file would be as long
+    ///         to read as it has sheets
+    void find_ends();
     /// @param at place of the records that continue it, which moves behind them
     void read_shared(std::string_view record, std::size_t& at);
     /// Text at a place of a record, with its length before it in so many bytes.
@@ -60,6 +63,7 @@ class OldWorkbook {
     bool from_1904_ = false;
     std::vector<SheetName> names_;
     std::vector<std::uint32_t> begins_;  ///< of the sheets in the stream
+    std::vector<std::size_t> ends_;      ///< where the next of them begins, or the stream ends
     std::vector<std::string> strings_;   ///< shared by all sheets
     std::size_t shared_size_ = 0;        ///< of these [bytes]
     CellFormats formats_;

@@ -132,4 +132,28 @@ TEST(OldWorkbookRecords, HoldASharedTextOnce) {
     EXPECT_LT(peak_of_memory() - before, 2e9);  // 2.9e9 with a copy for each cell
 }
 
+TEST(OldWorkbookRecords, OfASheetAreOfNoOther) {
+    const std::string inner = sheet(number_cell(1, 7));
+    const auto told = [&](std::size_t begin) {
+        const std::string bytes =
+            workbook({{"A"}, {"B", begin}}, sheet(number_cell(0, 7) + inner + number_cell(2, 8)));
+        return input_error([&] { for_each_shown_sheet(bytes, file, [](auto&&...) {}); });
+    };
+    expect_told({told(0), told(sheet(number_cell(0, 7)).size() - 4)});
+}
+
+TEST(OldWorkbookRecords, MayShareATextOverFewSheets) {
+    std::string cells, records;
+    for (std::size_t row = 0; row < 4000; ++row)
+        cells += shared_cell(row, 0);
+    std::vector<Listed> sheets;
+    for (const char* const name : {"A", "B", "C"}) {
+        sheets.push_back({name, records.size()});
+        records += sheet(cells);
+    }
+    const TemporaryFolder own;
+    const auto path = own.write(file, workbook(sheets, records, one_text(60'000)));
+    expect_told({input_error([&] { chosen_sheets(path, ""); })});
+}
+
 }  // namespace pendular::old_workbook_records_test
