@@ -115,11 +115,10 @@ void OldSheet::take(const OldRecord& record) {
     if (record.kind == kind::short_number)
         add_number(place_of_record(body), two_bytes(body, 4), value_of_short(four_bytes(body, 6)));
     if (record.kind == kind::text || record.kind == kind::rich_text) add(body, text_at_(body, 6));
-    if (record.kind == kind::shared_text) {
-        const std::size_t index = four_bytes(body, 6);
-        if (index < strings_.size())
-            add({.place = place_of_record(body), .text = {}, .shared = &strings_[index]});
-    }
+    if (record.kind == kind::shared_text)
+        add({.place = place_of_record(body),
+             .text = {},
+             .shared = shared_text_(four_bytes(body, 6))});
     if (record.kind == kind::truth_or_error)
         add(body, truth_or_error_text(one_byte(body, 6), one_byte(body, 7) != 0));
     constexpr std::uint64_t no_height = 0x20;

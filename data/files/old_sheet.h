@@ -26,11 +26,16 @@ class OldSheet {
     /// Returns the text at a place of a record, with its length before it in two bytes.
     using TextAt = std::function<std::string(std::string_view record, std::size_t at)>;
 
+    /// Returns a text that all sheets share, which outlives the sheet; null if there is none.
+    using SharedText = std::function<const std::string*(std::size_t index)>;
+
     /// The arguments must outlive the object.
-    /// @param strings that all sheets share
-    OldSheet(const std::string& file, const std::vector<std::string>& strings,
-             const CellFormats& formats, TextAt text_at)
-        : file_(file), strings_(strings), formats_(formats), text_at_(std::move(text_at)) {}
+    OldSheet(const std::string& file, const CellFormats& formats, TextAt text_at,
+             SharedText shared_text)
+        : file_(file),
+          formats_(formats),
+          text_at_(std::move(text_at)),
+          shared_text_(std::move(shared_text)) {}
 
     /// Takes a record; those without cells are passed over.
     /// @throws InputError for more than `most_cells` cells
@@ -56,9 +61,9 @@ class OldSheet {
     void take_merged(std::string_view record);
 
     const std::string& file_;
-    const std::vector<std::string>& strings_;
     const CellFormats& formats_;
     TextAt text_at_;
+    SharedText shared_text_;
     std::vector<Cell> cells_;
     std::set<std::size_t> hidden_;  ///< rows, from 0
     std::vector<std::pair<CellPlace, CellPlace>> merged_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "data/files/compound_file.h"
 #include "data/files/little_endian.h"
@@ -48,7 +49,7 @@ void OldWorkbook::read_globals() {
             written[two_bytes(body, 0)] = format_of_code(text_at(body, 2, before_1997_ ? 1 : 2));
         if (record->kind == kind::style) used.push_back(two_bytes(body, 2));
         if (record->kind == kind::sheet) read_sheet(body);
-        if (record->kind == kind::shared_texts) read_shared(body, at);
+        if (record->kind == kind::shared_texts) find_shared(body, at);
     }
     std::vector<CellFormat> styles;
     for (const unsigned identifier : used) {
@@ -77,20 +78,26 @@ void OldWorkbook::find_ends() {
     }
 }
 
-void OldWorkbook::read_shared(std::string_view record, std::size_t& at) {
-    // Each takes 32 bytes of memory or more. A sheet has 65,536 rows.
-    constexpr std::size_t most_strings = 5'000'000;
+void OldWorkbook::find_shared(std::string_view record, std::size_t at) {
     std::vector<std::string_view> parts = {record.substr(std::min<std::size_t>(8, record.size()))};
-    for (std::size_t ahead = at; const auto more = next_record(stream_, ahead); at = ahead) {
+    while (const auto more = next_record(stream_, at)) {
         if (more->kind != kind::continuation) break;
         parts.push_back(more->body);
     }
     for (const std::string_view part : parts)
         shared_size_ += part.size();
-    for (OldTexts texts(std::move(parts)); !texts.at_end();) {
-        if (strings_.size() >= most_strings) refuse("it has more than 5 million texts");
-        strings_.push_back(texts.text(2));
-    }
+    shared_.push_back(std::move(parts));
+}
+
+const std::string* OldWorkbook::shared_text(std::size_t index) {
+    // Each takes 32 bytes of memory or more. A sheet has 65,536 rows.
+    constexpr std::size_t most_strings = 5'000'000;
+    for (auto& parts : std::exchange(shared_, {}))
+        for (OldTexts texts(std::move(parts)); !texts.at_end();) {
+            if (strings_.size() >= most_strings) refuse("it has more than 5 million texts");
+            strings_.push_back(texts.text(2));
+        }
+    return index < strings_.size() ? &strings_[index] : nullptr;
 }
 
 std::string OldWorkbook::text_at(std::string_view record, std::size_t at,
@@ -102,10 +109,12 @@ std::string OldWorkbook::text_at(std::string_view record, std::size_t at,
     return text_in_code_page(record.substr(at + length_bytes, length), code_page_, file_);
 }
 
-SheetText OldWorkbook::rows(std::size_t sheet) const {
+SheetText OldWorkbook::rows(std::size_t sheet) {
     const std::string path = path_of_sheet(file_, names_.at(sheet).name).string();
-    OldSheet cells(path, strings_, formats_,
-                   [&](std::string_view record, std::size_t at) { return text_at(record, at, 2); });
+    OldSheet cells(
+        path, formats_,
+        [&](std::string_view record, std::size_t at) { return text_at(record, at, 2); },
+        [&](std::size_t index) { return shared_text(index); });
     std::size_t at = begins_[sheet], depth = 0;
     while (const auto record = next_record(stream_, at)) {
         if (at > ends_[sheet])

@@ -156,4 +156,27 @@ TEST(OldWorkbookRecords, MayShareATextOverFewSheets) {
     expect_told({input_error([&] { chosen_sheets(path, ""); })});
 }
 
+TEST(OldWorkbookRecords, NameSheetsWithoutTheTextsOfTheirCells) {
+    constexpr std::size_t in_record = 65'535 / 3;
+    std::string texts;  // more than are read, each of them empty
+    for (std::size_t k = 0; k < 5'000'000 / in_record + 1; ++k)
+        texts += record(k == 0 ? kind::shared_texts : kind::continuation,
+                        std::string(3 * in_record, '\0'));
+    const std::string bytes = workbook({{"A"}, {"B", sheet(number_cell(0, 7)).size()}},
+                                       sheet(number_cell(0, 7)) + sheet(shared_cell(0, 0)), texts);
+    EXPECT_EQ(sheet_names(bytes, file).size(), 2u);
+    EXPECT_EQ(sheet_text(bytes, file, "A").text, "7\n");
+    expect_told({input_error([&] { sheet_text(bytes, file, "B"); })});
+}
+
+/// Text of a cell of Excel 95 in a code page.
+std::string cell_in(unsigned code_page, const std::string& characters) {
+    const std::string cell =
+        record(kind::text, little(0, 6) + little(characters.size(), 2) + characters);
+    return sheet_text(workbook({{"A"}}, sheet(cell), record(kind::code_page, little(code_page, 2)),
+                               excel_95, "Book"),
+                      file, "A")
+        .text;
+}
+
 }  // namespace pendular::old_workbook_records_test
