@@ -15,10 +15,9 @@ namespace pendular {
 /// Returns the name of a code page of Windows, as ICU knows it; windows-1252 for unknown ones.
 std::string code_page_name(unsigned number);
 
-/// Returns a text in a code page as UTF-8.
-/// @throws InputError if the bytes are no text in that code page
-std::string text_in_code_page(std::string_view bytes, const std::string& code_page,
-                              const std::string& file);
+/// Returns a text in a code page as UTF-8, with a question mark in a diamond for bytes that are no
+/// text in it: such a cell need not be one that is read.
+std::string text_in_code_page(std::string_view bytes, const std::string& code_page);
 
 /// Cells of a sheet of an old workbook, collected from its records.
 class OldSheet {

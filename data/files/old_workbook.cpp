@@ -106,7 +106,7 @@ std::string OldWorkbook::text_at(std::string_view record, std::size_t at,
     if (!before_1997_) return OldTexts({record.substr(at)}).text(length_bytes);
     const std::size_t length = whole_number(record, at, length_bytes);
     if (at + length_bytes >= record.size()) return "";
-    return text_in_code_page(record.substr(at + length_bytes, length), code_page_, file_);
+    return text_in_code_page(record.substr(at + length_bytes, length), code_page_);
 }
 
 SheetText OldWorkbook::rows(std::size_t sheet) {

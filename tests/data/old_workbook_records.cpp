@@ -179,4 +179,17 @@ std::string cell_in(unsigned code_page, const std::string& characters) {
         .text;
 }
 
+TEST(OldWorkbookRecords, AreInCodePagesOfWindows) {
+    EXPECT_EQ(cell_in(874, "\xA1\x85"), "ก…\n");
+    EXPECT_EQ(cell_in(720, "\xA1"), "ة\n");
+    EXPECT_EQ(cell_in(708, "\xC9"), "ة\n");
+    EXPECT_EQ(cell_in(437, "gr\x81n"), "grün\n");
+    EXPECT_EQ(cell_in(709, "\xB5m"), "µm\n");  // unknown to ICU: windows-1252
+}
+
+TEST(OldWorkbookRecords, MayHaveBytesThatAreNoText) {
+    EXPECT_EQ(cell_in(932, "Pa\x83"), "Pa\uFFFD\n");
+    EXPECT_EQ(cell_in(1253, "Pa\xD2s"), "Pa\uFFFDs\n");
+}
+
 }  // namespace pendular::old_workbook_records_test
