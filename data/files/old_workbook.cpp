@@ -22,8 +22,8 @@ void OldWorkbook::refuse(const std::string& reason) const {
 
 OldWorkbook::OldWorkbook(const std::string& bytes, const std::string& file) : file_(file) {
     auto streams = streams_of(bytes);
-    if (streams.contains("EncryptedPackage")) refuse("it is protected by a password");
-    for (const char* const name : {"Workbook", "Book"})
+    if (streams.contains("ENCRYPTEDPACKAGE")) refuse("it is protected by a password");
+    for (const char* const name : {"WORKBOOK", "BOOK"})
         if (stream_.empty()) stream_ = std::move(streams[name]);
     if (stream_.empty()) refuse("it holds no stream called Workbook");
     read_globals();
@@ -61,8 +61,9 @@ void OldWorkbook::read_globals() {
 
 void OldWorkbook::read_sheet(std::string_view record) {
     constexpr unsigned of_cells = 0;  // others are charts and macros
+    constexpr unsigned state = 3;     // bits; the others have no meaning
     if (record.size() < 7 || record[5] != of_cells) return;
-    names_.push_back({text_at(record, 6, 1), record[4] != 0});
+    names_.push_back({text_at(record, 6, 1), (one_byte(record, 4) & state) != 0});
     begins_.push_back(four_bytes(record, 0));
 }
 

@@ -192,4 +192,17 @@ TEST(OldWorkbookRecords, MayHaveBytesThatAreNoText) {
     EXPECT_EQ(cell_in(1253, "Pa\xD2s"), "Pa\uFFFDs\n");
 }
 
+TEST(OldWorkbookRecords, HaveTheStateOfASheetInTwoBits) {
+    const std::string one = sheet(number_cell(0, 7));
+    const auto names =
+        sheet_names(workbook({{"A", 0, 0x04}, {"B", one.size(), 0x05}}, one + one), file);
+    EXPECT_FALSE(names.at(0).hidden);
+    EXPECT_TRUE(names.at(1).hidden);
+}
+
+TEST(OldWorkbookRecords, AreInAStreamOfAnyCase) {
+    const std::string bytes = workbook({{"A"}}, sheet(number_cell(0, 7)), "", excel_97, "WORKBOOK");
+    EXPECT_EQ(sheet_text(bytes, file, "A").text, "7\n");
+}
+
 }  // namespace pendular::old_workbook_records_test
