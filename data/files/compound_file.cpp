@@ -72,8 +72,8 @@ class Sectors {
 
 /// Entry of the directory: a stream, a folder, or the root.
 struct Entry {
-    std::string name;
-    unsigned kind;  ///< 2: stream, 5: root
+    std::string name;  ///< in capitals
+    unsigned kind;     ///< 2: stream, 5: root
     std::uint32_t left, right, child, first, size;
 };
 
@@ -84,7 +84,7 @@ Entry entry_at(std::string_view directory, std::size_t index) {
     std::string name;
     for (std::size_t i = 0; i + 2 < std::min<std::size_t>(two_bytes(text, 64), 64); i += 2)
         if (const unsigned letter = two_bytes(text, i); letter >= 0x20 && letter < 0x7F)
-            name += static_cast<char>(letter);
+            name += static_cast<char>(letter >= 'a' && letter <= 'z' ? letter - 'a' + 'A' : letter);
     return {name,
             static_cast<unsigned char>(text[66]),
             four_bytes(text, 68),

@@ -1,13 +1,14 @@
 #include "data/files/old_sheet.h"
 
 #include <fmt/format.h>
+#include <unicode/ucnv.h>
+#include <unicode/unistr.h>
 
 #include <algorithm>
 #include <map>
 
 #include "data/files/csv.h"
 #include "data/files/little_endian.h"
-#include "data/files/text_file.h"
 
 namespace pendular {
 namespace {
@@ -39,34 +40,41 @@ std::string truth_or_error_text(unsigned value, bool error) {
 }  // namespace
 
 std::string code_page_name(unsigned number) {
-    constexpr unsigned macintosh = 10000, macintosh_before_1997 = 0x8000;
-    if (number == macintosh || number == macintosh_before_1997) return "macintosh";
+    // Those whose number is that of another code page of IBM, and those that ICU has by names.
+    static const std::map<unsigned, std::string> others = {
+        {708, "ASMO-708"},    {874, "windows-874"}, {932, "Shift_JIS"},   {936, "GBK"},
+        {949, "windows-949"}, {950, "windows-950"}, {10000, "macintosh"}, {0x8000, "macintosh"}};
+    if (const auto found = others.find(number); found != others.end()) return found->second;
     if (number >= 1250 && number <= 1258) return fmt::format("windows-{}", number);
-    if (number == 932) return "Shift_JIS";
-    if (number == 936) return "GBK";
-    if (number == 949 || number == 950) return fmt::format("windows-{}", number);
-    if (number >= 437 && number <= 874) return fmt::format("ibm-{}", number);
-    return "windows-1252";
+    const std::string of_dos = fmt::format("ibm-{}", number);
+    UErrorCode error = U_ZERO_ERROR;
+    const bool known =
+        number >= 437 && number <= 869 && ucnv_countAliases(of_dos.c_str(), &error) > 0;
+    return known ? of_dos : "windows-1252";
 }
 
-std::string text_in_code_page(std::string_view bytes, const std::string& code_page,
-                              const std::string& file) {
+std::string text_in_code_page(std::string_view bytes, const std::string& code_page) {
     const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
     if (std::ranges::all_of(bytes, is_ascii)) return std::string(bytes);
-    return decode_bytes(std::string(bytes), file, code_page).text;
+    icu::UnicodeString text(bytes.data(), static_cast<int32_t>(bytes.size()), code_page.c_str());
+    // In place of half a character of Shift-JIS, ICU has a control character of ASCII.
+    text.findAndReplace(icu::UnicodeString(UChar32{0x1A}), icu::UnicodeString(UChar32{0xFFFD}));
+    std::string utf8;
+    text.toUTF8String(utf8);
+    return utf8;
 }
 
-void OldSheet::add(const CellPlace& place, std::string text) {
-    check_cell_count(cells_.size() + 1, file_, static_cast<int>(place.row) + 1);
-    cells_.push_back({place, std::move(text)});
+void OldSheet::add(Cell cell) {
+    check_cell_count(cells_.size() + 1, file_, static_cast<int>(cell.place.row) + 1);
+    cells_.push_back(std::move(cell));
 }
 
 void OldSheet::add(std::string_view record, std::string text) {
-    add(place_of_record(record), std::move(text));
+    add({.place = place_of_record(record), .text = std::move(text)});
 }
 
 void OldSheet::add_number(const CellPlace& place, unsigned style, double value) {
-    add(place, formats_.text_of(fmt::format("{}", value), style));
+    add({.place = place, .text = formats_.text_of(fmt::format("{}", value), style)});
 }
 
 void OldSheet::take_numbers(std::string_view record) {
@@ -115,10 +123,10 @@ void OldSheet::take(const OldRecord& record) {
     if (record.kind == kind::short_number)
         add_number(place_of_record(body), two_bytes(body, 4), value_of_short(four_bytes(body, 6)));
     if (record.kind == kind::text || record.kind == kind::rich_text) add(body, text_at_(body, 6));
-    if (record.kind == kind::shared_text) {
-        const std::size_t index = four_bytes(body, 6);
-        add(body, index < strings_.size() ? strings_[index] : "");
-    }
+    if (record.kind == kind::shared_text)
+        add({.place = place_of_record(body),
+             .text = {},
+             .shared = shared_text_(four_bytes(body, 6))});
     if (record.kind == kind::truth_or_error)
         add(body, truth_or_error_text(one_byte(body, 6), one_byte(body, 7) != 0));
     constexpr std::uint64_t no_height = 0x20;
@@ -130,7 +138,7 @@ SheetText OldSheet::text() {
     if (!computed_)
         for (const std::size_t index : without_result_)
             cells_[index].text = "=";
-    std::erase_if(cells_, [](const Cell& cell) { return cell.text.empty(); });
+    std::erase_if(cells_, [](const Cell& cell) { return cell.content().empty(); });
     std::ranges::stable_sort(cells_, {}, &Cell::place);
     std::size_t width = 0;
     for (const Cell& cell : cells_)
@@ -143,7 +151,7 @@ SheetText OldSheet::text() {
         lines.add_empty_until(row);
         lines.begin_row(hidden_.contains(row));
         for (; i < cells_.size() && cells_[i].place.row == row; ++i)
-            lines.set(cells_[i].place.column, std::move(cells_[i].text));
+            lines.set(cells_[i].place.column, cells_[i].content());
         lines.end_row();
     }
     return lines.take();

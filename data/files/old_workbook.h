@@ -32,6 +32,8 @@ class OldWorkbook {
     /// @param file path of the workbook, for error messages; must outlive the object
     /// @throws InputError if the bytes hold no such workbook, or one with a password
     OldWorkbook(const std::string& bytes, const std::string& file);
+    OldWorkbook(const OldWorkbook&) = delete;  // it has views of itself
+    OldWorkbook& operator=(const OldWorkbook&) = delete;
 
     /// Sheets with cells, in the order of the workbook.
     const std::vector<SheetName>& sheets() const { return names_; }
@@ -41,14 +43,19 @@ class OldWorkbook {
     /// times as fast.
     std::size_t work_of_sheet() const { return shared_size_ + stream_.size() / 8; }
 
-    /// @throws InputError for more than `most_cells` cells
-    SheetText rows(std::size_t sheet) const;
+    /// @throws InputError for more than `most_cells` cells, and if another sheet begins within it
+    SheetText rows(std::size_t sheet);
 
   private:
     void read_globals();
     void read_sheet(std::string_view record);
-    /// @param at place of the records that continue it, which moves behind them
-    void read_shared(std::string_view record, std::size_t& at);
+    /// @throws InputError if sheets begin at the same place, so that a short file would be as long
+    ///         to read as it has sheets
+    void find_ends();
+    /// @param at place of the records that continue it
+    void find_shared(std::string_view record, std::size_t at);
+    /// Text that all sheets share, read when the first of them is needed; null if there is none.
+    const std::string* shared_text(std::size_t index);
     /// Text at a place of a record, with its length before it in so many bytes.
     std::string text_at(std::string_view record, std::size_t at, std::size_t length_bytes) const;
     [[noreturn]] void refuse(const std::string& reason) const;
@@ -60,8 +67,10 @@ class OldWorkbook {
     bool from_1904_ = false;
     std::vector<SheetName> names_;
     std::vector<std::uint32_t> begins_;  ///< of the sheets in the stream
-    std::vector<std::string> strings_;   ///< shared by all sheets
-    std::size_t shared_size_ = 0;        ///< of these [bytes]
+    std::vector<std::size_t> ends_;      ///< where the next of them begins, or the stream ends
+    std::vector<std::vector<std::string_view>> shared_;  ///< records of texts that are not yet read
+    std::size_t shared_size_ = 0;                        ///< of these [bytes]
+    std::vector<std::string> strings_;                   ///< texts that all sheets share
     CellFormats formats_;
 };
 

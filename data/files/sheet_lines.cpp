@@ -1,8 +1,11 @@
 #include "data/files/sheet_lines.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "data/files/csv.h"
+#include "data/input_error.h"
 #include "data/quantities/number.h"
 
 namespace pendular {
@@ -28,7 +31,18 @@ void SheetLines::begin_row(bool hidden) {
         all.emplace_back(line(), line());
 }
 
+void SheetLines::count(const std::string& text) {
+    text_size_ += text.size();
+    if (text_size_ > largest_unpacked)
+        throw InputError({file_, line()},
+                         fmt::format("more than {} MB of text in the cells up to this row; leave "
+                                     "out columns that are not needed, or split the sheet into "
+                                     "several files",
+                                     largest_unpacked >> 20));
+}
+
 void SheetLines::set(std::size_t column, std::string text) {
+    count(text);
     for (char& c : text)
         if (c == '\t' || c == '\n' || c == '\r') c = ' ';
     cells_[column] = trimmed(text);
@@ -51,8 +65,11 @@ void SheetLines::hold(std::size_t column) {
 
 void SheetLines::end_row() {
     std::erase_if(held_, [&](const auto& each) { return each.second.last < lines_; });
-    for (const auto& [column, held] : held_)
-        if (cells_[column].empty()) cells_[column] = held.text;
+    for (const auto& [column, held] : held_) {
+        if (!cells_[column].empty()) continue;
+        count(held.text);
+        cells_[column] = held.text;
+    }
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         if (i > 0) result_.text += '\t';
         const std::string text = csv_cell(cells_[i]);  // delimiters and quotes within are none

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -8,6 +9,11 @@
 #include <vector>
 
 namespace pendular {
+
+/// Largest total size of the parts of a workbook that are read, unpacked, and of the text of a
+/// sheet [bytes]: as `largest_table`, since a small archive may unpack to any size, and a short
+/// sheet may have one long text in any number of cells.
+constexpr std::uintmax_t largest_unpacked = 256u << 20;
 
 /// Number in a cell that is merged over several columns, so that it is not known where it belongs.
 struct WideNumber {
@@ -54,7 +60,9 @@ class SheetLines {
     /// @throws InputError for more than `most_cells` cells so far
     void begin_row(bool hidden);
     /// @param column from 0, below the width
+    /// @throws InputError for more than `largest_unpacked` of text so far
     void set(std::size_t column, std::string text);
+    /// @throws InputError as `set`, for numbers in merged cells
     void end_row();
 
     SheetText take() { return std::move(result_); }
@@ -68,10 +76,13 @@ class SheetLines {
 
     void hold(std::size_t column);
     void add_line();
+    /// Counts text that a cell is to have.
+    void count(const std::string& text);
 
     const std::string& file_;
     SheetText result_;
     std::size_t lines_ = 0, cell_count_ = 0;
+    std::uintmax_t text_size_ = 0;           ///< of the cells so far [bytes]
     std::vector<std::string> cells_;         ///< of the present row
     std::map<CellPlace, CellPlace> merged_;  ///< last place of merged cells, by the first
     std::map<std::size_t, Held> held_;       ///< by column

@@ -285,7 +285,7 @@ std::size_t shown_among(const std::vector<SheetName>& sheets) {
 
 using TakeSheet = std::function<void(const std::string& name, const SheetText&)>;
 
-void for_each_old_sheet(const OldWorkbook& book, const std::string& file, const TakeSheet& take) {
+void for_each_old_sheet(OldWorkbook&& book, const std::string& file, const TakeSheet& take) {
     const std::vector<SheetName>& sheets = book.sheets();
     check_sheet_work(file, shown_among(sheets), book.work_of_sheet());
     for (std::size_t k = 0; k < sheets.size(); ++k) {
@@ -311,7 +311,7 @@ void for_each_shown_sheet(const std::string& bytes, const std::string& file,
 SheetText sheet_text(const std::string& bytes, const std::string& file, const std::string& sheet) {
     const auto refuse = [&] { refuse_workbook(file, fmt::format("it has no sheet {}", sheet)); };
     if (is_compound_file(bytes)) {
-        const OldWorkbook book(bytes, file);
+        OldWorkbook book(bytes, file);
         const auto found = std::ranges::find(book.sheets(), sheet, &SheetName::name);
         if (found == book.sheets().end()) refuse();
         return book.rows(static_cast<std::size_t>(found - book.sheets().begin()));

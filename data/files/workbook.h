@@ -11,10 +11,6 @@
 
 namespace pendular {
 
-/// Largest total size, unpacked, of the parts of a workbook that are read [bytes]: as
-/// `largest_table`, since a small archive may unpack to any size.
-constexpr std::uintmax_t largest_unpacked = 256u << 20;
-
 /// Whether bytes are the beginning of a workbook: of a ZIP archive (.xlsx) or, from before 2007, of
 /// a compound file (.xls). Four bytes suffice.
 bool begins_workbook(std::string_view bytes);

@@ -31,9 +31,17 @@ bool is_workbook(const std::filesystem::path& path) {
 }
 
 /// Names of the sheets that are shown and hold a table.
+/// @throws InputError for more text in all than sheets of numbers have in a file of the largest
+///         size: those of a short workbook may share one long text, which would take minutes
 std::set<std::string> sheets_with_table(const std::string& bytes, const std::string& file) {
+    constexpr std::uintmax_t most_text = 2 * largest_unpacked;
     std::set<std::string> names;
+    std::uintmax_t size = 0;
     for_each_shown_sheet(bytes, file, [&](const std::string& name, const SheetText& sheet) {
+        size += sheet.text.size();
+        if (size > most_text)
+            refuse_workbook(file, fmt::format("its sheets have more than {} MB of text in all",
+                                              most_text >> 20));
         if (holds_table({file, split_lines(sheet.text)})) names.insert(name);
     });
     return names;
