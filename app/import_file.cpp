@@ -25,9 +25,9 @@
 #include "reports/recording_figures.h"
 #include "workflow/begin_study.h"
 #include "workflow/file_views.h"
-#include "workflow/tidy_table.h"
 #include "workflow/json/measurements.h"
 #include "workflow/study_input.h"
+#include "workflow/tidy_table.h"
 
 namespace pendular::app {
 namespace {
@@ -183,7 +183,16 @@ bool is_bare_file(const std::filesystem::path& path) {
 
 namespace {
 
+/// Whether two paths name one file, which need not exist yet.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code error;  // set where one of them does not exist
+    if (std::filesystem::equivalent(a, b, error)) return true;
+    return std::filesystem::weakly_canonical(a, error) ==
+           std::filesystem::weakly_canonical(b, error);
+}
+
 /// Files that the user named.
+/// @throws InputError for an argument that is none, and for a file that is named twice
 std::vector<std::filesystem::path> all_files(const std::filesystem::path& first,
                                              const std::vector<std::string>& more) {
     std::vector<std::filesystem::path> paths = {first};
@@ -192,20 +201,24 @@ std::vector<std::filesystem::path> all_files(const std::filesystem::path& first,
             throw InputError({path},
                              "is no file of measurements; each of several arguments must "
                              "be one");
+        if (std::ranges::any_of(paths, [&](const auto& each) { return same_file(each, path); }))
+            throw InputError({path}, "is named twice; name each file once");
         paths.emplace_back(path);
     }
     return paths;
 }
 
-/// @throws InputError if a table that the user wants cannot be written, or is an input
+/// @throws InputError if a table that the user wants cannot be written, or is an input or named
+/// twice
 void check_tables(const ImportFileOptions& options,
                   const std::vector<std::filesystem::path>& inputs) {
     for (const std::string& table : {options.tidy, options.loci})
-        for (const std::filesystem::path& input : inputs) {
-            std::error_code error;  // set where there is no such table yet
-            if (!table.empty() && std::filesystem::equivalent(table, input, error))
+        for (const std::filesystem::path& input : inputs)
+            if (!table.empty() && same_file(table, input))
                 throw InputError({table}, "is the file to be read; name another one");
-        }
+    if (!options.tidy.empty() && !options.loci.empty() && same_file(options.tidy, options.loci))
+        throw InputError({options.loci},
+                         "is named by --tidy and by --loci; name a file for each table");
     if (!options.tidy.empty()) {
         demand_writable(options.tidy, "--tidy", false);
         demand_table(options.tidy, tidy_table_begin);

@@ -10,6 +10,7 @@
 #include <ranges>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "data/files/formats/named_columns.h"
 #include "data/quantities/number.h"
@@ -147,10 +148,16 @@ std::vector<std::string> intervals_table(const FileView& view) {
     const bool torques = std::ranges::any_of(view.series, [](const IntervalSeries& series) {
         return series.shear_stress.empty() && !series.torque.empty();
     });
+    const bool levers = std::ranges::any_of(view.series, [](const IntervalSeries& series) {
+        return series.shear_stress.empty() && series.torque.empty() && !series.lever_force.empty();
+    });
     std::vector<std::string> lines = {
         fmt::format("  {:>8} {:<10} {:>6} {:>13} {:>18} {:>22}  {}", "interval", "role", "rows",
                     "lines", forces ? "normal force [N]" : "normal stress [Pa]",
-                    torques ? "largest torque [N m]" : "largest stress [Pa]", "why")};
+                    torques  ? "largest torque [N m]"
+                    : levers ? "largest lever force [N]"
+                             : "largest stress [Pa]",
+                    "why")};
     const bool several = several_tests(view.file);
     for (std::size_t i = 0; i < view.series.size(); ++i) {
         const Block& block = view.file.blocks[i];
@@ -310,12 +317,8 @@ std::string usual_reason(const FileView& view) {
     return best.empty() && none != view.roles.end() ? none->reason : best;
 }
 
-}  // namespace
-
-std::string unused_sentence(const std::vector<FileView>& views) {
-    const auto useful = [](const FileView& view) { return is_used(view) || shows_readings(view); };
-    if (std::ranges::any_of(views, useful)) return "";
-    const FileView& view = views.front();
+/// Why nothing of a file is used.
+std::string unused_reason(const FileView& view) {
     const bool sheared = std::ranges::any_of(view.roles, [](const IntervalRole& each) {
         return each.role == "steady" || each.role == "failure" || each.role == "preshear";
     });
@@ -323,8 +326,26 @@ std::string unused_sentence(const std::vector<FileView>& views) {
     if (const std::string other = usual_reason(view); !other.empty()) reason = other;
     if (sheared && !view.missing.empty())
         reason = fmt::format("it has no {}", fmt::join(view.missing, ", no "));
-    return fmt::format("Nothing of {} is used: {}.",
-                       std::filesystem::path(view.file.file).filename().string(), reason);
+    return reason;
+}
+
+}  // namespace
+
+std::string unused_sentence(const std::vector<FileView>& views) {
+    const auto useful = [](const FileView& view) { return is_used(view) || shows_readings(view); };
+    if (std::ranges::any_of(views, useful)) return "";
+    std::vector<std::pair<std::string, std::vector<std::string>>> files;  // by reason
+    for (const FileView& view : views) {
+        const std::string reason = unused_reason(view);
+        auto known = std::ranges::find(files, reason, &decltype(files)::value_type::first);
+        if (known == files.end()) known = files.insert(files.end(), {reason, {}});
+        known->second.push_back(std::filesystem::path(view.file.file).filename().string());
+    }
+    std::vector<std::string> sentences;
+    for (const auto& [reason, names] : files)
+        sentences.push_back(
+            fmt::format("Nothing of {} is used: {}.", fmt::join(names, ", "), reason));
+    return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 Output file_output(const FileView& view, bool all, bool is_answer) {

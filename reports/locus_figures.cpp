@@ -11,11 +11,11 @@
 namespace pendular {
 namespace {
 
-Curve line_from_origin(const std::string& label, double slope, double to,
-                       const std::string& colour) {
+Curve line_from_axis(const std::string& label, double intercept, double slope, double to,
+                     const std::string& colour) {
     Curve curve{.label = label, .style = Curve::Style::line, .colour = colour};
     curve.x = {0, to};
-    curve.y = {0, slope * to};
+    curve.y = {intercept, intercept + slope * to};
     return curve;
 }
 
@@ -40,8 +40,8 @@ std::optional<Figure> flow_function_figure(const std::vector<FileView>& views) {
                 .key = Key::outside};
     // Classes of flowability, the major principal stress over the strength.
     for (const int limit : {1, 2, 4, 10}) {
-        panel.curves.push_back(line_from_origin(fmt::format("flowability {}", limit), 1.0 / limit,
-                                                1.05 * greatest, "#a0a0a0"));
+        panel.curves.push_back(line_from_axis(fmt::format("flowability {}", limit), 0, 1.0 / limit,
+                                              1.05 * greatest, "#a0a0a0"));
         panel.curves.back().style = limit == 1 ? Curve::Style::line : Curve::Style::dashed_line;
         panel.curves.back().in_table = false;
     }
@@ -61,19 +61,19 @@ std::vector<Figure> wall_locus_figures(const FileView& view) {
             points.y.push_back(point.shear_stress);
         }
         const double greatest = 1.05 * *std::ranges::max_element(points.x);
+        const WallLine line = wall.line();
         Panel panel{.x_label = "normal stress [Pa]",
                     .y_label = "shear stress [Pa]",
-                    .curves = {line_from_origin("wall yield locus", wall.coefficient, greatest,
-                                                calibrated_colour),
+                    .curves = {line_from_axis("wall yield locus", line.intercept, line.slope,
+                                              greatest, calibrated_colour),
                                points},
                     .key = Key::outside};
         panel.x_range = {{0, greatest}};
         panel.y_from_zero = true;
-        figures.push_back(
-            {.name = fmt::format("wall_locus_{}", figures.size() + 1),
-             .title = fmt::format("angle of wall friction {:.3g}°",
-                                  std::atan(wall.coefficient) * 180 / std::numbers::pi),
-             .panels = {panel}});
+        figures.push_back({.name = fmt::format("wall_locus_{}", figures.size() + 1),
+                           .title = fmt::format("angle of wall friction {:.3g}°",
+                                                std::atan(line.slope) * 180 / std::numbers::pi),
+                           .panels = {panel}});
     }
     return figures;
 }

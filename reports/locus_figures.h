@@ -13,7 +13,7 @@ namespace pendular {
 /// than two loci that have both.
 std::optional<Figure> flow_function_figure(const std::vector<FileView>& views);
 
-/// Returns a figure for each wall yield locus of a file: points, and the line through the origin.
+/// Returns a figure for each wall yield locus of a file: points, and its line (`WallLocus::line`).
 std::vector<Figure> wall_locus_figures(const FileView& view);
 
 }  // namespace pendular

@@ -202,12 +202,13 @@ struct DirectText {
 DirectText direct_text(const WallLocus& wall) {
     // Of ring shear testers with four points or more, 1 to 3 %: chosen three times as large.
     constexpr double guessed = 0.1;
-    const double value = wall.adheres() ? wall.slope : wall.coefficient;
-    if (!wall.errors)
-        return {fmt::format("{:.3g}", value), fmt::format("{:.1g}", guessed * value),
-                fmt::format("   # GUESS: {} points do not determine it", wall.points.size())};
-    const double error = wall.adheres() ? wall.errors->slope : wall.errors->coefficient;
-    return {fmt::format("{:.4g}", value), fmt::format("{:.2g}", error), ""};
+    const WallLine line = wall.line();
+    if (!(line.slope_error > 0))
+        return {fmt::format("{:.3g}", line.slope), fmt::format("{:.1g}", guessed * line.slope),
+                wall.errors
+                    ? "   # GUESS: points exactly on a line do not determine it"
+                    : fmt::format("   # GUESS: {} points do not determine it", wall.points.size())};
+    return {fmt::format("{:.4g}", line.slope), fmt::format("{:.2g}", line.slope_error), ""};
 }
 
 void add_wall(const WallLocus& wall, std::vector<std::string>& lines) {
@@ -237,8 +238,12 @@ void add_wall(const WallLocus& wall, std::vector<std::string>& lines) {
                     : fmt::format("; errors: not determined by {} points", wall.points.size())));
     if (wall.adheres())
         lines.emplace_back(
-            "  The best line misses the origin by more than two standard errors: "
-            "its slope is the friction of the wall.");
+            "  The best line meets the axis above zero by more than its error: its slope is the "
+            "friction of the wall.");
+    if (wall.below_origin())
+        lines.emplace_back(
+            "  The best line meets the axis below zero by more than its error, as no grains do: "
+            "repeat points that lie apart.");
     const DirectText direct = direct_text(wall);
     lines.emplace_back(
         "  Where the side walls of the cell are of this material, study.toml may "

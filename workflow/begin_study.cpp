@@ -136,35 +136,38 @@ std::string cell_text(const FileView& view, bool steady) {
 }
 
 /// Header of a table of points, with the name and unit of the column of the solid fraction.
-std::string points_header(const std::string& fraction, const std::string& unit) {
+/// @param more names of further columns
+std::string points_header(const std::string& fraction, const std::string& unit,
+                          const char* more = "") {
     return fmt::format(
         "normal_stress [Pa],shear_stress [Pa],shear_stress_se [Pa],{0} [{1}],{0}_se [{1}],"
-        "inertial_number [1],line [1],preshear_stress [Pa]\n",
-        fraction, unit);
+        "inertial_number [1],line [1],preshear_stress [Pa]{2}\n",
+        fraction, unit, more);
 }
 
 /// Row of a point. The standard deviation of the shear stress is at least 1 %: even a peak without
 /// noise is not exact.
 /// @param fraction cells of the solid fraction, "0.60,0.1" if nothing is known
-/// @param preshear normal stress of the preshear of a point of failure, if known [Pa]
+/// @param end cells of the preshear's normal stress [Pa] and of further columns
 std::string point_row(double normal, double shear, double deviation, int line,
-                      const std::string& fraction, const std::optional<double>& preshear = {}) {
+                      const std::string& fraction, const std::string& end = "") {
     return fmt::format("{:.6g},{:.6g},{:.3g},{},0,{},{}\n", normal, shear,
-                       std::max(deviation, 0.01 * shear), fraction, line,
-                       preshear ? fmt::format("{:.6g}", *preshear) : "");
+                       std::max(deviation, 0.01 * shear), fraction, line, end);
 }
 
 /// Cells of a solid fraction of which nothing is known.
 constexpr const char* unknown_fraction = "0.60,0.1";
 
+/// Table of the points of failure, each of which says that it is one.
 std::string failure_table(const FileView& view) {
-    std::string text = points_header("solid_fraction", "1");
+    std::string text = points_header("solid_fraction", "1", ",failure [1]");
     for (const YieldLocus& locus : view.loci)
         for (const FailurePoint& point : locus.points)
             text += point_row(
                 point.smoothed_normal_stress, point.smoothed_shear_stress,
                 point.shear_stress - point.smoothed_shear_stress, point.line, unknown_fraction,
-                locus.preshear ? std::optional(locus.preshear->normal_stress) : std::nullopt);
+                (locus.preshear ? fmt::format("{:.6g}", locus.preshear->normal_stress) : "") +
+                    ",1");
     return text;
 }
 
@@ -286,9 +289,9 @@ std::string entries_text(const FileView& view, const FileFormat& format, const s
             "[[readings]]                     # points of failure: peaks, which may lie above "
             "steady shear\nfile = \"failure{}.csv\"\nstate = \"failure\"{}\n{}\n",
             suffix,
-            view.file.table_of_points
-                ? "                # GUESS: peaks; remove the line for steady shear"
-                : "",
+            view.file.table_of_points ? "                # GUESS: peaks; for steady shear, remove "
+                                        "this line and the column failure"
+                                      : "",
             liquid_content);
     return text;
 }

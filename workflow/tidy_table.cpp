@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "data/files/csv.h"
@@ -13,6 +14,37 @@
 
 namespace pendular {
 namespace {
+
+/// Value that an interval states of its preshear, with the name of its quantity.
+struct Stated {
+    std::string_view name;
+    std::optional<double> Block::*value;
+};
+
+const std::vector<Stated>& stated_values() {
+    static const std::vector<Stated> all = {
+        {"preshear_stress", &Block::preshear_normal_stress},
+        {"preshear_shear_stress", &Block::preshear_shear_stress},
+        {"bulk_density", &Block::bulk_density}};
+    return all;
+}
+
+/// Values that any interval of the views states.
+std::vector<Stated> stated_in(const std::vector<FileView>& views) {
+    std::vector<Stated> result;
+    for (const Stated& each : stated_values()) {
+        const auto states = [&](const Block& block) { return (block.*each.value).has_value(); };
+        if (std::ranges::any_of(views, [&](const FileView& view) {
+                return std::ranges::any_of(view.file.blocks, states);
+            }))
+            result.push_back(each);
+    }
+    return result;
+}
+
+std::string cell_of(const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? fmt::format(",{:.10g}", *value) : ",";
+}
 
 /// Names of the quantities of which any interval has a column.
 std::vector<std::string_view> quantities_of(const std::vector<FileView>& views) {
@@ -39,16 +71,17 @@ std::string test_in_table(const FileView& view, std::size_t interval, bool sever
 }
 
 /// Rows of an interval in a table of the quantities `names`.
+/// @param end cells after those of the quantities
 void add_rows(const IntervalSeries& series, const std::string& begin,
-              const std::vector<std::string_view>& names, std::string& text) {
+              const std::vector<std::string_view>& names, const std::string& end,
+              std::string& text) {
     for (std::size_t i = 0; i < series.size(); ++i) {
         text += fmt::format("{},{}", begin, series.line[i]);
         for (const std::string_view name : names) {
             const auto& column = series.column(name);
-            const bool known = i < column.size() && std::isfinite(column[i]);
-            text += known ? fmt::format(",{:.10g}", column[i]) : ",";
+            text += cell_of(i < column.size() ? std::optional(column[i]) : std::nullopt);
         }
-        text += "\n";
+        text += end + "\n";
     }
 }
 
@@ -56,10 +89,15 @@ void add_rows(const IntervalSeries& series, const std::string& begin,
 
 std::string tidy_table(const std::vector<FileView>& views) {
     const std::vector<std::string_view> names = quantities_of(views);
+    const std::vector<Stated> stated = stated_in(views);
     std::string text = tidy_table_begin, units = ",1,,1";
     for (const std::string_view name : names) {
         text += fmt::format(",{}", name);
         units += fmt::format(",{}", quantity(name).unit);
+    }
+    for (const Stated& each : stated) {
+        text += fmt::format(",{}", each.name);
+        units += fmt::format(",{}", quantity(each.name).unit);
     }
     text += "\n" + units + "\n";
     for (const FileView& view : views) {
@@ -67,7 +105,10 @@ std::string tidy_table(const std::vector<FileView>& views) {
             const std::string begin =
                 fmt::format("{},{},{}", csv_text_cell(test_in_table(view, k, views.size() > 1)),
                             view.file.blocks[k].number, view.roles[k].role);
-            add_rows(view.series[k], begin, names, text);
+            std::string end;
+            for (const Stated& each : stated)
+                end += cell_of(view.file.blocks[k].*each.value);
+            add_rows(view.series[k], begin, names, end, text);
         }
     }
     return text;

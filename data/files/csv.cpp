@@ -20,27 +20,12 @@ int characters(std::string_view text) {
         std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// Whether a path is that of a sheet. The answer for the last path is kept: it takes the file
-/// system microseconds, and each line of a file asks.
-bool is_of_sheet(const std::string& path) {
-    thread_local std::string last;
-    thread_local bool is_sheet = false;
-    if (path != last) {
-        is_sheet = path.ends_with(']') && as_sheet(path);
-        last = path;
-    }
-    return is_sheet;
-}
-
 /// Splits one line into cells, from left to right.
 class LineSplitter {
   public:
-    LineSplitter(std::string_view line, char delimiter, const Position& at, InnerQuotes inner)
-        : line_(line),
-          at_(at),
-          delimiter_(delimiter),
-          inner_(inner),
-          of_sheet_(is_of_sheet(at.file)) {}
+    LineSplitter(std::string_view line, char delimiter, const Position& at, InnerQuotes inner,
+                 bool of_sheet)
+        : line_(line), at_(at), delimiter_(delimiter), inner_(inner), of_sheet_(of_sheet) {}
 
     Row split() {
         Row row{at_.line, {}};
@@ -203,13 +188,15 @@ bool holds_no_row(std::string_view line) {
 }
 
 Row row_of(const Table& table, std::string_view line, int number, bool last) {
-    Row row = split_cells(line, table.delimiter, {table.file, number}, InnerQuotes::refused);
+    Row row = split_cells(line, table.delimiter, {table.file, number}, InnerQuotes::refused,
+                          table.of_sheet);
     check_length(table, row, last);
     return row;
 }
 
-Row split_cells(std::string_view line, char delimiter, const Position& at, InnerQuotes inner) {
-    return LineSplitter(line, delimiter, at, inner).split();
+Row split_cells(std::string_view line, char delimiter, const Position& at, InnerQuotes inner,
+                bool of_sheet) {
+    return LineSplitter(line, delimiter, at, inner, of_sheet).split();
 }
 
 Table read_table(const std::filesystem::path& path) {
@@ -226,9 +213,11 @@ Table table_of(const std::string& file, const std::vector<std::string_view>& lin
     if (first == lines.size())
         throw InputError({table.file}, "is empty; a header and rows of numbers are needed");
 
+    table.of_sheet = as_sheet(file).has_value();
     table.delimiter = header_delimiter(lines[first]);
-    table.header = split_cells(lines[first], table.delimiter,
-                               {table.file, static_cast<int>(first) + 1}, InnerQuotes::kept);
+    table.header =
+        split_cells(lines[first], table.delimiter, {table.file, static_cast<int>(first) + 1},
+                    InnerQuotes::kept, table.of_sheet);
     check_header(table);
     for (std::size_t i = first + 1; i < lines.size(); ++i) {
         if (holds_no_row(lines[i])) continue;

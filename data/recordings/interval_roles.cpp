@@ -206,7 +206,9 @@ std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<Inte
                 {"wall", fmt::format("shear along a wall, as {} shows", file.shown_wall)});
         else if (file.table_of_points)
             roles.push_back(
-                {"failure", "a table of points: one row is one test, taken for a peak"});
+                {"failure", is_stated_failure(file.blocks[i])
+                                ? "a point of failure, as its column failure says"
+                                : "a table of points: one row is one test, taken for a peak"});
         else if (largest_known(series[i].normal()) == 0 || !any_known(series[i].shear()))
             roles.push_back({"other", "no values of shear stress or of normal stress"});
         else if (!loading[i].sheared)

@@ -57,10 +57,11 @@ std::string row_of_locus(const FileView& view, const YieldLocus& locus) {
 
 std::string row_of_wall(const FileView& view, const WallLocus& wall) {
     const WallErrors errors = wall.errors.value_or(WallErrors{});
+    const WallLine line = wall.line();
     std::string row = begin_of_row(view, wall.test, "wall yield locus", wall.points.size());
     row += std::string(19, ',');  // what grains along grains have
-    const double spread = 1 + wall.coefficient * wall.coefficient;
-    add_result(row, std::atan(wall.coefficient), errors.coefficient / spread, degree);
+    const double spread = 1 + line.slope * line.slope;
+    add_result(row, std::atan(line.slope), line.slope_error / spread, degree);
     add_result(row, wall.adhesion, errors.adhesion);
     return row + "\n";
 }

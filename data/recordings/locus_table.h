@@ -12,7 +12,8 @@ namespace pendular {
 constexpr const char* locus_table_begin = "file,test,kind,points";
 
 /// Returns the yield loci and wall yield loci of files as one CSV table, a row for each, with the
-/// standard error of each result beside it. Cells of what is not known are empty. Angles are in
+/// standard error of each result beside it. Cells of what is not known are empty. The angle
+/// of wall friction is that of `WallLocus::line`, the adhesion that of the best line. Angles are in
 /// degrees; all else is in SI units.
 std::string locus_table(const std::vector<FileView>& views);
 

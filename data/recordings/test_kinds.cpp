@@ -9,10 +9,12 @@
 #include <numeric>
 #include <string_view>
 
+#include "data/files/columns.h"
 #include "data/files/missing_mark.h"
 #include "data/quantities/statistics.h"
 #include "data/recordings/findings/detectors.h"
 #include "data/recordings/step_series.h"
+#include "data/recordings/time_series.h"
 
 namespace pendular {
 
@@ -46,11 +48,20 @@ bool is_table_of_readings(const Block& block) {
            (has("shear_rate") || has("inertial_number") || has("inertial_number_diameter_density"));
 }
 
+bool is_stated_failure(const Block& block) {
+    if (!block.has_column("failure") || block.has_column("time")) return false;
+    const Columns columns(block.table);
+    return columns.has("failure") && std::ranges::all_of(block.table.rows, [&](const Row& row) {
+               return columns.value_if_any(row, "failure").value_or(0) != 0;
+           });
+}
+
 bool is_table_of_points(const Block& block, const IntervalSeries& series) {
     constexpr std::size_t most_points = 1000, fewest_points = 3;
     // Two thirds of the least step between set points that steps.cpp tells apart.
     constexpr double jump = 0.05;
     const bool stresses = !series.shear_stress.empty() && !series.normal_stress.empty();
+    if (stresses && is_stated_failure(block)) return series.size() <= most_points;
     if (!stresses || !series.time.empty() || !series.angular_velocity.empty() ||
         !series.interval.empty() || has_column_of_readings(block) || block.declared_rows ||
         series.size() < fewest_points || series.size() > most_points)
@@ -82,15 +93,33 @@ bool names_wall_friction(std::string_view text) {
         names, [&](std::string_view name) { return joined.find(name) != std::string::npos; });
 }
 
+/// Words of a text in small letters.
+std::vector<std::string> words_of(std::string_view text) {
+    std::vector<std::string> words(1);
+    for (const char c : in_small_letters(text))
+        if (std::string_view(" _-.,/()").find(c) == std::string_view::npos)
+            words.back() += c;
+        else if (!words.back().empty())
+            words.emplace_back();
+    return words;
+}
+
+/// Whether a column of stresses has a name of a wall, by whole words: "Prepared" holds "pared".
 bool is_of_wall(const BlockColumn& column) {
-    constexpr std::array<std::string_view, 7> names = {"wall",   "wand", "paroi", "pared",
-                                                       "parete", "tauw", "sigmaw"};
+    constexpr std::array<std::string_view, 8> names = {"wall", "paroi",  "pared", "parete",
+                                                       "tauw", "sigmaw", "τw",    "σw"};
+    constexpr std::array<std::string_view, 4> symbols = {"tau", "sigma", "τ", "σ"};
     if (column.quantity != "shear_stress" && column.quantity != "normal_stress") return false;
-    const std::string joined = joined_words(column.name);
-    return joined == "τw" || joined == "σw" ||
-           std::ranges::any_of(names, [&](std::string_view name) {
-               return joined.find(name) != std::string::npos;
-           });
+    const std::vector<std::string> words = words_of(column.name);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        // German joins words: "Wandschubspannung".
+        if (std::ranges::find(names, words[i]) != names.end() || words[i].starts_with("wand"))
+            return true;
+        if (i + 1 < words.size() && words[i + 1] == "w" &&
+            std::ranges::find(symbols, words[i]) != symbols.end())
+            return true;
+    }
+    return false;
 }
 
 /// Means over the last tenths of a column's rows, the last first; of magnitudes.
@@ -103,6 +132,29 @@ std::array<double, 3> last_tenths(const std::vector<double>& column) {
         means[k] /= static_cast<double>(rows);
     }
     return means;
+}
+
+/// Whether the shear still rises over the last three tenths of the rows by more than noise does:
+/// its rise from the first to the last of them against the standard error, which includes
+/// autocorrelation, of the difference of two tenths.
+bool rises_beyond_noise(const std::vector<double>& shear, double rise) {
+    const std::size_t rows = 3 * std::max<std::size_t>(shear.size() / 10, 1);
+    std::vector<double> end;
+    for (std::size_t i = shear.size() - rows; i < shear.size(); ++i)
+        end.push_back(std::abs(shear[i]));
+    const Mean mean = mean_of_correlated(without_line(end));
+    const double n = static_cast<double>(rows), of_line = 2;  // degrees of freedom
+    // The mean of a tenth has three times the variance of that of three; the line takes its share.
+    const double error = mean.standard_error * std::sqrt(2 * 3 * n / (n - of_line));
+    // Correlation is in the error. Fewer degrees of freedom for it would lose a smooth rise that
+    // bends, whose deviations from the line are correlated.
+    return two_sided_p(rise / error, n - of_line) <= finding_significance;
+}
+
+/// Name of the quantity that shows the shear of an interval.
+const char* shear_word(const IntervalSeries& series) {
+    if (!series.shear_stress.empty()) return "shear stress";
+    return series.torque.empty() ? "lever force" : "torque";
 }
 
 }  // namespace
@@ -128,12 +180,13 @@ std::optional<std::string> stress_growth(const IntervalSeries& series) {
     const auto speed = series.angular_velocity.empty() ? std::array<double, 3>{}
                                                        : last_tenths(series.angular_velocity);
     if (!constant(load) || !constant(speed) || !(rise[0] > (1 + grows) * rise[1]) ||
-        !(rise[1] > (1 + grows) * rise[2]))
+        !(rise[1] > (1 + grows) * rise[2]) ||
+        !rises_beyond_noise(series.shear(), rise[0] - rise[2]))
         return std::nullopt;
     return fmt::format(
-        "stress growth: at constant speed, the shear {} still rises by {:.0f} % "
+        "stress growth: at constant speed, the {} still rises by {:.0f} % "
         "over the last tenth of the rows: no steady shear is reached",
-        series.shear_stress.empty() ? "force" : "stress", 100 * (rise[0] / rise[1] - 1));
+        shear_word(series), 100 * (rise[0] / rise[1] - 1));
 }
 
 std::optional<std::string> stick_slip(const IntervalSeries& series) {
@@ -150,9 +203,9 @@ std::optional<std::string> stick_slip(const IntervalSeries& series) {
     if (!found || found->p > finding_significance || !(found->drop > least_drop * mean))
         return std::nullopt;
     return fmt::format(
-        "stick-slip: the shear stress drops suddenly by {:.0f} % every {:.2g} rows: "
+        "stick-slip: the {} drops suddenly by {:.0f} % every {:.0f} rows: "
         "no steady shear",
-        100 * found->drop / mean, found->samples);
+        shear_word(series), 100 * found->drop / mean, found->samples);
 }
 
 }  // namespace pendular

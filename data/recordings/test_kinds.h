@@ -16,10 +16,14 @@ std::optional<std::string> load_ramp(const IntervalSeries& series);
 /// bulk density.
 bool has_column_of_readings(const Block& block);
 
+/// Whether a table without time states that each of its rows is a point of failure, as failure.csv
+/// of a study that `import` began.
+bool is_stated_failure(const Block& block);
+
 /// Whether a table holds one test in each row, such as the points of a yield locus: no time and no
 /// column of readings (`has_column_of_readings`), both stresses, and a normal stress that differs
 /// by more than 5 %, which no control of a load does, from that of the row before in a quarter of
-/// the rows.
+/// the rows. So does one whose rows are points of failure (`is_stated_failure`).
 bool is_table_of_points(const Block& block, const IntervalSeries& series);
 
 /// Whether a table is one of readings: with both stresses, a solid fraction and a rate, and without
@@ -31,8 +35,9 @@ bool is_table_of_readings(const Block& block);
 std::string shown_wall(const BlockFile& file);
 
 /// Returns "stress growth: ..." for an interval at constant speed and load whose shear stress still
-/// rises at its end: by more than 2 % over each of the last two tenths of the rows. Empty for
-/// others, and for fewer than `shortest_step` rows.
+/// rises at its end: by more than 2 % over each of the last two tenths of the rows, and by more
+/// than noise does (`finding_significance`). Empty for others, and for fewer than `shortest_step`
+/// rows.
 std::optional<std::string> stress_growth(const IntervalSeries& series);
 
 /// Returns "stick-slip: ..." for an interval whose shear stress rises slowly and drops suddenly,

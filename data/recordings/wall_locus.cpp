@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/quantities/statistics.h"
+#include "data/recordings/straight_line.h"
 #include "data/recordings/yield_locus.h"
 
 namespace pendular {
@@ -10,38 +12,50 @@ namespace {
 
 /// Sets the lines of a locus. Returns false without two different normal stresses.
 bool fit_wall(WallLocus& locus) {
-    const double n = static_cast<double>(locus.points.size());
-    double x = 0, y = 0, xx = 0, xy = 0;
+    std::vector<double> normal, shear;
+    double xx = 0, xy = 0, about_origin = 0;
     for (const WallPoint& point : locus.points) {
-        x += point.normal_stress / n;
-        y += point.shear_stress / n;
+        normal.push_back(point.normal_stress);
+        shear.push_back(point.shear_stress);
         xx += point.normal_stress * point.normal_stress;
         xy += point.normal_stress * point.shear_stress;
     }
-    const double squares = xx - n * x * x;
-    if (!(squares > 1e-12 * xx)) return false;  // all normal stresses are equal
+    const auto line = straight_line(normal, shear);
+    if (!line) return false;
     locus.coefficient = xy / xx;
-    locus.slope = (xy - n * x * y) / squares;
-    locus.adhesion = y - locus.slope * x;
-    constexpr std::size_t fewest = 4;
-    if (locus.points.size() < fewest) return true;
-    double about_origin = 0, about_line = 0;
-    for (const WallPoint& point : locus.points) {
-        about_origin += std::pow(point.shear_stress - locus.coefficient * point.normal_stress, 2);
-        about_line +=
-            std::pow(point.shear_stress - locus.adhesion - locus.slope * point.normal_stress, 2);
-    }
-    const double variance = about_line / (n - 2);
-    locus.errors = WallErrors{.coefficient = std::sqrt(about_origin / (n - 1) / xx),
-                              .adhesion = std::sqrt(variance * (1 / n + x * x / squares)),
-                              .slope = std::sqrt(variance / squares)};
+    locus.slope = line->slope;
+    locus.adhesion = line->intercept;
+    if (!line->covariance) return true;
+    for (std::size_t i = 0; i < normal.size(); ++i)
+        about_origin += std::pow(shear[i] - locus.coefficient * normal[i], 2);
+    const double n = static_cast<double>(normal.size());
+    const bool exact = line->covariance->slope == 0 && locus.adhesion == 0;  // all is rounding
+    locus.errors = WallErrors{.coefficient = exact ? 0 : std::sqrt(about_origin / (n - 1) / xx),
+                              .adhesion = std::sqrt(line->covariance->intercept),
+                              .slope = std::sqrt(line->covariance->slope)};
     return true;
+}
+
+/// Errors by which the best line of a locus misses the origin with a probability of 2.5 % on either
+/// side by chance: Student's t, since few points determine the error itself.
+double missing_errors(const WallLocus& locus) {
+    return students_t_quantile(0.975, static_cast<double>(locus.points.size()) - 2);
 }
 
 }  // namespace
 
 bool WallLocus::adheres() const {
-    return errors && std::abs(adhesion) > 2 * errors->adhesion;
+    return errors && adhesion > missing_errors(*this) * errors->adhesion;
+}
+
+bool WallLocus::below_origin() const {
+    return errors && adhesion < -missing_errors(*this) * errors->adhesion;
+}
+
+WallLine WallLocus::line() const {
+    const WallErrors known = errors.value_or(WallErrors{});
+    return adheres() ? WallLine{adhesion, slope, known.slope}
+                     : WallLine{0, coefficient, known.coefficient};
 }
 
 std::vector<WallLocus> wall_loci(const BlockFile& file, const std::vector<IntervalSeries>& series,

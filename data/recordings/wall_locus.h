@@ -22,6 +22,13 @@ struct WallErrors {
     double slope = 0;        ///< [1]
 };
 
+/// Line of a wall yield locus that states the friction of the wall.
+struct WallLine {
+    double intercept = 0;    ///< shear stress at zero normal stress [Pa]
+    double slope = 0;        ///< friction coefficient of the wall [1]
+    double slope_error = 0;  ///< standard error [1]; 0 if not known
+};
+
 /// Wall yield locus: shear stress against normal stress of grains that slide along a wall.
 struct WallLocus {
     std::string test;  ///< name in the file
@@ -34,8 +41,14 @@ struct WallLocus {
     /// Empty for fewer than four points: with one degree of freedom, the scatter is not known.
     std::optional<WallErrors> errors;
 
-    /// Whether the line that fits best misses the origin by more than two standard errors.
+    /// Whether grains adhere to the wall: the line that fits best meets the axis above zero, by
+    /// more than its error allows by chance (97.5 %, Student's t).
     bool adheres() const;
+    /// Whether it meets the axis as clearly below zero, as no grains do.
+    bool below_origin() const;
+    /// Returns the line that all outputs take: the best one if the grains adhere, else that through
+    /// the origin.
+    WallLine line() const;
 };
 
 /// Returns the wall yield loci of a file, one for each test with two different normal stresses: of

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
+
+#include "data/recordings/straight_line.h"
 
 namespace pendular {
 namespace {
@@ -66,6 +67,7 @@ void add_preshear(LinearYieldLocus& locus, const PreshearPoint& preshear) {
 struct OwnPreshear {
     PreshearPoint point;
     std::size_t interval;
+    bool in_row = false;  ///< whether a row that is a point of failure states it
 };
 
 /// Preshear of the same test before an interval, or else the one that the file states; empty if
@@ -82,11 +84,12 @@ std::optional<OwnPreshear> preshear_before(const BlockFile& file,
             return OwnPreshear{point, i};
         }
     if (const auto normal = file.blocks[own].preshear_normal_stress)
-        return OwnPreshear{
-            {.normal_stress = *normal,
-             .shear_stress = file.blocks[own].preshear_shear_stress.value_or(std::nan("")),
-             .bulk_density = file.blocks[own].bulk_density},
-            own};
+        return OwnPreshear{{.normal_stress = *normal,
+                            .shear_stress = std::abs(
+                                file.blocks[own].preshear_shear_stress.value_or(std::nan(""))),
+                            .bulk_density = file.blocks[own].bulk_density},
+                           own,
+                           series[own].size() == 1};
     return std::nullopt;
 }
 
@@ -107,12 +110,16 @@ void compare_preshears(YieldLocus& locus, const std::vector<OwnPreshear>& of_poi
     std::vector<OwnPreshear> all;  // several points may follow one preshear
     for (const OwnPreshear& each : of_points)
         if (all.empty() || all.back().interval != each.interval) all.push_back(each);
-    const double n = static_cast<double>(all.size());
-    double normal = 0, shear = 0, squares = 0;
-    for (const OwnPreshear& each : all)
-        normal += each.point.normal_stress / n, shear += each.point.shear_stress / n;
-    for (const OwnPreshear& each : all)
-        squares += std::pow(each.point.shear_stress - shear, 2);
+    std::vector<double> normals, shears;  // a row may state the normal stress alone
+    for (const OwnPreshear& each : all) {
+        normals.push_back(each.point.normal_stress);
+        if (std::isfinite(each.point.shear_stress)) shears.push_back(each.point.shear_stress);
+    }
+    const double normal = mean_of(normals, 0, normals.size()),
+                 shear = mean_of(shears, 0, shears.size()), n = static_cast<double>(shears.size());
+    double squares = 0;
+    for (const double each : shears)
+        squares += std::pow(each - shear, 2);
     if (average) {
         locus.preshear->normal_stress = normal;
         locus.preshear->shear_stress = shear;
@@ -120,7 +127,7 @@ void compare_preshears(YieldLocus& locus, const std::vector<OwnPreshear>& of_poi
         set_mean(locus.preshear->height, all, &PreshearPoint::height);
     }
     // A table that repeats one value in each row tells of one preshear.
-    if (all.size() < 2 || !(squares > 0) || !(shear > 0)) return;
+    if (shears.size() < 2 || !(squares > 0) || !(shear > 0)) return;
     const double deviation = std::sqrt(squares / (n - 1));
     locus.preshear->shear_stress_error = average ? deviation / std::sqrt(n) : deviation;
     for (std::size_t i = 0; i < of_points.size(); ++i)
@@ -184,11 +191,6 @@ LinearYieldLocus locus_of_line(double intercept, double slope,
     return locus;
 }
 
-/// Variances and covariance of a line's intercept [Pa] and slope [1].
-struct LineCovariance {
-    double intercept = 0, slope = 0, both = 0;
-};
-
 /// Standard errors by central differences over a thousandth of the errors of the line.
 LocusErrors propagated_errors(const LinearYieldLocus& locus, double slope,
                               const std::optional<PreshearPoint>& preshear,
@@ -228,27 +230,11 @@ LocusErrors propagated_errors(const LinearYieldLocus& locus, double slope,
 LinearYieldLocus linear_yield_locus(const std::vector<double>& normal_stress,
                                     const std::vector<double>& shear_stress,
                                     const std::optional<PreshearPoint>& preshear) {
-    const double n = static_cast<double>(normal_stress.size());
-    const double x = std::accumulate(normal_stress.begin(), normal_stress.end(), 0.0) / n;
-    const double y = std::accumulate(shear_stress.begin(), shear_stress.end(), 0.0) / n;
-    double squares = 0, products = 0;
-    for (std::size_t i = 0; i < normal_stress.size(); ++i) {
-        squares += (normal_stress[i] - x) * (normal_stress[i] - x);
-        products += (normal_stress[i] - x) * (shear_stress[i] - y);
-    }
-    if (!(squares > 0)) throw std::invalid_argument("a line needs two different normal stresses");
-    const double slope = products / squares;
-    LinearYieldLocus locus = locus_of_line(y - slope * x, slope, preshear);
-    double residuals = 0;
-    for (std::size_t i = 0; i < normal_stress.size(); ++i)
-        residuals += std::pow(shear_stress[i] - y - slope * (normal_stress[i] - x), 2);
-    constexpr std::size_t fewest_points = 4;
-    if (normal_stress.size() < fewest_points) return locus;
-    const double variance = residuals / (n - 2);
-    locus.errors = propagated_errors(locus, slope, preshear,
-                                     {.intercept = variance * (1 / n + x * x / squares),
-                                      .slope = variance / squares,
-                                      .both = -variance * x / squares});
+    const auto line = straight_line(normal_stress, shear_stress);
+    if (!line) throw std::invalid_argument("a line needs two different normal stresses");
+    LinearYieldLocus locus = locus_of_line(line->intercept, line->slope, preshear);
+    if (line->covariance)
+        locus.errors = propagated_errors(locus, line->slope, preshear, *line->covariance);
     return locus;
 }
 
@@ -314,7 +300,8 @@ std::vector<YieldLocus> yield_loci(const BlockFile& file, const std::vector<Inte
     }
     for (std::size_t k = 0; k < loci.size(); ++k) {
         YieldLocus& locus = loci[k];
-        if (locus.preshear) compare_preshears(locus, preshears[k], prorate || file.table_of_points);
+        const bool table = std::ranges::all_of(preshears[k], &OwnPreshear::in_row);
+        if (locus.preshear) compare_preshears(locus, preshears[k], prorate || table);
         if (prorate) prorate_points(locus);
         locus.line = fitted(locus, &FailurePoint::normal_stress, &FailurePoint::shear_stress);
         locus.smoothed = fitted(locus, &FailurePoint::smoothed_normal_stress,

@@ -15,9 +15,11 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// Points of failure after a preshear of normal stress `pre` [Pa], about the line 0.1 pre + 0.45 s.
-std::string points(double pre) {
-    std::string text =
-        "Vorscherspannung [Pa];tau pre [Pa];Normalspannung [Pa];Schubspannung [Pa]\n";
+std::string points(double pre, const std::string& before =
+                                   "Vorscherspannung [Pa];tau pre [Pa];"
+                                   "Normalspannung [Pa];"
+                                   "Schubspannung [Pa]\n") {
+    std::string text = before;
     for (const int k : {1, 2, 3, 4, 5}) {
         const double s = 0.15 * k * pre;
         text += fmt::format("{};{:.1f};{:.1f};{:.1f}\n", pre, 0.56 * pre + k % 3, s,
@@ -45,11 +47,15 @@ std::string of_sheets(const TemporaryFolder& folder, const std::string& points) 
 /// Commands of docs/how-to/yield-locus.md on a German workbook, but for the calibration.
 TEST(YieldLoci, OfAGermanWorkbookBeginAStudy) {
     const TemporaryFolder folder;
-    const std::string book = of_sheets(folder, points(3000));
+    const std::string book = of_sheets(folder, points(4000, points(2000)));
     const std::string study = (folder.path() / "versuch").string(),
                       loci = (folder.path() / "loci.csv").string();
-    const Outcome run = run_pendular("import " + book + " --study " + study + " --loci " + loci);
+    const auto figures = folder.path() / "figures";
+    const Outcome run = run_pendular("import " + book + " --study " + study + " --figures " +
+                                     figures.string() + " --loci " + loci);
     EXPECT_EQ(run.code, 0) << run.errors;
+    EXPECT_THAT(run.output, HasSubstr("Flow function:"));
+    EXPECT_EQ(std::ranges::count(content_of(figures / "flow_function.csv"), '\n'), 3);
     expect_told({run.output, content_of(loci), content_of(study + "/study.toml")});
     const Outcome read = run_pendular("import " + study);
     EXPECT_EQ(read.code, 0) << read.errors << read.output;

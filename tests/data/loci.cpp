@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <functional>
+#include <random>
+#include <utility>
 
 #include "data/recordings/file_view.h"
 #include "data/recordings/locus_table.h"
@@ -53,6 +55,27 @@ TEST(Preshears, OfATableAreAveragedWithTheErrorOfTheirMean) {
     EXPECT_FALSE(same.points[0].prorating);
 }
 
+/// A shear stress that one row lacks, and the sign of a tester that turns the other way.
+TEST(Preshears, OfATableLackAValueAndHaveEitherSign) {
+    const TemporaryFolder folder;
+    const std::string header = "sigma pre [Pa],tau pre [Pa],Normal stress [Pa],Shear stress [Pa]\n";
+    const PreshearPoint mean =
+        view_of_file(folder.write("b.csv", header + "2000,,500,297\n2000,1000,1000,500\n" +
+                                               "2000,1010,1500,707\n"))
+            .loci.at(0)
+            .preshear.value();
+    EXPECT_NEAR(mean.shear_stress, 1005, 1e-9);
+    EXPECT_NEAR(mean.shear_stress_error.value(), 5, 1e-9);
+    const auto locus = [&](int sign) {
+        std::string text = header;
+        for (const double s : {500, 1000, 1500})
+            text += fmt::format("2000,{},{},{}\n", sign * 1000, s, sign * (100 + 0.4 * s));
+        return view_of_file(folder.write("s.csv", text)).loci.at(0);
+    };
+    EXPECT_EQ(locus(-1).preshear->shear_stress, 1000);
+    EXPECT_NEAR(*locus(-1).line->flowability, *locus(1).line->flowability, 1e-9);
+}
+
 /// The major principal stress of points that lie on a line without scatter about it is as uncertain
 /// as the preshear makes it: by its derivative, from a change by hand.
 TEST(Preshears, AddTheirErrorToThatOfTheMajorPrincipalStress) {
@@ -91,6 +114,40 @@ TEST(WallLocus, HasTheAngleOfWallFrictionWithItsError) {
     EXPECT_NEAR(wall.errors->adhesion, std::sqrt(8 * (0.25 + 2500.0 * 2500 / 5e6)), 1e-9);
     EXPECT_NEAR(wall.errors->coefficient, std::sqrt(16.0 / 3 / 30e6), 1e-9);
     EXPECT_FALSE(wall.adheres());
+}
+
+/// Residuals +2, -2, -2, +2 about a + 0.3 s at s = 1000, 2000, 3000, 4000: the error of a is 3.46
+/// Pa with two degrees of freedom, of which Student's t is 4.30.
+TEST(WallLocus, AdheresByStudentsTAndNeverBelowZero) {
+    const TemporaryFolder folder;
+    const auto wall = [&](double adhesion) {
+        std::string text = "Wall normal stress [Pa],Wall shear stress [Pa]\n";
+        for (const int k : {1, 2, 3, 4})
+            text += fmt::format("{},{}\n", 1000 * k, adhesion + 300 * k + (k % 3 == 1 ? 2 : -2));
+        return view_of_file(folder.write("w.csv", text)).walls.at(0);
+    };
+    EXPECT_NEAR(wall(10).errors->adhesion, std::sqrt(12), 1e-9);
+    EXPECT_FALSE(wall(10).adheres());  // 2.9 errors
+    EXPECT_TRUE(wall(20).adheres());   // 5.8 errors
+    EXPECT_FALSE(wall(-20).adheres());
+}
+
+TEST(WallLocus, IsShownByWholeWords) {
+    const TemporaryFolder folder;
+    const auto walls = [&](const std::string& name) {
+        const auto path =
+            folder.write("t.csv", fmt::format("{} [Pa],Shear stress [Pa]\n500,180\n1000,362\n"
+                                              "2000,728\n",
+                                              name));
+        FileFormat format;
+        format.named_columns["normal_stress"] = name + " [Pa]";
+        return view_of_file(path, format).walls.size();
+    };
+    for (const std::string name : {"Prepared load", "Gewandelte Last", "sigma wet"})
+        EXPECT_EQ(walls(name), 0u) << name;
+    for (const std::string name :
+         {"Wandnormalspannung", "wall_load", "sigma_w", "σw", "Last (Wand)"})
+        EXPECT_EQ(walls(name), 1u) << name;
 }
 
 TEST(WallLocus, NeedsEvidence) {
@@ -151,10 +208,10 @@ TEST(LeverArm, MakesTorquesOfForces) {
     expect_told({input_error([&] { fill_from_stresses(without, cell); })});
 }
 
-/// Series of 200 rows at constant load and speed with the given shear stress.
-IntervalSeries sheared(const std::function<double(int)>& stress) {
+/// Series of rows at constant load and speed with the given shear stress.
+IntervalSeries sheared(const std::function<double(int)>& stress, int rows = 200) {
     IntervalSeries series;
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < rows; ++i) {
         series.line.push_back(i + 2);
         series.time.push_back(0.1 * i);
         series.angular_velocity.push_back(0.5);
@@ -164,6 +221,46 @@ IntervalSeries sheared(const std::function<double(int)>& stress) {
     return series;
 }
 
+/// Independent noise, and noise of which each value keeps half of the one before.
+TEST(KindsOfShear, AreNoNoise) {
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal;
+    for (const double kept : {0.0, 0.5}) {
+        const auto shown = [&](double growth, double deviation) {
+            int growing = 0;
+            for (int trial = 0; trial < 600; ++trial) {
+                double noise = 0;
+                const IntervalSeries series = sheared(
+                    [&](int i) {
+                        noise = kept * noise + deviation * normal(random);
+                        return 300 * (1 + growth * i) * (1 + noise);
+                    },
+                    20);
+                growing += stress_growth(series).has_value();
+            }
+            return growing;
+        };
+        const int growing = shown(0, 0.05);
+        const int found = shown(0.2, 0.005);
+        EXPECT_GE(found, 590) << kept;
+        EXPECT_LE(growing, 6) << kept;  // 3 are expected at `finding_significance`
+    }
+}
+
+TEST(KindsOfShear, AreToldByTheColumnThatShowsThem) {
+    IntervalSeries growing = sheared([](int i) { return 5 + 1.5 * i; });
+    IntervalSeries saw =
+        sheared([](int i) { return 300 + 0.8 * (i % 120) + 0.01 * (i % 2); }, 2400);
+    EXPECT_THAT(stick_slip(saw).value_or(""),
+                testing::AllOf(HasSubstr("shear stress drops"), HasSubstr("every 126 rows")));
+    for (IntervalSeries* each : {&growing, &saw})
+        each->torque = std::exchange(each->shear_stress, {});
+    EXPECT_THAT(stress_growth(growing).value_or(""), HasSubstr("the torque still rises"));
+    EXPECT_THAT(stick_slip(saw).value_or(""), HasSubstr("the torque drops"));
+    growing.lever_force = std::exchange(growing.torque, {});
+    EXPECT_THAT(stress_growth(growing).value_or(""), HasSubstr("the lever force still rises"));
+}
+
 TEST(KindsOfShear, AreStressGrowthAndStickSlip) {
     const auto noise = [](int i) { return std::sin(12.9898 * i * i); };
     const auto growing = sheared([&](int i) { return 5 + 1.5 * i + noise(i); });
@@ -171,6 +268,7 @@ TEST(KindsOfShear, AreStressGrowthAndStickSlip) {
     const auto saw = sheared([&](int i) { return 300 + 8.0 * (i % 12) + noise(i); });
     const auto small = sheared([&](int i) { return 300 + 0.8 * (i % 12) + noise(i); });
     expect_told({stress_growth(growing).value_or(""), stick_slip(saw).value_or("")});
+    EXPECT_TRUE(stress_growth(sheared([](int i) { return 300 * (1 - std::exp(-i / 100.0)); })));
     EXPECT_FALSE(stress_growth(level) || stick_slip(level));
     EXPECT_FALSE(stress_growth(saw) || stick_slip(growing));
     EXPECT_FALSE(stick_slip(small));  // less than a tenth

@@ -58,7 +58,7 @@ void BlockFile::add_fact(Fact fact) {
 
 Row SourceLines::row(std::size_t line, char delimiter) const {
     return split_cells(lines[line], delimiter, {file, static_cast<int>(line) + 1},
-                       InnerQuotes::kept);
+                       InnerQuotes::kept, of_sheet);
 }
 
 bool is_blank(const Row& row) {

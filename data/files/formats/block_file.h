@@ -101,6 +101,7 @@ struct BlockFile {
 struct SourceLines {
     std::string file;
     std::vector<std::string_view> lines;
+    bool of_sheet = false;  ///< whether the lines are those of a sheet (`split_cells`)
 
     /// Splits the line with the index `line`, from 0, into cells.
     /// @throws InputError as `split_cells`

@@ -174,7 +174,7 @@ BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileForma
                                            : chosen_sheets(file_or_book, format.sheet).read.front();
     const FileText text = text_of_file(path, format);
     refuse_lists(path, text.decoded.text);
-    SourceLines source{path.string(), split_lines(text.decoded.text)};
+    SourceLines source{path.string(), split_lines(text.decoded.text), as_sheet(path).has_value()};
     BlockFile file;
     file.file = source.file;
     file.encoding = text.decoded.encoding;
