@@ -63,9 +63,9 @@ struct Finding {
 struct DiagnosisOptions {
     /// Significance level [1]: probability that a complete model is called incomplete.
     double significance = significant_p;
-    /// Smallest p value [1] at which a model with one further effect may be accepted if all such
-    /// models have p values below `significance`. A test at the 5 % level rejects one true model in
-    /// twenty; without `least_p`, the diagnosis would then name an effect that is not needed.
+    /// Smallest p value [1] at which a model with one further effect may be accepted although it is
+    /// below `significance`. A test at the 5 % level rejects one true model in twenty; without
+    /// `least_p`, the diagnosis would then name an effect that is not needed.
     double least_p = 0.01;
     /// Smallest power [1] at which an effect that the test does not find counts as excluded.
     double wanted_power = 0.8;

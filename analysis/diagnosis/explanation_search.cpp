@@ -83,6 +83,12 @@ class ExplanationSearch {
     /// chi2 below which a pair may be clearly better than all models that fit; infinite if none
     /// fits.
     double chi2_to_beat() const;
+    /// Accepts less probable models with one effect too (DiagnosisOptions::least_p): where none
+    /// fits, those that no other explanation outdoes; beside one that fits, those that the
+    /// criterion does not rule out, although a further effect would improve them: a test at the 5 %
+    /// level rejects one true model in twenty, and the rival would be named in its place.
+    void keep_less_probable(std::vector<FittedModel>& singles,
+                            const std::vector<FittedModel>& pairs);
     /// Decides between models with one effect, pairs and suspect measurements that fit.
     void prefer_one_effect();
     Eigen::VectorXd start_with(const EffectSet& chosen, const Eigen::MatrixXd& columns) const;
@@ -178,24 +184,29 @@ double ExplanationSearch::chi2_to_beat() const {
     return best - clearly_better * factor_on_variance(found_.tried);
 }
 
+void ExplanationSearch::keep_less_probable(std::vector<FittedModel>& singles,
+                                           const std::vector<FittedModel>& pairs) {
+    const bool others_fit = !singles.empty();
+    const double limit =
+        others_fit ? best_of(singles) + ruled_out
+                   : std::min(best_of(found_.fitting_suspects), best_of(pairs) + clearly_better);
+    for (FittedModel& each : found_.tried) {
+        if (each.accepted || each.suspect || each.chosen.size() != 1 || !each.fit.converged ||
+            !each.fit.determines_all())
+            continue;
+        const double p = others_fit ? 2 * each.lack_of_fit_p : each.p();
+        if (p < options_.least_p || criterion(each) > limit) continue;
+        each.accepted = true;
+        singles.push_back(each);
+    }
+}
+
 void ExplanationSearch::prefer_one_effect() {
     std::vector<FittedModel> singles, pairs;
     for (FittedModel& each : found_.fitting) {
         (each.chosen.size() == 1 ? singles : pairs).push_back(std::move(each));
     }
-    if (singles.empty()) {
-        // Less probable models with one effect, unless others explain the readings better.
-        const double limit =
-            std::min(best_of(found_.fitting_suspects), best_of(pairs) + clearly_better);
-        for (FittedModel& each : found_.tried) {
-            if (each.suspect || each.chosen.size() != 1 || !each.fit.converged ||
-                !each.fit.determines_all())
-                continue;
-            if (each.p() < options_.least_p || criterion(each) > limit) continue;
-            each.accepted = true;
-            singles.push_back(each);
-        }
-    }
+    keep_less_probable(singles, pairs);
     if (!pairs.empty()) {
         const double limit = best_of(singles) - clearly_better;
         std::erase_if(pairs, [&](const FittedModel& each) { return criterion(each) > limit; });

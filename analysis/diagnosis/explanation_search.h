@@ -37,10 +37,11 @@ bool looks_missing(const Finding& finding);
 /// not refitted if its predicted reduction of chi2 is clearly smaller than that by a model that was
 /// refitted and rejected.
 ///
-/// A model fits if FittedModel::p() is at least DiagnosisOptions::significance. If no model with
-/// one effect fits, those with p() of at least DiagnosisOptions::least_p are accepted too, unless a
-/// model with a suspect measurement explains the readings better or a pair of effects clearly
-/// better.
+/// A model fits if FittedModel::p() is at least DiagnosisOptions::significance. Models with one
+/// effect and a p value of at least DiagnosisOptions::least_p are accepted too: beside a model with
+/// one effect that fits, where only the lack of fit counts, if the difference of the criterion does
+/// not rule them out (`ruled_out`); elsewhere, unless a model with a suspect measurement explains
+/// the readings better or a pair of effects clearly better.
 Found search_explanations(const ModelSpace& space, const Evidence& evidence,
                           const DiagnosisOptions& options, const Explanations& explanations,
                           const Scanned& scanned);

@@ -101,11 +101,14 @@ void Rules::gather_models_that_fit() {
             result_.suspects.push_back(tests_.suspect_names[k]);
     }
     const auto& all = tests_.fitting.empty() ? tests_.fitting_suspects : tests_.fitting;
-    // Of two levels of one ladder that fit, the lower one says what is missing.
+    // Of two levels of one ladder that fit, the lower one says what is missing, unless it was kept
+    // although it is improbable.
     std::ranges::copy_if(
         all, std::back_inserter(result_.confidence_set), [&](const FittedModel& each) {
-            return std::ranges::none_of(
-                all, [&](const FittedModel& other) { return contains(each.chosen, other.chosen); });
+            return std::ranges::none_of(all, [&](const FittedModel& other) {
+                return contains(each.chosen, other.chosen) &&
+                       other.p() >= std::min(each.p(), significant_p);
+            });
         });
     keep_effects_that_explain_most();
 }

@@ -105,6 +105,22 @@ TEST(Diagnosis, KeepsAPairThatIsClearlyBetterThanOneEffectThatFits) {
     EXPECT_GE(both, 87);
 }
 
+TEST(Diagnosis, KeepsTheTruthBesideARivalThatPassesTheTest) {
+    const LinearSpace space = line_and(
+        {column("sine", [](double x) { return std::sin(8 * x); }),
+         column("imitator", [](double x) { return std::sin(8 * x) + 0.15 * std::sin(13 * x); })});
+    const Eigen::VectorXd truth =
+        plain() + 3 * over_places([](double x) { return std::sin(8 * x); });
+    Measuring measuring(13);
+    int wrong = 0;
+    for (unsigned study = 1; study <= 1000; ++study) {
+        const Diagnosis d = diagnose(space, measuring.of(truth), quickly(study));
+        wrong += d.verdict == Verdict::missing && d.effects == std::vector<std::string>{"imitator"};
+    }
+    // Measured: 7, and 13 where the test alone decides about the truth.
+    EXPECT_LE(wrong, 9);
+}
+
 TEST(Diagnosis, FindsTheSameInSeveralThreads) {
     const auto space = [] {
         return line_and({column("cube", [](double x) { return x * x * x; }),

@@ -206,6 +206,16 @@ TEST(Verdict, TakesTheLowestLevelOfALadder) {
     EXPECT_EQ(c.decisions[5], Decision::contains_missing);
 }
 
+TEST(Verdict, TakesNoImprobableLevelOfALadderAlone) {
+    TestResults tests = misfit();
+    fits_with(tests, {5});
+    fits_with(tests, {4});
+    tests.fitting[0].lack_of_fit_p = 0.5, tests.fitting[1].lack_of_fit_p = 0.01;
+    const Conclusion c = concluded(tests);
+    EXPECT_EQ(c.verdict, Verdict::indistinguishable);
+    EXPECT_THAT(c.effects, ElementsAre("first", "second"));
+}
+
 TEST(Verdict, IsSuspectMeasurementIfOnlyAnErrorOfMeasurementFits) {
     TestResults tests = misfit();
     fits_with_error_of(tests, "the readings of dry_1.csv");
