@@ -324,6 +324,10 @@ std::string unused_reason(const FileView& view) {
     });
     std::string reason = "it has neither steady shear nor points of failure";
     if (const std::string other = usual_reason(view); !other.empty()) reason = other;
+    if (sheared && is_recorded_in_tension(view))
+        reason =
+            "the normal force is negative in nearly all rows, where compression must be positive: "
+            "reverse the sign of the column in the file";
     if (sheared && !view.missing.empty())
         reason = fmt::format("it has no {}", fmt::join(view.missing, ", no "));
     return reason;

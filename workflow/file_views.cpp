@@ -26,12 +26,23 @@ void add_bulk_densities(FileView& view, const AnnularCell& cell, double grain_de
 
 }  // namespace
 
+bool is_recorded_in_tension(const FileView& view) {
+    return std::ranges::find(view.findings, Remark::Kind::no_compression, &Remark::kind) !=
+           view.findings.end();
+}
+
 bool has_steady_recording(const FileView& view) {
-    return view.missing.empty() && std::ranges::find(view.roles, std::string("steady"),
-                                                     &IntervalRole::role) != view.roles.end();
+    return view.missing.empty() && !is_recorded_in_tension(view) &&
+           std::ranges::find(view.roles, std::string("steady"), &IntervalRole::role) !=
+               view.roles.end();
 }
 
 void refuse_to_begin(const FileView& view) {
+    if (is_recorded_in_tension(view))
+        throw InputError({view.file.file},
+                         "the normal force is negative in nearly all rows, so that no study can "
+                         "begin with it; compression must be positive: reverse the sign of the "
+                         "column in the file");
     throw InputError(
         {view.file.file},
         fmt::format("shows neither steady shear nor points of failure, so that no study can "

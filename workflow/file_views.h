@@ -37,7 +37,11 @@ bool begins_study(const FileView& view);
 /// wall yield locus.
 bool is_used(const FileView& view);
 
-/// Whether a file has intervals of steady shear with all that a recording needs.
+/// Whether the normal force of a file is negative in nearly all rows, so that no row becomes a
+/// reading.
+bool is_recorded_in_tension(const FileView& view);
+
+/// Whether a file has intervals of steady shear under compression with all that a recording needs.
 bool has_steady_recording(const FileView& view);
 
 /// @throws InputError that says what a file lacks to begin a study with

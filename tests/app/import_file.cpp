@@ -289,7 +289,9 @@ TEST(Import, SaysTheReasonThatAllStepsShareAndEndsWithThree) {
         EXPECT_EQ(run.code, 2) << command;
         EXPECT_THAT(run.errors, reason) << command;
     }
-    expect_told({run_pendular("import " + file.string()).output});
+    const Outcome of_file = run_pendular("import " + file.string());
+    EXPECT_EQ(of_file.code, 2);
+    expect_told({of_file.output});
     folder.write("dry.csv", two_steps(1));
     EXPECT_EQ(run_pendular("import " + study).code, 0);
 }
