@@ -22,7 +22,6 @@
 #include "reports/draw_figure.h"
 #include "reports/run_report.h"
 #include "reports/simulation_figures.h"
-#include "sim/dem/grain_effects.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_table.h"
 #include "workflow/json/commands.h"

@@ -12,7 +12,6 @@
 #include "data/input_error.h"
 #include "reports/figure.h"
 #include "reports/figure_style.h"
-#include "sim/dem/grain_effects.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_columns.h"
 

@@ -9,7 +9,6 @@
 #include "data/quantities/quantity.h"
 #include "reports/with_error.h"
 #include "reports/words.h"
-#include "sim/dem/grain_effects.h"
 #include "sim/runs/run_request.h"
 #include "workflow/json/commands.h"
 

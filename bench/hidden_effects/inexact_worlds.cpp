@@ -275,7 +275,11 @@ std::vector<Truth> truths_of(const InexactWorldsOptions& options) {
                     return truth.name.starts_with(name);
                 }));
     });
-    set_separations(all, scatter);
+    // Replicates share the error of the model at their condition, which they do not average out.
+    std::array<double, 2> errors = scatter;
+    for (std::size_t o = 0; o < errors.size(); ++o)
+        errors[o] = std::hypot(scatter[o], std::sqrt(2.0) * usual_discrepancy[o]);
+    set_separations(all, errors);
     return all;
 }
 

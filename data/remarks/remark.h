@@ -55,6 +55,7 @@ struct Remark {
         impossible_value,
         saturated_column,
         other_speed_unit,
+        mixed_conditions,  ///< repetitions differ as readings at different speeds do
         far_files,
         far_condition,
         // Rows that are not averaged.

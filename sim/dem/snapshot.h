@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "sim/dem/shear_cell.h"
+#include "sim/dem/cell.h"
 
 namespace pendular::dem {
+
+class ShearCell;
 
 /// Pair of grains in contact or joined by a bridge, which other programs draw as a line between the
 /// centres.

@@ -12,6 +12,7 @@
 #include "data/formula_variant.h"
 #include "data/quantities/number.h"
 #include "sim/catalogue/effect.h"
+#include "sim/dem/grain_effects.h"
 
 namespace pendular {
 namespace {

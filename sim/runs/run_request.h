@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "data/reading.h"
-#include "sim/dem/grain_effects.h"
 #include "sim/dem/run.h"
 
 namespace pendular {

@@ -9,6 +9,7 @@
 
 #include "sim/dem/checkpoint.h"
 #include "sim/dem/run.h"
+#include "sim/dem/shear_cell.h"
 #include "sim/dem/snapshot.h"
 #include "sim/runs/run_request.h"
 #include "tests/support/app_support.h"

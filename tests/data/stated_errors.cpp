@@ -142,4 +142,30 @@ TEST(StatedErrors, AreNotRefutedByReplicatesOfAnotherCluster) {
     EXPECT_TRUE(std::isinf(all.scatter.correlation_freedom));
 }
 
+/// Doubts about a table of four normal stresses, each with two rows at each of three speeds, of
+/// which it states none.
+/// @param opposed whether the solid fraction is low where the stress ratio is high
+std::vector<Remark> doubts_about_speeds(bool opposed) {
+    std::mt19937_64 random(6);
+    std::normal_distribution<double> normal;
+    Measurements all;
+    for (const double stress : {400, 1000, 2000, 5000})
+        for (int row = 0; row < 6; ++row) {
+            const double by_speed = 0.08 * (row / 2 - 1), x = 0.01 * normal(random);
+            all.readings.push_back(
+                reading(stress, 0.33 * std::exp(by_speed + x),
+                        0.6 * std::exp((opposed ? -1 : 0) * by_speed / 7 + 0.2 * x), 0.01));
+        }
+    pool_replicates(all);
+    return all.doubts();
+}
+
+TEST(StatedErrors, DoNotHideRowsOfSeveralSpeeds) {
+    EXPECT_THAT(doubts_about_speeds(false), IsEmpty());
+    const std::vector<Remark> doubts = doubts_about_speeds(true);
+    ASSERT_EQ(doubts.size(), 1u);
+    EXPECT_EQ(doubts.front().kind, Remark::Kind::mixed_conditions);
+    expect_told(texts(doubts));
+}
+
 }  // namespace pendular::data_stated_errors_test

@@ -95,7 +95,7 @@ def all_cases(honest_copies, proof=False, seed=SEED):
             cases.append(Case(study, False, spoiling, seed))
             if len(cases) % 4 == 0:  # of each three without it
                 cases.append(Case(study, True, spoiling, seed))
-    for study in studies.PROOF if proof else studies.TRUTHS:
+    for study in (studies.PROOF | studies.PROOF_TABLES if proof else studies.TRUTHS):
         for seed in range(1, honest_copies + 1):
             fit_to = "all" if seed % 2 == 0 else "dry"
             cases.append(Case(study, seed % 3 == 0, seed=seed, fit_to=fit_to))
@@ -203,7 +203,7 @@ def budget_of(fit):
 def judged(case, answer, usual):
     """A row of the table."""
     row = {"study": case.study, "kind": case.kind, "size": case.size, "instrument": int(case.instrument),
-           "truth": (studies.TRUTHS | studies.PROOF)[case.study], "first_line": answer["said"].split("\n")[0][:200]}
+           "truth": (studies.TRUTHS | studies.PROOF | studies.PROOF_TABLES)[case.study], "first_line": answer["said"].split("\n")[0][:200]}
     fit = answer["fit"]
     if fit is None:
         row["fate"] = "refused" if answer["code"] == 2 else "failed"
@@ -289,7 +289,7 @@ def arguments():
     parser.add_argument("--program", dest="program_option", type=pathlib.Path, help="the same")
     parser.add_argument("--only", help="words, separated by commas: copies with one of them in study, kind or size")
     parser.add_argument("--few", action="store_true", help=f"{FEW} spoiled copies of all, no honest ones")
-    parser.add_argument("--proof", action="store_true", help="spoil two studies of other frictions, on which nothing in the program was chosen")
+    parser.add_argument("--proof", action="store_true", help="spoil three studies of other frictions, on which nothing in the program was chosen")
     parser.add_argument("--seed", type=int, default=SEED, help=f"seed of the noise of the spoiled studies (default: {SEED})")
     parser.add_argument("--honest", type=int, default=30, help="honest copies of each study (default: 30)")
     parser.add_argument("--jobs", type=int, default=1, help="copies at a time (default: 1)")
@@ -317,7 +317,7 @@ def chosen_cases(given):
 def usual_notes(laboratory, proof):
     """Notes on the unspoiled studies, by study, without their numbers."""
     usual = {}
-    for study in studies.PROOF if proof else studies.TRUTHS:
+    for study in (studies.PROOF | studies.PROOF_TABLES if proof else studies.TRUTHS):
         for instrument in (False, True):
             for fit_to in ("dry", "all"):
                 answer = laboratory.answer(Case(study, instrument, fit_to=fit_to))

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "data/formula_variant.h"
-#include "sim/dem/grain_effects.h"
 #include "sim/dem/series.h"
 #include "sim/runs/run_request.h"
 

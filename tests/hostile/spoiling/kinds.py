@@ -3,7 +3,7 @@ import math
 import random
 from dataclasses import dataclass, replace
 
-from studies import FORCE, GAP, PROOF, RECORDINGS, SPEED, STEP, TABLES, TIME, TORQUE, File, honest
+from studies import FORCE, GAP, PROOF, PROOF_TABLES, RECORDINGS, SPEED, STEP, TABLES, TIME, TORQUE, File, honest
 
 
 @dataclass
@@ -687,8 +687,9 @@ def pairs(count, seed=3):
 
 
 def proof():
-    """The single ways of recordings, for the studies on which nothing was chosen."""
-    return [replace(s, studies=list(PROOF)) for s in ALL if "glass" in s.studies]
+    """The single ways of recordings and of tables, for the studies on which nothing was chosen."""
+    return ([replace(s, studies=list(PROOF)) for s in ALL if "glass" in s.studies]
+            + [replace(s, studies=list(PROOF_TABLES)) for s in ALL if "lammps-table" in s.studies])
 
 
 def spoilings():

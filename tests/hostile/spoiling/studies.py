@@ -5,9 +5,10 @@ lammps-table  readings of the same states, as a table with standard errors and w
 polystyrene   recordings, friction 0.12: the states of examples/wet, beads without weight
 glass         recordings at constant speed, friction 0.16, with water (bench/laboratories/states.csv)
 
-Two more, on which nothing in the program was chosen, prove what the others suggest (spoilings.py --proof):
+Three more, on which nothing in the program was chosen, prove what the others suggest (spoilings.py --proof):
 glass-0.09    as glass, with friction 0.09 and in a narrower cell
 glass-0.25    as glass, with friction 0.25
+glass-table   readings of glass beads of friction 0.25, as a table with standard errors and without a cell
 
 instrument.py of bench/laboratories makes the recordings; nothing here uses code of Pendular.
 """
@@ -27,6 +28,7 @@ from instrument import G, Beads, Cell, Faults, Noise, Rig, Shown, States  # noqa
 
 TRUTHS = {"lammps": 0.11, "lammps-table": 0.11, "polystyrene": 0.12, "glass": 0.16}
 PROOF = {"glass-0.09": 0.09, "glass-0.25": 0.25}
+PROOF_TABLES = {"glass-table": 0.25}
 RECORDINGS = ["lammps", "polystyrene", "glass"]
 TABLES = ["lammps-table"]
 TIME, TORQUE, FORCE, GAP, SPEED, STEP = range(6)  # columns of a row [s, N m, N, m, rad/s, 1]
@@ -204,27 +206,42 @@ def glass(seed, name="glass", friction=0.16, cell=Cell(30e-3, 60e-3), mass=0.24)
     return recordings(name, seed, steps, cell, beads, mass, tension, ["grain-weight"], "decimal-comma")
 
 
-def lammps_table(seed):
-    source = random.Random(5000 + seed)
-    beads = Beads("polystyrene", 0.5e-3, 1050, 0.11)
-    study = Study("lammps-table", {"diameter": beads.diameter, "density": beads.density, "tension": 20.6e-3,
-                                   "angle": 0.0})
+def table_of(name, states, beads, tension, source):
+    """Readings of states, with errors of 1 % of the stress ratio and 0.2 % of the solid fraction."""
+    study = Study(name, {"diameter": beads.diameter, "density": beads.density, "tension": tension, "angle": 0.0})
     names = ["normal_stress [Pa]", "stress_ratio [1]", "stress_ratio_se [1]", "solid_fraction [1]",
              "solid_fraction_se [1]", "inertial_number [1]", "liquid_content [1]"]
     study.table = {name: [] for name in names}
-    for states in lammps_states().values():
-        for s in states:
-            ratio, fraction = (v * (1 + r * source.gauss(0, 1)) for v, r in ((s.ratio, 0.01), (s.fraction, 0.002)))
-            errors = math.hypot(0.01 * ratio, s.ratio_error), math.hypot(0.002 * fraction, s.fraction_error)
-            values = [s.stress, ratio, errors[0], fraction, errors[1], s.number, s.content]
-            for name, value in zip(names, values):
-                study.table[name].append(value)
+    for s in states:
+        ratio, fraction = (v * (1 + r * source.gauss(0, 1)) for v, r in ((s.ratio, 0.01), (s.fraction, 0.002)))
+        errors = math.hypot(0.01 * ratio, s.ratio_error), math.hypot(0.002 * fraction, s.fraction_error)
+        values = [s.stress, ratio, errors[0], fraction, errors[1], s.number, s.content]
+        for name, value in zip(names, values):
+            study.table[name].append(value)
     return study
+
+
+def lammps_table(seed):
+    states = [s for each in lammps_states().values() for s in each]
+    return table_of("lammps-table", states, Beads("polystyrene", 0.5e-3, 1050, 0.11), 20.6e-3, random.Random(5000 + seed))
+
+
+def glass_table(seed):
+    beads, tension = Beads("glass", 0.8e-3, 2500, 0.25), 72.8e-3
+    known = States(ROOT / "bench/laboratories/states.csv", beads.friction)
+    states = []
+    for content, stresses, numbers in ((0.0, (400, 1000, 2000, 5000), (0.004, 0.02, 0.08)),
+                                       (0.03, (710, 1400, 3400), (0.008, 0.035))):
+        for stress in stresses:
+            for number in numbers:
+                ratio, fraction = known.at(number, math.pi * tension / beads.diameter / stress, content)
+                states += 2 * [State(stress, number, content, ratio, fraction, 0.0, 0.0)]
+    return table_of("glass-table", states, beads, tension, random.Random(6000 + seed))
 
 
 MAKERS = {"lammps": lammps, "lammps-table": lammps_table, "polystyrene": polystyrene, "glass": glass,
           "glass-0.09": lambda seed: glass(seed, "glass-0.09", 0.09, Cell(33e-3, 55e-3), 0.15),
-          "glass-0.25": lambda seed: glass(seed, "glass-0.25", 0.25)}
+          "glass-0.25": lambda seed: glass(seed, "glass-0.25", 0.25), "glass-table": glass_table}
 
 
 def honest(name, seed=1):
