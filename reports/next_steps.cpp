@@ -388,7 +388,8 @@ void Steps::suspect() {
         return;
     }
     const std::vector<SuspectError> errors = suspect_errors(d_);
-    // A sensor that changed once is still wrong today; any other error is gone by now.
+    // A sensor that changed once is still wrong today: it is checked first. Any other error may be
+    // gone: the measurement is repeated first.
     const bool lasting = std::ranges::any_of(
         errors, [](const SuspectError& error) { return error.suspect.group == "changes in time"; });
     if (lasting) check_suspect_sensors(errors);

@@ -41,7 +41,6 @@ class RecordingCourse {
 
     /// Returns name and unit, such as "shear stress [Pa]".
     std::string label() const;
-    /// Returns the number of rows.
     std::size_t size() const { return values_.size(); }
 
     /// Returns pairs of row number, from 1, and value, without rows that have no value. Of more

@@ -25,7 +25,7 @@ struct Forecast {
     /// measurement.
     Eigen::VectorXd value;
     Eigen::MatrixXd from_parameters;  ///< covariance by errors of the fitted parameters
-    Eigen::MatrixXd from_simulation;  ///< covariance by errors of the simulation
+    Eigen::MatrixXd from_simulation;  ///< covariance by errors of the model
 };
 
 /// Returns the number of values that a measurement at a point gives.
@@ -35,7 +35,7 @@ inline Eigen::Index entries_at(const Point& point) {
 
 /// Returns what a rival with its fitted parameters predicts at the points, in their order: shear
 /// stress [Pa] and solid fraction [1] of a reading, or the parameter [its unit] of a direct
-/// measurement. The covariance is that of the simulation's errors.
+/// measurement. The covariance is that of the model's errors; 0 for direct measurements.
 Prediction predicted_at(const FittedModel& rival, const std::vector<Point>& points);
 
 /// Returns the variances of the errors of measurement [squared unit of each value], in the order of

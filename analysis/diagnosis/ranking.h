@@ -28,7 +28,7 @@ inline constexpr double clearly_better = 10;
 /// considerably less support. Above 2, since to keep a rival costs less than to miss it.
 inline constexpr double ruled_out = 7;
 /// Difference to the best model up to which simulations are spent on a model. Below `ruled_out`,
-/// since a round of simulations serves three models at most.
+/// since a round of simulations serves three models, and a simpler one, at most.
 inline constexpr double worth_simulating = 6;
 
 /// Returns Akaike's criterion [1].

@@ -41,7 +41,6 @@ struct Agreement {
     /// Returns the size of the misfits [1] in units of the errors, sqrt(chi2/dof).
     double in_errors() const;
 };
-/// Returns the name for output, such as "describes".
 std::string_view to_string(Agreement::Degree degree);
 
 /// Returns the agreement of readings with their prediction.

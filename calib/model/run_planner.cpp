@@ -144,8 +144,8 @@ std::vector<RunPlanner::Candidate> RunPlanner::candidates(
         all.push_back({state_at(friction), state_at(below), state_at(above)});
     };
     if (has_grain_effects(conditions)) {
-        // The amplitude of effects on grains depends on the reading: one run at each reading's own
-        // state.
+        // The amplitude of effects on grains depends on the reading: one candidate for each
+        // reading's own state.
         for (EffectiveCondition simulated : conditions) {
             if (simulated.dry() == wet) continue;
             simulated.inertial_number =
@@ -190,7 +190,9 @@ std::vector<FlowState> RunPlanner::most_informative(const std::vector<FlowState>
 
 void RunPlanner::improve(double friction, const std::vector<EffectiveCondition>& conditions,
                          double excess) {
-    confirmed_ = rounds_ > 0;  // until new runs disagree with the emulator
+    // The first round only fills gaps. `confirm` withdraws this if new runs disagree with the
+    // emulator or none could be made.
+    confirmed_ = rounds_ > 0;
     const auto wet = [](const EffectiveCondition& c) { return !c.dry(); };
     if (!std::ranges::all_of(conditions, wet)) {
         learn(friction, conditions, false, excess);
@@ -205,7 +207,8 @@ void RunPlanner::improve_wet(double friction, const std::vector<EffectiveConditi
     begin_wet(friction);
     // States outside the known range come first, regardless of the rounds for the dry readings.
     order_beyond(friction, conditions, true);
-    // The first runs only confirm; more are requested where predictions stay too uncertain.
+    // The first runs only confirm; more are requested where predictions stay too uncertain: a
+    // factor of 2 halves the variances.
     confirm(friction, conditions, true, began_wet_ ? 2 : 1);
     began_wet_ = true;
 }

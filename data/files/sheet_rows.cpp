@@ -80,7 +80,7 @@ std::string text_of_cell(const pugi::xml_node& cell, const SharedParts& shared) 
     if (type == "b") text = text == "1" ? "TRUE" : "FALSE";  // no number
     if (type.empty() || type == "n")
         text = shared.formats.text_of(text, cell.attribute("s").as_uint(0));
-    // A formula that gives a text without characters has an empty result.
+    // A formula without a stored result is shown as "=...". Type str without characters is a result.
     if (formula && (!value || (text.empty() && type != "str")))
         text = std::string("=") + formula.child_value();
     return unescaped(text);

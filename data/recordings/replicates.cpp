@@ -284,7 +284,8 @@ void Pooling::estimate_steps(bool scatter_is_stated) {
     for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
         std::vector<std::string>& files = scatter.groups[c].files;
         for (const std::size_t file : table_.clusters[c].files)
-            if (std::ranges::count(files, table_.files[file]) == 0)  // a table once, not by filling
+            // `table_.files` has a table once for each of its fillings.
+            if (std::ranges::count(files, table_.files[file]) == 0)
                 files.push_back(table_.files[file]);
     }
     for (const Eigen::Index o : {0, 1}) {

@@ -25,7 +25,8 @@ struct StepSeries : IntervalSeries {
 };
 
 /// Returns the rows of a step as evenly spaced data points. If any two neighbouring times are less
-/// than 0.5 or more than 1.5 times the median spacing apart, all columns are interpolated linearly.
+/// than 0.5 or more than 1.5 times the median spacing apart, torque, force, gap and speed are
+/// interpolated linearly, and columns that the instrument computed are dropped.
 /// If the lid turns and the torque is mostly negative, its sign is changed.
 /// @throws InputError at the first row whose torque has the rarer sign, if the lid turns and the
 ///         torque has both signs by more than noise

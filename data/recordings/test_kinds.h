@@ -7,8 +7,8 @@
 
 namespace pendular {
 
-/// Normal stress (or force) between which an interval is loaded throughout: as `speed_ramp` for the
-/// speed of the lid. Empty where it is constant, or has settled.
+/// Returns the words "load ramp: ..." for an interval whose normal stress or force still changes in
+/// its second half, as `speed_ramp` does for the speed of the lid; empty for others.
 std::optional<std::string> load_ramp(const IntervalSeries& series);
 
 /// Whether a table has a column that the points of a yield locus lack but readings of steady shear

@@ -112,7 +112,7 @@ std::string saturation_text(const Group& group) {
         "Saturation: the {} stands at its largest value, {}, in {:.0f} % of the rows of {}. {}",
         words_for_quantity(first.quantity), with_unit(first.quantity, first.size),
         100 * usual(group, &Remark::relative), places(group),
-        first.corrected ? "These rows are not used as if they were true."
+        first.corrected ? "A reading with more than 1 % of such rows is not used."
                         : "The true values are larger.");
 }
 
@@ -174,8 +174,10 @@ std::string sentence(const Group& group) {
             return stick_slip_text(group);
         case Kind::drift:
             return drift_text(group);
-        default:
+        case Kind::unfinished_run_in:
             return run_in_text(group);
+        default:
+            throw std::logic_error("a fault inside recordings has no words");
     }
 }
 
@@ -291,9 +293,11 @@ std::string done_about(const Remark& fault) {
                        : "A study leaves these rows out.";
         case Kind::hidden_rows:
             return "They are read; delete them if they are not to count.";
-        default:
+        case Kind::missed_set_point:
             return "The measured values are used, not the set points; check the control of the "
                    "instrument and the gap.";
+        default:
+            throw std::logic_error("a fault of a file says not what was done about it");
     }
 }
 

@@ -181,7 +181,8 @@ struct TangentialStep {
     }
 };
 
-/// Returns the torque of the tangential contact force of two equal grains, the same on both.
+/// Returns the torque of the tangential contact force of two equal grains, the same on both. For
+/// unequal grains, it is multiplied by `PairSizes::first_arm()` and `second_arm()`.
 /// @param tangential force on the second grain
 [[gnu::always_inline]] inline Xyz contact_torque(const ContactKinematics& kinematics,
                                                  const Xyz& tangential) {

@@ -141,7 +141,8 @@ Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diam
     if (count < ShearCell::fewest_grains) {
         throw std::invalid_argument("a sample needs at least 64 grains");
     }
-    // The cell is so tall that the sample is a cube once it has been compressed and flows.
+    // The base is that of a cube of the flowing sample; the cell is taller, so that grains placed at
+    // random find room.
     Sample sample{Grains(static_cast<std::size_t>(count)), {}};
     sample.grains.diameters = diameters;
     Cell& cell = sample.cell;

@@ -108,7 +108,7 @@ struct SourceLines {
     Row row(std::size_t line, char delimiter) const;
 };
 
-/// Whether all cells of a row are empty.
+/// Whether all cells of a row are empty or blank.
 bool is_blank(const Row& row);
 
 /// Returns the delimiter (tab, semicolon or comma; the earlier in this order if two are equally

@@ -15,8 +15,8 @@ struct ChosenSheets {
 /// Returns which sheets of a file are read. A file that is no workbook is read itself, as a path of
 /// a sheet is.
 /// @param wanted name of a sheet, or a pattern such as "* kPa"; empty: every sheet with a table
-///        (`holds_table`) or, if there is none, the first sheet, so that its reader says why. A
-///        sheet that the workbook hides is read only by its name.
+///        (`holds_table`) or, if there is none, the first one, so that its reader says why. A
+///        sheet that the workbook hides is read only by its name or if all are hidden.
 /// @throws InputError if the file cannot be read, if no sheet matches `wanted`, or if `wanted` is
 ///         given for a file that is no workbook
 ChosenSheets chosen_sheets(const std::filesystem::path& path, const std::string& wanted);
