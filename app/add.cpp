@@ -13,6 +13,7 @@
 #include "app/effect_options.h"
 #include "app/open_session.h"
 #include "data/input_error.h"
+#include "reports/change_figure.h"
 #include "reports/change_report.h"
 #include "reports/misfit_figures.h"
 #include "workflow/json/diagnosis.h"
@@ -38,8 +39,8 @@ change.
 const char* const about_both =
     R"(
 Writes fit.json, ladder.json (every model of the study so far, with its chi2 and RMS error) and the
-figure 'ladder' to the results folder. study.toml is changed last: it stays as it is if the fit does
-not converge or is interrupted.
+figures 'ladder' and 'change' (readings against the model, before and after) to the results folder.
+study.toml is changed last: it stays as it is if the fit does not converge or is interrupted.
 
 An emulator trained on Pendular's own simulations (the atlas) and all stored ones predicts the
 readings, at the fidelity of the study's earlier fit unless --fidelity is given. New simulations are
@@ -116,7 +117,8 @@ int change_study(Action what, const std::string& effect, const AddOptions& own,
     if (last || !changed.written) console.json(to_json(changed));
     console.print(change_output(changed));
     if (changed.written) {
-        console.figures(common.out_folder() / "figures", {ladder_figure(changed.ladder)});
+        console.figures(common.out_folder() / "figures",
+                        {ladder_figure(changed.ladder), change_figure(changed)});
         console.next(next_after(changed.change, changed.before.ladder_step,
                                 changed.comparable_after().ladder_step, belief.believable(),
                                 common.study_word()));

@@ -59,9 +59,7 @@ int compare(const std::vector<std::string>& arguments) {
     console.print(comparison_output(compared, where, session.measurements(), console.all()));
     console.json(json);  // before the figures, which need gnuplot
     std::vector<Figure> figures = comparison_figures(*compared.model, c, comparison);
-    for (Figure& figure : figures) {
-        if (!belief.believable()) figure.title += " (the fit is not to be used: see compare.json)";
-    }
+    if (!belief.believable()) mark_as_rejected(figures);
     console.figures(out / "figures", figures);
     const bool fits = belief.believable() && comparison.total.p() >= significant_p;
     if (replicate_groups(c.readings).size() > 1) {

@@ -32,9 +32,9 @@ residuals. The command fits all readings together, tests the residuals for every
 to the study, refits the model with the likely effects, and keeps the models with the fewest effects
 that describe the readings. Verdicts:
   nothing-missing       the model describes the readings, and every effect that they can reveal would
-                        have been detected at its smallest size of interest
+                        have been detected at the size that matters
   inconclusive          the model describes the readings, but they might not reveal some effects of
-                        the smallest size of interest
+                        the size that matters
   missing               one effect, or one set of effects, explains all or most of the misfit
   indistinguishable     several effects explain the residuals equally well
   suspect-measurement   an error in one condition, in one file, or in all files from one
@@ -57,8 +57,8 @@ Entries in the column 'decision' of the table of effects:
   outdone by a change       adding the effect explains the residuals, but a proposed change of unknown
                             cause does so clearly better
   no sign of it             something is missing, and the residuals do not resemble this effect
-  absent                    nothing is missing, and the effect would have been detected at its
-                            smallest size of interest
+  absent                    nothing is missing, and the effect would have been detected at the
+                            size that matters
   cannot be excluded        the readings might not reveal the effect at that size
   refit not converged       the fit with the effect did not converge: it is not tested
   cannot be seen            the readings do not reveal the effect even at the bounds of its parameter
@@ -71,19 +71,6 @@ command continues with them.)";
 
 /// Time for --confirm without a number [min].
 constexpr double usual_minutes = 5;
-
-std::vector<Figure> figures_of(const StudyDiagnosis& d, const std::optional<ImpactTable>& impacts) {
-    const Diagnosis& diagnosis = d.diagnosis;
-    const StudyModelSpace& models = *d.models;
-    std::vector<Figure> drawn = {diagnosis_figure(diagnosis, models)};
-    std::ranges::move(scan_figures(diagnosis, models), std::back_inserter(drawn));
-    if (!d.proposals.empty()) {
-        drawn.push_back(
-            proposal_figure(d.proposals.front(), d.readings, diagnosis.base.fit.prediction));
-    }
-    if (impacts) drawn.push_back(impact_figure(*impacts));
-    return drawn;
-}
 
 /// Proposed effects of a diagnosis, with a sentence on each as its summary.
 ProposedEffects proposed_of(const StudyDiagnosis& d) {
@@ -143,7 +130,7 @@ int diagnose(const std::vector<std::string>& arguments) {
                                     impacts, steps, session->resolved(), session->measurements(),
                                     common->study_word(), console.all()}));
     console.json(json);  // before the figures, which need gnuplot
-    console.figures(common->out_folder() / "figures", figures_of(d, impacts));
+    console.figures(common->out_folder() / "figures", diagnosis_figures(d, impacts));
     console.next(next_command(diagnosis, steps, common->study_word()));
     return diagnosis.base.fit.converged ? done : not_converged;
 }

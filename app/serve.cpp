@@ -17,6 +17,7 @@
 #include "app/terminal.h"
 #include "data/input_error.h"
 #include "data/study/study.h"
+#include "reports/change_figure.h"
 #include "reports/change_report.h"
 #include "reports/draw_figure.h"
 #include "reports/misfit_figures.h"
@@ -60,7 +61,8 @@ Answer change_study(Action action, const std::string& effect, const CommonOption
     for (const std::string& reason : changed.after.belief.reasons)
         answer.text += " Warning about the new fit: " + reason;
     try {
-        draw(ladder_figure(changed.ladder), common.out_folder() / "figures");
+        draw_all({ladder_figure(changed.ladder), change_figure(changed)},
+                 common.out_folder() / "figures");
     } catch (const std::exception& error) {
         answer.text += fmt::format(" The figure 'ladder' was not drawn: {}.", error.what());
     }

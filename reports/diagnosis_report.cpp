@@ -213,9 +213,8 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
     return fmt::format(
         "The model describes the readings (chi2/dof {:.2f}), which are inconclusive about {} "
         "effect{} "
-        "that could go undetected at {} smallest size of interest: {}.",
-        chi2_per_dof(d.base.fit.chi2, d.dof), d.effects.size(), one ? "" : "s",
-        one ? "its" : "their", some_of(d.effects));
+        "that could go undetected at the size that matters: {}.",
+        chi2_per_dof(d.base.fit.chi2, d.dof), d.effects.size(), one ? "" : "s", some_of(d.effects));
 }
 
 /// Sentence on how alike the effects of the verdict change the readings, beyond what the calibrated
@@ -373,10 +372,9 @@ std::string undetected_shift_line(const Diagnosis& d, const std::optional<Impact
     if (!largest) return "";
     const Parameter& friction = impacts->parameters.front();
     const double shift = largest->at_interest.best()(0);
-    return fmt::format(
-        "Of these, {} would change the {} most: by {}{} at its smallest size of interest.",
-        largest->name, parameter_in_words(friction.name), shift > 0 ? "+" : "",
-        with_unit(shift, friction.unit));
+    return fmt::format("Of these, {} would change the {} most: by {}{} at the size that matters.",
+                       largest->name, parameter_in_words(friction.name), shift > 0 ? "+" : "",
+                       with_unit(shift, friction.unit));
 }
 
 std::string inexactness_line(const StudyDiagnosis& study, const Study& stated) {

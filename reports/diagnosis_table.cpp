@@ -106,8 +106,8 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
             all ? fmt::format(" {:>10} {:>6} {:>8}", imitated, power, p) : std::string();
         return fmt::format("  {:<24} {:>26} {:>13}{}   {}", name, value, left, tests, decision);
     };
-    std::vector<std::string> lines = {
-        row("effect", "value in the model", "chi2/dof left", "imitated", "power", "p", "decision")};
+    std::vector<std::string> lines = {row("effect", "value in the model", "chi2/dof left",
+                                          "imitated", "detect", "p", "decision")};
     std::vector<const Finding*> findings;
     for (const Finding& finding : d.scan) {
         findings.push_back(&finding);
@@ -136,8 +136,8 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
     if (all) {
         lines.emplace_back(
             "  (imitated: share of the effect that a change of the fitted parameters can "
-            "reproduce. power: probability that these readings detect the effect at its smallest "
-            "size of interest. p: probability that chance alone makes the most significant of all "
+            "reproduce. detect: probability that these readings detect the effect at the size "
+            "that matters. p: probability that chance alone makes the most significant of all "
             "tests at least this significant.)");
     }
     return lines;

@@ -27,8 +27,9 @@ std::string block_name(std::size_t panel, std::size_t curve) {
 
 bool has_line(const Curve& curve) {
     using Style = Curve::Style;
-    return curve.style != Style::points && curve.style != Style::bars &&
-           curve.style != Style::bars_across && curve.style != Style::cells && !curve.x.empty();
+    return curve.style != Style::points && curve.style != Style::bars_across &&
+           curve.style != Style::cells && curve.style != Style::scale && curve.drawn &&
+           !curve.x.empty();
 }
 
 /// Gnuplot commands that define the data of lines and bands as named blocks, once for all file
@@ -141,18 +142,29 @@ std::vector<double> multiples(AxisRange range, const std::vector<double>& digits
     return tics;
 }
 
-/// Whether the numbers at these tics of a logarithmic axis of this width [in] do not touch.
-bool have_room(const std::vector<double>& tics, AxisRange range, double width) {
+/// Whether the numbers at two tics of a logarithmic axis of this width [in] do not touch.
+bool are_apart(double a, double b, AxisRange range, double width) {
     const auto width_of = [](double tic) {
         return width_of_character * static_cast<double>(fmt::format("{:g}", tic).size());
     };
+    const double distance = std::log(b / a) / std::log(range.second / range.first) * width;
+    return distance >= (width_of(a) + width_of(b)) / 2 + between_numbers;
+}
+
+bool have_room(const std::vector<double>& tics, AxisRange range, double width) {
     for (std::size_t k = 1; k < tics.size(); ++k) {
-        const double distance =
-            std::log(tics[k] / tics[k - 1]) / std::log(range.second / range.first) * width;
-        if (distance < (width_of(tics[k - 1]) + width_of(tics[k])) / 2 + between_numbers)
-            return false;
+        if (!are_apart(tics[k - 1], tics[k], range, width)) return false;
     }
     return true;
+}
+
+/// The first tic, and those of the others that are apart from the last one kept.
+std::vector<double> with_room(const std::vector<double>& tics, AxisRange range, double width) {
+    std::vector<double> kept;
+    for (const double tic : tics) {
+        if (kept.empty() || are_apart(kept.back(), tic, range, width)) kept.push_back(tic);
+    }
+    return kept;
 }
 
 /// List of tics for a logarithmic axis of this width [in]: the first of several series of digits
@@ -169,7 +181,7 @@ std::string tics_of_logarithm(AxisRange range, double width) {
             if (some.size() >= enough && have_room(some, range, width)) tics = some;
         }
     }
-    if (tics.empty()) tics = even_tics(range);
+    if (tics.empty()) tics = with_room(even_tics(range), range, width);
     std::vector<std::string> texts;
     for (const double tic : tics)
         texts.push_back(fmt::format("{:g}", tic));
@@ -184,9 +196,11 @@ std::string axes_script(const Panel& panel, const PanelPlace& place, const Page&
         "set border 31 linewidth 1.2\nset grid xtics ytics linecolor rgb '#e4e4e4'\n"
         "set ytics nomirror autofreq format '% h'\n";
     if (panel.log_y) {
-        text += panel.x_names.empty() ? "set logscale y\nset ytics format '10^{%T}'\n"
-                                      : "set logscale y\nset ytics (" +
-                                            tics_of_logarithm(place.y, tall) + ") format '%g'\n";
+        constexpr double decades = 100;  // from here on, powers of ten are enough
+        text += place.y.second > decades * place.y.first
+                    ? "set logscale y\nset ytics format '10^{%T}'\n"
+                    : "set logscale y\nset ytics (" + tics_of_logarithm(place.y, tall) +
+                          ") format '%g'\n";
     }
     if (!panel.y_names.empty()) text += "unset ytics\n";
     if (!panel.x_names.empty()) {
@@ -238,8 +252,7 @@ std::string panel_script(const Figure& figure, std::size_t p, const Page& page) 
 }
 
 std::string page_script(const Figure& figure, const Page& page, const Ink& marks) {
-    std::string text =
-        fmt::format("set multiplot title {} font ',13'\n", gnuplot_string(page.title));
+    std::string text = "set multiplot\n";
     for (std::size_t p = 0; p < figure.panels.size(); ++p) {
         text += panel_script(figure, p, page);
     }
@@ -252,13 +265,14 @@ struct Format {
     double dots_per_inch;  ///< resolution of the size given to gnuplot; 0: size in inches
     std::string_view end;
 };
+/// In all formats, texts have 9 pt on the page: the terminals of cairo take 96 dots for an inch.
 constexpr Format formats[] = {
     {"svg", "svg enhanced font 'DejaVu Sans,12' background rgb 'white' size", 96, "</svg>"},
     {"png",
-     "pngcairo enhanced font 'DejaVu Sans,12' fontscale 1.5 linewidth 1.5 pointscale 1.5 "
+     "pngcairo enhanced font 'DejaVu Sans,12' fontscale 1.25 linewidth 1.5 pointscale 1.5 "
      "size",
      160, "IEND"},
-    {"pdf", "pdfcairo enhanced font 'DejaVu Sans,12' fontscale 0.7 linewidth 1.6 size", 0,
+    {"pdf", "pdfcairo enhanced font 'DejaVu Sans,12' fontscale 0.75 linewidth 1.6 size", 0,
      "%%EOF"}};
 
 /// File in which gnuplot draws a figure.
@@ -333,8 +347,8 @@ Curve finite(Curve curve) {
         if (std::isfinite(curve.x[k]) && std::isfinite(curve.y[k])) keep.push_back(k);
     if (keep.size() == curve.x.size()) return curve;
     keep_places(curve.y_error, keep);
+    keep_places(curve.x_error, keep);
     keep_places(curve.names, keep);
-    keep_places(curve.from, keep);
     keep_places(curve.shade, keep);
     keep_places(curve.y, keep);
     keep_places(curve.x, keep);

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 
 #include "calib/model/run_design.h"
 #include "calib/model/study_state.h"
@@ -80,10 +80,11 @@ Curve runs_curve(const DryStudy& study, const Condition& condition, std::size_t 
                  double inertial_number) {
     const Calibration& c = study.calibration;
     const std::string without = names_of(study.effects(false));
-    Curve curve{.label = fmt::format("simulations{}, I = {:.3g}",
-                                     without.empty() ? "" : " without " + without, inertial_number),
-                .colour = run_colour,
-                .symbol = {Shape::circle, Filling::hollow}};
+    Curve curve{
+        .label = fmt::format("simulations{}, {}", without.empty() ? "" : " without " + without,
+                             inertial_text(inertial_number)),
+        .colour = run_colour,
+        .symbol = {Shape::circle, Filling::hollow}};
     for (const auto& run : c.runs) {
         if (!run.crystallised && !run.parameters.wetting && run.parameters.effects.empty() &&
             std::abs(run.parameters.inertial_number / inertial_number - 1) < 0.01) {
@@ -139,17 +140,6 @@ Shown corrected_mean(const DryStudy& study, const std::vector<std::size_t>& plac
     return mean_of(all);
 }
 
-/// Upper corner of a panel that a vertical line at `x` does not cross.
-Key key_beside(double x, const Panel& panel) {
-    double least = x, greatest = x;
-    for (const Curve& curve : panel.curves) {
-        for (const double each : curve.x) {
-            least = std::min(least, each), greatest = std::max(greatest, each);
-        }
-    }
-    return x < 0.5 * (least + greatest) ? Key::top_right : Key::top_left;
-}
-
 Figure calibration_figure(const DryStudy& study) {
     const Calibration& c = study.calibration;
     const std::vector<std::size_t> used = slowest_of(study);
@@ -158,54 +148,35 @@ Figure calibration_figure(const DryStudy& study) {
     const ModelCurve curve = against_friction(study, condition);
     const std::string corrected = names_of(study.effects(true)),
                       with = names_of(study.effects(false));
-    Figure figure{.name = "calibration",
-                  .title = fmt::format("Calibrated friction μ = {:.3f} ± {:.3f}{}",
-                                       study.friction(), c.fit.standard_error(0),
-                                       corrected.empty() ? "" : ", with " + corrected),
-                  .panels = {},
-                  .stacked = true};
+    Figure figure{
+        .name = "calibration",
+        .title = fmt::format("Friction coefficient fitted to the dry readings, μ = {:.3f} ± "
+                             "{:.3f}{}",
+                             study.friction(), c.fit.standard_error(0),
+                             corrected.empty() ? "" : ", with " + corrected),
+        .panels = {},
+        .stacked = true};
     const double slow = simulated_inertial_numbers(c).front();
     for (std::size_t o = 0; o < 2; ++o) {
         Panel panel{.x_label = friction_label,
                     .y_label = o == 0 ? stress_ratio_label : solid_fraction_label};
-        panel.references.push_back({corrected.empty() ? "measured, ± 1 standard error"
-                                                      : "corrected measurement, ± 1 standard error",
-                                    measured.value[o], measured.error[o], false, measured_colour});
-        panel.references.push_back({"calibrated, ± 1 standard error", study.friction(),
+        panel.references.push_back(
+            {corrected.empty()
+                 ? measured_text
+                 : fmt::format("measured, corrected for {}, ± 1 standard error", corrected),
+             measured.value[o], measured.error[o], false, measured_colour});
+        panel.references.push_back({"fitted μ, ± 1 standard error", study.friction(),
                                     c.fit.standard_error(0), true, calibrated_colour});
         panel.curves.push_back(runs_curve(study, condition, o, slow));
         if (panel.curves.back().x.empty()) panel.curves.pop_back();  // all of another number
-        const std::string label = fmt::format("model{}, {}", with.empty() ? "" : " with " + with,
-                                              inertial_text(condition.inertial_number));
-        curve.draw_in(panel, o, {.label = label, .colour = model_colour},
-                      label + ", ± 1 standard error");
-        if (o == 0) {
-            panel.key = key_beside(study.friction(), panel);
-            panel.headroom = 0.34;
-        }
+        const std::string label =
+            fmt::format("model{}, {}, ± 1 standard error", with.empty() ? "" : " with " + with,
+                        inertial_text(condition.inertial_number));
+        curve.draw_in(panel, o, {.label = label, .colour = model_colour}, label);
+        panel.key = o == 0;
         figure.panels.push_back(panel);
     }
     return figure;
-}
-
-/// Colour and symbol of one series of readings and of the model's predictions for the series.
-struct SeriesLook {
-    const char* colour;
-    Shape shape;
-};
-constexpr std::array<SeriesLook, 8> series_looks = {{{"#1f4fd8", Shape::circle},
-                                                     {"#d62728", Shape::square},
-                                                     {"#149339", Shape::triangle},
-                                                     {"#8e2fb5", Shape::diamond},
-                                                     {"#b9770e", Shape::downward_triangle},
-                                                     {"#0f8b8d", Shape::star},
-                                                     {"#111111", Shape::circle},
-                                                     {"#808080", Shape::square}}};
-
-/// Look of the series with this index. Steady shear and points of failure have up to eight series
-/// each, so that looks may repeat.
-const SeriesLook& look_of(std::size_t series) {
-    return series_looks[series % series_looks.size()];
 }
 
 /// Data of the figure against the inertial number: readings divided into series that one model
@@ -219,6 +190,8 @@ struct InertialFigure {
     std::vector<ModelCurve> model;  ///< model curve of each series
 
     bool parted() const { return series.size() > 1; }
+    /// Place of the quasi-static limit on the axis of inertial numbers [1].
+    double place_of_limit() const { return low * std::pow(high / low, 0.03); }
     /// Label of the data `what` of a series.
     std::string of(const std::string& what, const CurveGroup& one) const {
         return one.name.empty() ? what : what + ", " + one.name;
@@ -267,30 +240,29 @@ void draw_limit(Panel& panel, const std::vector<std::size_t>& quasi_static, cons
                 std::size_t o) {
     if (quasi_static.empty()) return;
     const auto [measured, model] = means_of(quasi_static, c, stack(c.readings).covariance);
+    panel.references.push_back({"measured, I → 0, ± 1 standard error", measured.value[o],
+                                measured.error[o], false, measured_colour});
     panel.references.push_back(
-        {"measured, quasi-static", measured.value[o], measured.error[o], false, measured_colour});
-    panel.references.push_back(
-        {"model, I → 0", model.value[o], model.error[o], false, calibrated_colour});
+        {"model, I → 0, ± 1 standard error", model.value[o], model.error[o], false, model_colour});
 }
 
-/// Draws the readings of series `s` with its model curve, and the prediction of each reading where
-/// a curve does not represent them or there are several series.
+/// Draws the readings of series `s` with its model curve, or the prediction of each reading where a
+/// curve does not represent them.
 void draw_series(Panel& panel, const InertialFigure& figure, std::size_t s, std::size_t o) {
     const CurveGroup& one = figure.series[s];
     const DryStudy& study = figure.study;
     const bool curve = figure.curves && one.curve;
-    Curve measured{.label = figure.of("measured", one), .colour = measured_colour};
-    Curve model{
-        .label = curve || figure.parted() ? figure.of("model at the readings", one) : "model",
-        .colour = model_colour,
-        .symbol = {.shape = Shape::square}};
-    Curve line{.label = figure.of("model", one), .colour = model_colour};
+    const SeriesLook look = figure.parted() ? look_of_series(s, figure.series.size())
+                                            : SeriesLook{.colour = model_colour};
+    Curve measured = measured_points(figure.of("measured", one), look);
+    Curve model = model_points(figure.of(model_at_readings_text, one), look);
+    Curve line = model_line(figure.of("model", one), look);
     if (figure.parted()) {
-        const SeriesLook& look = look_of(s);
-        measured.colour = model.colour = line.colour = look.colour;
-        measured.symbol = measured_symbol;
-        model.symbol = {look.shape, Filling::hollow};
         measured.in_key = model.in_key = line.in_key = false;
+    } else {
+        measured.label = measured_text;
+        measured.colour = measured_colour;
+        line.label = model_text;
     }
     std::vector<std::size_t> quasi_static;
     for (const std::size_t k : one.members) {
@@ -299,36 +271,32 @@ void draw_series(Panel& panel, const InertialFigure& figure, std::size_t s, std:
             quasi_static.push_back(k);
             continue;
         }
-        // A logarithmic axis has no zero: the quasi-static limit is drawn at the left edge.
-        const double x = number > 0 ? number : 1.06 * figure.low;
+        // A logarithmic axis has no zero: the quasi-static limit is drawn near the left edge.
+        const double x = number > 0 ? number : figure.place_of_limit();
         add_point(measured, x, study.measured(k), o);
         add_point(model, x, study.predicted(k), o);
     }
     draw_limit(panel, quasi_static, study.calibration, o);
+    const std::string band = figure.parted() ? line.label + ", ± 1 standard error" : line.label;
+    if (curve) figure.model[s].draw_in(panel, o, line, band);
     if (!measured.x.empty()) panel.curves.push_back(measured);
-    if (curve) figure.model[s].draw_in(panel, o, line, line.label + ", ± 1 standard error");
-    if (!model.x.empty() && (!curve || figure.parted())) panel.curves.push_back(model);
+    model.drawn = !curve;
+    if (!model.x.empty()) panel.curves.push_back(model);
 }
 
-/// Adds the key for several series: the colour and symbol of each series, then of each kind of
-/// data.
+/// Adds the key for several series: the look of each series, then of each kind of data.
 void explain_series(Panel& panel, const InertialFigure& figure) {
-    for (std::size_t s = 0; s < figure.series.size(); ++s) {
-        panel.curves.push_back({.label = figure.series[s].name,
-                                .colour = look_of(s).colour,
-                                .symbol = {look_of(s).shape, Filling::hollow}});
-    }
-    const auto kind = [&](const std::string& label, Curve::Style style, const Symbol& symbol = {}) {
+    std::vector<std::string> names;
+    for (const CurveGroup& one : figure.series)
+        names.push_back(one.name);
+    std::ranges::move(series_entries(names), std::back_inserter(panel.curves));
+    panel.curves.push_back(kind_entry(measured_text, Curve::Style::points));
+    const auto drawn = [&](const CurveGroup& one) { return figure.curves && one.curve; };
+    if (std::ranges::any_of(figure.series, drawn))
+        panel.curves.push_back(kind_entry(model_text, Curve::Style::line));
+    if (!std::ranges::all_of(figure.series, drawn))
         panel.curves.push_back(
-            {.label = label, .style = style, .colour = explaining_colour, .symbol = symbol});
-    };
-    kind("measured", Curve::Style::points, measured_symbol);
-    kind("model at the readings", Curve::Style::points, {Shape::circle, Filling::hollow});
-    if (figure.curves && std::ranges::any_of(figure.series, &CurveGroup::curve)) {
-        kind("model between them", Curve::Style::line);
-        kind("± 1 standard error", Curve::Style::band);
-    }
-    panel.key = Key::outside;
+            kind_entry(model_at_readings_text, Curve::Style::points, Filling::hollow));
 }
 
 bool has_limit(const DryStudy& study) {
@@ -341,11 +309,10 @@ Figure inertial_figure(const DryStudy& study) {
     std::vector<const Effect*> effects = study.effects(true);
     std::ranges::copy(study.effects(false), std::back_inserter(effects));
     Figure figure{.name = "inertial_number",
-                  .title = effects.empty()
-                               ? "Against the inertial number, at the calibrated friction"
-                               : fmt::format("Against the inertial number, friction μ = {:.3f}, "
-                                             "with {}",
-                                             study.friction(), names_of(effects)),
+                  .title = fmt::format("Dry readings against the inertial number, friction μ = "
+                                       "{:.3f}{}",
+                                       study.friction(),
+                                       effects.empty() ? "" : ", with " + names_of(effects)),
                   .panels = {},
                   .stacked = true};
     for (std::size_t o = 0; o < 2; ++o) {
@@ -357,12 +324,8 @@ Figure inertial_figure(const DryStudy& study) {
             draw_series(panel, plan, s, o);
         }
         panel.x_range = {plan.low, plan.high};
-        if (o == 0 && plan.parted()) {
-            explain_series(panel, plan);
-        } else if (o == 0) {
-            panel.key = Key::top_left;
-            panel.headroom = 0.3;
-        }
+        if (o == 0 && plan.parted()) explain_series(panel, plan);
+        panel.key = o == 0;
         figure.panels.push_back(panel);
     }
     return figure;

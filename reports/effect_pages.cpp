@@ -107,8 +107,8 @@ void add_lines(std::vector<std::string>& page, const char* name, const std::stri
 
 std::string parameter_text(const Effect& effect, const EffectParameter& p) {
     if (p.is_switch()) return fmt::format("{}, a switch (1 on, 0 off): {}", p.name, p.meaning);
-    return fmt::format("{}: {}; {}, no effect at {}, smallest size of interest {}", p.name,
-                       p.meaning, printed_bounds(p), neutral_text(effect, p),
+    return fmt::format("{}: {}; {}, no effect at {}, size that matters {}", p.name, p.meaning,
+                       printed_bounds(p), neutral_text(effect, p),
                        printed_value(p.smallest_of_interest, p));
 }
 
@@ -182,8 +182,7 @@ std::string parameter_row(const Effect& effect, const EffectParameter& p) {
 
 std::string parameter_table(const Effect& effect) {
     std::string text =
-        "| parameter | unit | bounds | value without effect | smallest size of interest | meaning "
-        "|\n"
+        "| parameter | unit | bounds | value without effect | size that matters | meaning |\n"
         "|---|---|---|---|---|---|\n";
     for (const EffectParameter& p : effect.parameters) {
         text += parameter_row(effect, p);

@@ -299,11 +299,11 @@ void set_ranges(std::vector<Pair>& all) {
 void add_key(Panel& panel) {
     const auto band = std::ranges::find(panel.curves, Curve::Style::band, &Curve::style);
     if (band != panel.curves.end()) {
-        Curve sample{.label = band->label, .style = Curve::Style::band, .colour = "#555555"};
+        Curve sample{
+            .label = band->label, .style = Curve::Style::band, .colour = explaining_colour};
         panel.curves.push_back(sample);
     }
-    panel.key = Key::top_right;
-    panel.headroom = band != panel.curves.end() ? 0.34 : 0.26;
+    panel.key = true;
 }
 
 /// Size of an effect in a figure: "torque 0.1 mN m", or "on" for a switch.
@@ -374,12 +374,11 @@ Figure signature_figure(const Effect& effect, const Study& study,
     }
     set_ranges(all);
     add_key(all.front().front());
-    all.front()[0].y_label = "change of shear stress [%]";
+    all.front()[0].y_label = "shear stress, change [%]";
     all.front()[1].y_label = "10^3 × change of Φ_S";
     Figure figure{.name = effect.name,
                   .title = plain_text(fmt::format("{}, {}", effect.name, size_text(effect, study))),
-                  .columns = all.size(),
-                  .small = true};
+                  .columns = all.size()};
     for (std::size_t row = 0; row < 2; ++row) {
         for (const Pair& panels : all) {
             figure.panels.push_back(panels[row]);

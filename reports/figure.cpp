@@ -68,10 +68,6 @@ std::string unescaped(const std::string& text) {
     return result;
 }
 
-std::size_t shown_characters(const std::string& text) {
-    return characters(unescaped(text));
-}
-
 std::vector<std::string> broken_name(const std::string& name) {
     constexpr std::size_t longest = 10;  // characters of a line, as wide as a bar with its gap
     std::vector<std::string> lines = {""};

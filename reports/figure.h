@@ -12,22 +12,27 @@ namespace pendular {
 
 /// Series of data in a panel. A curve without data only adds an entry to the key (legend).
 struct Curve {
-    /// `bars` begin at `from` or, without these values, at the x axis; `bars_across` are horizontal
-    /// and begin at x = 0. `cells` are squares of side 1 in the units of the axes.
-    enum class Style { points, line, dotted_line, dashed_line, band, bars, bars_across, cells };
+    /// `bars_across` are horizontal and begin at x = 0. `cells` are squares of side 1 in the units
+    /// of the axes. A `scale` is a sample in the key that runs through `colours`.
+    enum class Style { points, line, dotted_line, dashed_line, band, bars_across, cells, scale };
     std::string label;
     Style style = Style::points;
     std::vector<double> x, y;
     std::vector<double> y_error;  ///< standard errors of y: error bars, or half-width of a band
-    /// Texts at the points: at the ends of `bars`, inside `cells`. `bars_across` draws a text only
-    /// in a bar that the edge of the panel cuts off.
+    std::vector<double> x_error = {};  ///< standard errors of x: horizontal error bars of points
+    /// Texts at the points: above `points`, inside `cells`. `bars_across` draws a text only in a
+    /// bar that the edge of the panel cuts off.
     std::vector<std::string> names = {};
-    std::vector<double> from = {};   ///< values y at which bars begin; empty: at the x axis
     std::vector<double> shade = {};  ///< strength of each cell's colour, from 0 (invisible) to 1
+    std::vector<std::string> colours = {};  ///< of a `scale`, from its first to its last value
     std::string colour = "#000000";
     Symbol symbol = {};
-    double weight = 1;     ///< width of the line over the usual width [1]
+    std::string dash = {};  ///< of a line, in gnuplot's syntax; empty: that of `style`
+    double weight = 1;      ///< width of the line over the usual width [1]
+    /// Whether the sample of a line in the key has a band behind it, and the symbol on it.
+    bool banded = false, marked = false;
     double area = 1;       ///< area of the symbols over the usual area [1]
+    bool drawn = true;     ///< otherwise only the CSV file has the values
     bool in_key = true;    ///< whether the key has an entry
     bool in_table = true;  ///< whether the CSV file has the values
 };
@@ -41,19 +46,18 @@ struct Reference {
     std::string colour = "#888888";
 };
 
-/// Place of the key: in a corner of the axes, or to the right of the axes.
-enum class Key { none, top_left, top_right, bottom_left, bottom_right, outside };
-
 /// Pair of axes with the data drawn in it.
 struct Panel {
     std::string x_label, y_label;  ///< with units
+    std::string heading = {};      ///< above the axes
     bool log_x = false, log_y = false;
     std::vector<Reference> references;  ///< reference lines, drawn behind the curves
     std::vector<Curve> curves;
     bool diagonal = false;   ///< line y = x and equal ranges of both axes
     bool zero_line = false;  ///< line y = 0, included in the y axis
-    Key key = Key::none;
-    double headroom = 0;  ///< share of the height kept free above the data, for the key [1]
+    /// Whether the entries of the panel stand in a key: above its axes or, where no other panel of
+    /// the figure has a key, below the title.
+    bool key = false;
     std::optional<std::pair<double, double>> x_range = {};
     /// Names at x = 1, 2, ... in place of numbers, each a list of lines.
     std::vector<std::vector<std::string>> x_names = {};
@@ -62,7 +66,9 @@ struct Panel {
     std::vector<std::string> y_names = {};
     bool y_from_zero = false;  ///< whether y includes 0; a logarithmic axis never does
     double y_least = 0;        ///< the y axis includes +-y_least; 0: no such range
-    std::optional<std::pair<double, double>> y_range = {};  ///< without headroom
+    std::optional<std::pair<double, double>> y_range = {};
+    /// Whether x is an uncertain quantity as y is, so that points with an error of y have one of x.
+    bool x_uncertain = false;
 };
 
 /// Panels under one title, in rows or stacked.
@@ -72,7 +78,6 @@ struct Figure {
     std::vector<Panel> panels;
     bool stacked = false;     ///< panels one above the other instead of side by side
     std::size_t columns = 0;  ///< panels in a row; 0: all
-    bool small = false;       ///< small panels, for figures with many
 };
 
 // Texts of figures use the markup of gnuplot's enhanced text mode: "σ_{22}" has a subscript. Names,
@@ -84,9 +89,6 @@ std::string plain_text(const std::string& text);
 
 /// Returns a text without the escapes of `plain_text`; markup such as "_{22}" stays.
 std::string unescaped(const std::string& text);
-
-/// Returns the number of characters without the escapes of `plain_text`. Markup counts.
-std::size_t shown_characters(const std::string& text);
 
 /// Breaks a name into short, escaped lines for an x axis: "capillary-", "shear-", "stress". Lines
 /// end at line ends, after a hyphen if the line would exceed 10 characters, and inside a word of

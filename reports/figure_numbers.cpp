@@ -43,6 +43,14 @@ bool has_cells(const Figure& figure) {
     });
 }
 
+/// Whether points have errors of x, which a column of the table states.
+bool has_x_errors(const Figure& figure) {
+    return std::ranges::any_of(figure.panels, [](const Panel& panel) {
+        return std::ranges::any_of(panel.curves,
+                                   [](const Curve& curve) { return !curve.x_error.empty(); });
+    });
+}
+
 /// Writes the CSV rows of one panel.
 class PanelRows {
   public:
@@ -51,7 +59,8 @@ class PanelRows {
           names_(names_along(panel, figure)),
           number_(static_cast<std::size_t>(&panel - figure.panels.data()) + 1),
           rows_(has_rows(figure)),
-          cells_(has_cells(figure)) {}
+          cells_(has_cells(figure)),
+          x_errors_(has_x_errors(figure)) {}
 
     std::string text() {
         for (const Reference& r : panel_.references) {
@@ -64,7 +73,8 @@ class PanelRows {
                 add(curve.label, fmt::format("{}", curve.x[k]), fmt::format("{}", curve.y[k]),
                     curve.y_error.empty() ? "" : fmt::format("{}", curve.y_error[k]),
                     name_at(curve.x[k]), row_at(curve.y[k]),
-                    curve.style == Curve::Style::cells ? fmt::format("{}", curve.shade[k]) : "");
+                    curve.style == Curve::Style::cells ? fmt::format("{}", curve.shade[k]) : "",
+                    curve.x_error.empty() ? "" : fmt::format("{}", curve.x_error[k]));
             }
         }
         for (std::size_t k = 0; k < names_.size(); ++k) {
@@ -96,19 +106,20 @@ class PanelRows {
     }
     void add(const std::string& curve, const std::string& x, const std::string& y,
              const std::string& error, const std::string& x_name, const std::string& y_name = "",
-             const std::string& value = "") {
+             const std::string& value = "", const std::string& x_error = "") {
         text_ +=
             fmt::format("{},{},{},{},{},{},{},{}\n", number_, csv_text_cell(unescaped(curve)), x, y,
                         error, csv_text_cell(x_name), csv_text_cell(unescaped(panel_.x_label)),
                         csv_text_cell(unescaped(panel_.y_label)));
         if (rows_) text_.insert(text_.size() - 1, "," + csv_text_cell(y_name));
         if (cells_) text_.insert(text_.size() - 1, "," + value);
+        if (x_errors_) text_.insert(text_.size() - 1, "," + x_error);
     }
 
     const Panel& panel_;
     const Names& names_;
     std::size_t number_;
-    bool rows_, cells_;
+    bool rows_, cells_, x_errors_;
     std::set<std::size_t> named_;  ///< indices of the names with a point
     std::string text_;
 };
@@ -119,6 +130,7 @@ std::string numbers_table(const Figure& figure) {
     std::string text = "panel,curve,x,y,y_error,x_name,x_label,y_label";
     if (has_rows(figure)) text += ",y_name";
     if (has_cells(figure)) text += ",value";
+    if (has_x_errors(figure)) text += ",x_error";
     text += '\n';
     for (const Panel& panel : figure.panels) {
         text += PanelRows(figure, panel).text();

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-
-#include "data/quantities/number.h"
 
 namespace pendular {
 
@@ -101,7 +100,80 @@ std::string names_of(const std::vector<const Effect*>& effects) {
 }
 
 std::string inertial_text(double inertial_number) {
-    return inertial_number == 0 ? "I → 0" : "I = " + nominal_text(inertial_number);
+    // Rates of shear are held to 1 or 2 %: a third digit would only repeat their scatter.
+    return inertial_number == 0 ? "I → 0" : fmt::format("I = {:.2g}", inertial_number);
+}
+
+namespace {
+
+/// Dark enough on white paper, and told apart by colour-blind readers with the shapes and dashes.
+const std::array<SeriesLook, most_named_series> named_looks = {
+    {{"#0b62a4", Shape::circle, "solid"},
+     {"#c0392b", Shape::square, "(8,3)"},
+     {"#1e8449", Shape::triangle, "(8,3,2,3)"},
+     {"#6c3483", Shape::downward_triangle, "(3,3)"}}};
+/// Colours from dark to light, with evenly rising lightness. Source: viridis of matplotlib, without
+/// its lightest fifth.
+constexpr std::array<std::array<double, 3>, 5> scale = {
+    {{68, 1, 84}, {62, 74, 137}, {38, 130, 142}, {53, 183, 121}, {122, 209, 81}}};
+
+std::string colour_on_scale(double share) {
+    const double at = share * static_cast<double>(scale.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(at), scale.size() - 2);
+    const double part = at - static_cast<double>(below);
+    std::array<int, 3> mixed{};
+    for (std::size_t k = 0; k < mixed.size(); ++k) {
+        mixed[k] = static_cast<int>(
+            std::lround(scale[below][k] + part * (scale[below + 1][k] - scale[below][k])));
+    }
+    return fmt::format("#{:02x}{:02x}{:02x}", mixed[0], mixed[1], mixed[2]);
+}
+
+}  // namespace
+
+SeriesLook look_of_series(std::size_t k, std::size_t count) {
+    if (count <= most_named_series) return named_looks[k];
+    return {colour_on_scale(static_cast<double>(k) / static_cast<double>(count - 1))};
+}
+
+Curve measured_points(const std::string& label, const SeriesLook& look) {
+    return {.label = label, .colour = look.colour, .symbol = {look.shape, Filling::filled}};
+}
+
+Curve model_points(const std::string& label, const SeriesLook& look) {
+    return {.label = label, .colour = look.colour, .symbol = {look.shape, Filling::hollow}};
+}
+
+Curve model_line(const std::string& label, const SeriesLook& look) {
+    return {.label = label,
+            .style = Curve::Style::line,
+            .colour = look.colour,
+            .symbol = {look.shape, Filling::filled},
+            .dash = look.dash};
+}
+
+std::vector<Curve> series_entries(const std::vector<std::string>& names) {
+    std::vector<Curve> entries;
+    if (names.size() > most_named_series) {
+        Curve all{.label = names.front() + " to " + names.back(), .style = Curve::Style::scale};
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            all.colours.push_back(look_of_series(k, names.size()).colour);
+        }
+        return {all};
+    }
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        entries.push_back(model_line(names[k], look_of_series(k, names.size())));
+        entries.back().marked = true;
+    }
+    return entries;
+}
+
+Curve kind_entry(const std::string& label, Curve::Style style, Filling filling) {
+    return {.label = label,
+            .style = style,
+            .colour = explaining_colour,
+            .symbol = {Shape::circle, filling},
+            .banded = style == Curve::Style::line};
 }
 
 }  // namespace pendular

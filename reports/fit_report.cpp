@@ -20,8 +20,8 @@ namespace pendular {
 
 std::string warning_on(const Belief& belief, const std::string& what) {
     if (belief.believable()) return "";
-    return fmt::format("Do not use {}{}. {}", what, belief.meaningless ? ": it is meaningless" : "",
-                       as_sentence(belief.reasons.front()));
+    return fmt::format("{} Do not use {}{}.", as_sentence(belief.reasons.front()), what,
+                       belief.meaningless ? ": it is meaningless" : "");
 }
 
 void add_doubts(Output& output, const Belief& belief, std::size_t named_already,

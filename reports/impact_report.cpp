@@ -96,7 +96,7 @@ std::vector<std::string> impact_table(const ImpactTable& table) {
     const std::size_t width = width_of(table);
     std::vector<std::string> lines = {fmt::format(
         "  {:<{}} {:>14} {:>10} {:>14} {:>10} {:>9} {:>7}", "shift of " + parameter + " by", width,
-        "smallest size", "shift", "estimate", "shift", "per error", "pull")};
+        "matters from", "shift", "estimate", "shift", "per error", "errors")};
     std::size_t negligible = 0;
     for (const Impact& impact : table.impacts) {
         const std::array shifts = {impact.at_interest.best()(0), impact.at_estimate.best()(0),
@@ -122,8 +122,8 @@ std::vector<std::string> impact_table(const ImpactTable& table) {
     }
     lines.push_back(fmt::format(
         "  (shift of the fitted {} with the effect or the error of measurement in the model; "
-        "smallest size: the smallest size of interest; *: linear, without a refit; per error: for "
-        "one standard error of the estimate; pull: distance of the estimate from no effect, in "
+        "matters from: the size that matters; *: linear, without a refit; per error: for one "
+        "standard error of the estimate; errors: distance of the estimate from no effect, in "
         "standard errors; sum: root of the sum of squares)",
         parameter));
     return lines;
@@ -161,13 +161,13 @@ double reach_of(std::vector<double> lengths) {
 Panel shift_panel(const ImpactTable& table, const std::vector<const Impact*>& rows) {
     const std::string& parameter = table.parameters.front().name;
     Panel panel{.x_label = "10^3 × shift of " + plain_text(parameter), .y_label = ""};
-    Curve up{.label = "estimate plus its standard error",
+    Curve up{.label = "estimate of the effect plus its standard error",
              .style = Curve::Style::bars_across,
              .colour = model_colour},
-        down{.label = "estimate minus its standard error",
+        down{.label = "estimate of the effect minus its standard error",
              .style = Curve::Style::bars_across,
-             .colour = calibrated_colour},
-        interest{.label = "effect of the smallest size of interest",
+             .colour = "#f0a050"},  // lighter than the other bars in grey too
+        interest{.label = "effect of the size that matters",
                  .colour = measured_colour,
                  .symbol = {Shape::diamond, Filling::hollow}};
     const double error = in_thousandths * table.errors(0);
@@ -188,7 +188,7 @@ Panel shift_panel(const ImpactTable& table, const std::vector<const Impact*>& ro
         panel.y_names.push_back(plain_text(impact_name(*rows[k])));
     }
     const double reach = reach_of(reaches);
-    // Shifts far beyond the bars, of effects of the smallest size of interest, would shrink them:
+    // Shifts far beyond the bars, of effects of the size that matters, would shrink them:
     // left out.
     for (std::size_t k = interest.x.size(); k-- > 0;) {
         if (std::abs(interest.x[k]) > 1.05 * reach) {
@@ -198,17 +198,15 @@ Panel shift_panel(const ImpactTable& table, const std::vector<const Impact*>& ro
     }
     panel.curves = {up, down, interest};
     panel.references = {
-        {"standard error of the fitted " + plain_text(parameter), 0, error, true, "#888888"}};
+        {"fitted " + plain_text(parameter) + ", ± 1 standard error", 0, error, true, "#888888"}};
     panel.x_range = {-1.08 * reach, 1.08 * reach};
-    panel.key = Key::top_left;
-    panel.headroom = 0.2;
+    panel.key = true;
     return panel;
 }
 
 Panel pull_panel(const std::vector<const Impact*>& rows) {
-    Panel panel{.x_label = "pull: (estimate - value without effect) / standard error",
-                .y_label = ""};
-    Curve pulls{.label = "pull", .colour = measured_colour};
+    Panel panel{.x_label = "distance from no effect/standard error", .y_label = ""};
+    Curve pulls{.label = "estimate of the effect", .colour = measured_colour};
     double reach = 3;
     for (std::size_t k = 0; k < rows.size(); ++k) {
         pulls.x.push_back(rows[k]->pull());
@@ -217,10 +215,9 @@ Panel pull_panel(const std::vector<const Impact*>& rows) {
         panel.y_names.emplace_back();
     }
     panel.curves = {pulls};
-    panel.references = {{"no effect, within one standard error", 0, 1, true, "#888888"}};
+    panel.references = {{"no effect, ± 1 standard error", 0, 1, true, "#888888"}};
     panel.x_range = {-1.08 * reach, 1.08 * reach};
-    panel.key = Key::top_left;
-    panel.headroom = 0.2;
+    panel.key = true;
     return panel;
 }
 

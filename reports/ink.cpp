@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reports/figure.h"
+#include "reports/text_width.h"
 
 namespace pendular {
 namespace {
@@ -42,9 +43,9 @@ void Ink::area(Outline closed, const std::string& colour, double opacity) {
         std::move(closed));
 }
 
-void Ink::label(const std::string& text, PaperPoint place, const char* alignment) {
+void Ink::label(const std::string& text, PaperPoint place, const std::string& options) {
     labels_.push_back(fmt::format("set label {} {} at first {},{} {} front\n", labels_.size() + 1,
-                                  gnuplot_string(text), place.x, place.y, alignment));
+                                  gnuplot_string(text), place.x, place.y, options));
 }
 
 void Ink::text(const std::string& text, PaperPoint place, bool end_there) {
@@ -53,6 +54,10 @@ void Ink::text(const std::string& text, PaperPoint place, bool end_there) {
 
 void Ink::centred(const std::string& text, PaperPoint place) {
     label(text, place, "center");
+}
+
+void Ink::title(const std::string& text, PaperPoint place) {
+    label(text, place, fmt::format("center font ',{}'", title_size));
 }
 
 void Ink::symbol(const Symbol& symbol, PaperPoint place, double area, const std::string& colour) {

@@ -29,6 +29,8 @@ class Ink {
     void text(const std::string& text, PaperPoint place, bool end_there);
     /// Adds a text with its centre at a point.
     void centred(const std::string& text, PaperPoint place);
+    /// Adds a text in the size of titles with its centre at a point.
+    void title(const std::string& text, PaperPoint place);
     /// Adds the symbol of a data point, with its centre of area at `place`.
     /// @param area [inch^2]
     void symbol(const Symbol& symbol, PaperPoint place, double area, const std::string& colour);
@@ -46,7 +48,7 @@ class Ink {
         std::vector<Outline> pieces;
     };
     void add(const std::string& style, Outline points);
-    void label(const std::string& text, PaperPoint place, const char* alignment);
+    void label(const std::string& text, PaperPoint place, const std::string& options);
 
     std::vector<Layer> layers_;  ///< in the order of drawing
     std::vector<std::string> labels_;

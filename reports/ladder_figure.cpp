@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "reports/figure.h"
@@ -12,7 +13,8 @@
 namespace pendular {
 namespace {
 
-constexpr std::size_t most_ladder_steps = 10;  ///< the last ones; names along x must not touch
+/// The last steps, whose names along x fit beside one another over the width of a page.
+constexpr std::size_t most_ladder_steps = 8;
 
 std::vector<std::string> name_of(const LadderStep& ladder_step) {
     if (ladder_step.change == "start") {
@@ -37,11 +39,32 @@ std::string number(double value) {
     return fmt::format("{:.{}f}", value, value < 0.995 ? 2 : value < 9.95 ? 1 : 0);
 }
 
+/// Staircase of values, level at each step and vertical between two, so that a text above a step is
+/// clear of it; interrupted where the ladder starts anew.
+Curve staircase(const Curve& points, const Ladder& ladder) {
+    constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+    Curve line{.style = Curve::Style::line,
+               .colour = points.colour,
+               .weight = 0.8,
+               .in_key = false,
+               .in_table = false};
+    for (std::size_t k = 0; k < points.x.size(); ++k) {
+        const auto step = static_cast<std::size_t>(std::lround(points.x[k])) - 1;
+        if (k > 0 && ladder[step].change == "start") {
+            line.x.push_back(gap);
+            line.y.push_back(gap);
+        }
+        for (const double side : {-0.5, 0.5}) {
+            line.x.push_back(points.x[k] + side);
+            line.y.push_back(points.y[k]);
+        }
+    }
+    return line;
+}
+
 Panel chi2_panel(const Ladder& ladder) {
     Panel panel{.x_label = "", .y_label = "χ^2 per degree of freedom"};
-    Curve starts{.label = "start", .style = Curve::Style::bars, .colour = "#7d7d7d"},
-        falls{.label = "fall", .style = Curve::Style::bars, .colour = model_colour},
-        rises{.label = "rise", .style = Curve::Style::bars, .colour = calibrated_colour};
+    Curve points{.label = "model of the study", .colour = measured_colour};
     panel.x_names.resize(ladder.size());
     std::vector<double> values = {1};
     for (std::size_t k = 0; k < ladder.size(); ++k) {
@@ -49,23 +72,17 @@ Panel chi2_panel(const Ladder& ladder) {
         if (!std::isfinite(value)) {
             continue;
         }
-        // A waterfall: each change hangs between the values before and after it.
-        const double before =
-            k > 0 && ladder[k].change != "start" ? ladder[k - 1].chi2_per_dof() : value;
-        Curve& curve = ladder[k].change == "start" || !std::isfinite(before) ? starts
-                       : value <= before                                     ? falls
-                                                                             : rises;
-        if (&curve != &starts) curve.from.push_back(before);
-        curve.x.push_back(static_cast<double>(k) + 1);
-        curve.y.push_back(value);
-        curve.names.push_back(number(value));
+        points.x.push_back(static_cast<double>(k) + 1);
+        points.y.push_back(value);
+        points.names.push_back(number(value));
         values.push_back(value);
     }
     panel.references = new_starts(ladder);
     panel.references.push_back({"expected for a correct model", 1, 0, false, calibrated_colour});
-    panel.curves = {starts, falls, rises};
+    panel.curves = {staircase(points, ladder), points};
     panel.log_y = spans_decade(values);
-    panel.headroom = 0.06;
+    panel.y_from_zero = true;
+    panel.key = true;
     return panel;
 }
 
@@ -73,7 +90,7 @@ Panel chi2_panel(const Ladder& ladder) {
 /// the fit. The two kinds are drawn to either side of the middle of their step.
 Curve error_curve(const Ladder& ladder, std::size_t observable, bool left_out) {
     Curve curve{.label = fmt::format("{}, {}", observable == 0 ? "shear stress" : "solid fraction",
-                                     left_out ? "left out" : "fitted"),
+                                     left_out ? "readings left out" : "fitted readings"),
                 .colour = observable == 0 ? model_colour : calibrated_colour,
                 .symbol = {observable == 0 ? Shape::circle : Shape::square,
                            left_out ? Filling::hollow : Filling::filled}};
@@ -132,8 +149,7 @@ Panel error_panel(const Ladder& ladder) {
         panel.x_names.push_back(name_of(ladder_step));
     }
     panel.log_y = !values.empty() && spans_decade(values);
-    panel.key = Key::top_right;
-    panel.headroom = 0.34;
+    panel.key = true;
     panel.y_from_zero = true;
     return panel;
 }
@@ -144,10 +160,14 @@ Figure ladder_figure(const Ladder& whole) {
     const auto hidden =
         static_cast<std::ptrdiff_t>(whole.size() - std::min(whole.size(), most_ladder_steps));
     const Ladder ladder(whole.begin() + hidden, whole.end());
-    return {.name = "ladder",
-            .title = "Error of the model, effect by effect",
-            .panels = {chi2_panel(ladder), error_panel(ladder)},
-            .stacked = true};
+    return {
+        .name = "ladder",
+        .title = hidden > 0
+                     ? fmt::format("Error of the model, effect by effect: the last {} of {} steps",
+                                   ladder.size(), whole.size())
+                     : "Error of the model, effect by effect",
+        .panels = {chi2_panel(ladder), error_panel(ladder)},
+        .stacked = true};
 }
 
 }  // namespace pendular

@@ -5,26 +5,25 @@
 #include <limits>
 
 #include "reports/figure.h"
+#include "reports/text_width.h"
 
 namespace pendular {
 namespace {
 
 // All lengths are in inches.
-constexpr double title_height = 0.38, title_line = 0.24, title_character = 0.078;
-constexpr double left_margin = 1.1, right_margin = 0.3, bottom_margin = 0.62, top_margin = 0.1;
-constexpr double outside_key_width = 2.75;
-struct Size {
-    double width, height;
-};
-constexpr Size above_another{6.0, 3.9}, side_by_side{5.2, 4.2}, alone{6.0, 5.0}, small{4.15, 2.95};
-constexpr double left_margin_unlabelled = 0.7;  ///< left margin of small panels without a y label
+constexpr double title_line = 0.21, above_title = 0.06, below_title = 0.06;
+constexpr double left_margin = 0.98, right_margin = 0.18, bottom_margin = 0.58, top_margin = 0.1;
+constexpr double left_margin_unlabelled = 0.66;  ///< left margin without a label of the y axis
+constexpr double least_axes = 1.9;  ///< width of axes below which their numbers are too few
 
 /// Least and greatest of the values that an axis must include.
 class Extent {
   public:
+    /// @param positive whether only positive values can be shown: on a logarithmic axis
+    explicit Extent(bool positive) : positive_(positive) {}
     void include(double value, double error = 0) {
         for (const double end : {value - error, value + error}) {
-            if (std::isfinite(end)) {
+            if (std::isfinite(end) && (end > 0 || !positive_)) {
                 least_ = std::min(least_, end), greatest_ = std::max(greatest_, end);
             }
         }
@@ -33,27 +32,24 @@ class Extent {
     double greatest() const { return greatest_; }
 
   private:
+    bool positive_;
     double least_ = std::numeric_limits<double>::infinity(), greatest_ = -least_;
 };
 
-bool has_bars(const Panel& panel) {
-    return std::ranges::any_of(
-        panel.curves, [](const Curve& curve) { return curve.style == Curve::Style::bars; });
+double error_at(const std::vector<double>& errors, std::size_t k) {
+    return k < errors.size() ? errors[k] : 0;
 }
 
 Extent extent(const Panel& panel, bool along_x) {
-    Extent extent;
+    Extent extent(along_x ? panel.log_x : panel.log_y);
     for (const auto& curve : panel.curves) {
-        for (std::size_t k = 0; k < curve.x.size(); ++k) {
-            along_x ? extent.include(curve.x[k])
-                    : extent.include(curve.y[k], curve.y_error.empty() ? 0 : curve.y_error[k]);
-            if (!along_x && !curve.from.empty()) extent.include(curve.from[k]);
+        for (std::size_t k = 0; k < curve.x.size() && curve.drawn; ++k) {
+            along_x ? extent.include(curve.x[k], error_at(curve.x_error, k))
+                    : extent.include(curve.y[k], error_at(curve.y_error, k));
         }
     }
-    if (!along_x && !panel.log_y && (panel.y_from_zero || panel.zero_line || has_bars(panel))) {
+    if (!along_x && !panel.log_y && (panel.y_from_zero || panel.zero_line)) {
         extent.include(0);
-    } else if (!along_x && panel.log_y && has_bars(panel)) {
-        extent.include(0.6 * extent.least());  // leaves the shortest bar visible
     }
     for (const auto& reference : panel.references) {
         if (reference.vertical == along_x) {
@@ -87,6 +83,13 @@ AxisRange range(const Panel& panel, bool along_x) {
     return {least >= 0 && least < margin ? 0 : least - margin, greatest + margin};
 }
 
+/// Whether texts stand above points.
+bool has_texts(const Panel& panel) {
+    return std::ranges::any_of(panel.curves, [](const Curve& curve) {
+        return curve.style == Curve::Style::points && !curve.names.empty();
+    });
+}
+
 void set_ranges(PanelPlace& place, const Panel& panel) {
     place.x = panel.x_range.value_or(range(panel, true));
     if (!panel.x_names.empty()) {
@@ -100,7 +103,7 @@ void set_ranges(PanelPlace& place, const Panel& panel) {
         place.y = {std::min(place.y.first, -panel.y_least),
                    std::max(place.y.second, panel.y_least)};
     }
-    const double room = panel.headroom / (1 - panel.headroom);
+    const double room = has_texts(panel) ? 0.12 : 0;  // a line of text over the highest point
     if (panel.log_y) {
         place.y.second *= std::pow(place.y.second / place.y.first, room);
     } else {
@@ -124,44 +127,40 @@ std::size_t name_lines(const Panel& panel) {
 
 /// Width of a panel's axes [inch] at which the names along the x axis do not touch.
 double width_for_names(const Panel& panel) {
-    constexpr double character = 0.092, apart = 0.12, least = 0.62;
-    std::size_t longest = 0;
+    constexpr double apart = 0.1;
+    double longest = 0;
     for (const auto& name : panel.x_names) {
         for (const auto& line : name) {
-            longest = std::max(longest, shown_characters(line));
+            longest = std::max(longest, text_width(line));
         }
     }
-    const double each = std::max(least, character * static_cast<double>(longest) + apart);
-    return (static_cast<double>(panel.x_names.size()) + 0.2) * each;
+    return (static_cast<double>(panel.x_names.size()) + 0.2) * (longest + apart);
 }
 
-/// Size of a panel, widened where the names along the x axes of the figure's panels need it.
-Size with_names(Size size, const Panel& panel, const Figure& figure) {
-    if (panel.x_names.empty()) {
-        return size;
-    }
-    for (const auto& each : figure.panels) {
-        size.width = std::max(size.width, width_for_names(each) + left_margin + right_margin);
-    }
-    return size;
-}
-
-/// Height of a panel whose y axis shows names, and left margin that the names need [inch].
-Size with_rows(const Panel& panel) {
-    constexpr double row = 0.25, character = 0.078, apart = 0.25;
-    std::size_t longest = 0;
+/// Left margin of a panel: what the names of its rows need, or numbers and label of the y axis.
+double margin_of(const Panel& panel) {
+    constexpr double apart = 0.2;
+    if (panel.y_names.empty()) return panel.y_label.empty() ? left_margin_unlabelled : left_margin;
+    double longest = 0;
     for (const auto& name : panel.y_names) {
-        longest = std::max(longest, shown_characters(name));
+        longest = std::max(longest, text_width(name));
     }
-    const double rows = row * (static_cast<double>(panel.y_names.size()) + 0.2);
-    return {.width = character * static_cast<double>(longest) + apart,
-            .height = rows / (1 - panel.headroom) + top_margin + bottom_margin};
+    return longest + apart;
 }
 
 double bottom_of(const Panel& panel) {
     return panel.x_names.empty() ? bottom_margin
                                  : 0.12 + name_line * static_cast<double>(name_lines(panel) + 1) *
                                               (name_lines(panel) > 0);
+}
+
+/// Height of the axes of a panel, by their width and the number of panels in a row.
+double height_of(const Panel& panel, const Figure& figure, double width, std::size_t columns) {
+    constexpr double row = 0.22;
+    if (!panel.y_names.empty()) return row * (static_cast<double>(panel.y_names.size()) + 0.2);
+    constexpr double of_one = 0.8, of_stack = 0.62, highest = 2.9;
+    const bool stack = columns == 1 && figure.panels.size() > 1;
+    return std::min(highest, (stack ? of_stack : of_one) * width);
 }
 
 }  // namespace
@@ -175,70 +174,143 @@ PaperPoint PanelPlace::at(double value_x, double value_y) const {
             bottom + share(value_y, y, log_y) * (top - bottom)};
 }
 
+double Page::printed_width() const {
+    constexpr double rounding = 1e-6;
+    return width <= column_page + rounding ? column_in_print : whole_in_print;
+}
+
 namespace {
 
-/// Title with line ends after commas or blanks, so that no line is wider than the page [inch] if
+/// Lines of a title, broken after commas or blanks, so that none is wider than the page [inch] if
 /// there is a place to break it.
-std::string wrapped_title(const std::string& title, double page_width) {
-    const auto most = static_cast<std::size_t>(page_width / title_character);
-    if (shown_characters(title) <= most) return title;
-    for (const std::string_view mark : {", ", " "}) {
-        // Search for the last mark before which the text fits on the page.
-        for (std::size_t at = title.rfind(mark); at != std::string::npos && at > 0;
-             at = title.rfind(mark, at - 1)) {
-            const std::size_t end = at + mark.size() - 1;
-            if (shown_characters(title.substr(0, end)) > most) continue;
-            return title.substr(0, end) + "\n" + wrapped_title(title.substr(end + 1), page_width);
+std::vector<std::string> title_lines(const std::string& title, double page_width) {
+    if (title.empty()) return {};
+    const auto fits = [&](const std::string& text) {
+        return text_width(text, title_size) <= page_width - 0.1;
+    };
+    if (fits(title)) return {title};
+    for (std::size_t at = title.rfind(' '); at != std::string::npos && at > 0;
+         at = title.rfind(' ', at - 1)) {
+        if (!fits(title.substr(0, at))) continue;
+        std::vector<std::string> lines = title_lines(title.substr(at + 1), page_width);
+        lines.insert(lines.begin(), title.substr(0, at));
+        return lines;
+    }
+    return {title};
+}
+
+/// Columns of panels: left margins, and one width of all axes.
+struct Grid {
+    std::size_t columns;
+    std::vector<double> margins;
+    double axes;
+
+    double left_of(std::size_t column) const {
+        double left = 0;
+        for (std::size_t k = 0; k < column; ++k)
+            left += margins[k] + axes + right_margin;
+        return left;
+    }
+    double width() const { return left_of(columns); }
+};
+
+Grid grid_of(const Figure& figure) {
+    const std::size_t panels = figure.panels.size();
+    Grid grid{.columns = figure.stacked       ? 1
+                         : figure.columns > 0 ? std::min(figure.columns, panels)
+                                              : panels,
+              .margins = {},
+              .axes = least_axes};
+    grid.margins.resize(grid.columns);
+    for (std::size_t p = 0; p < panels; ++p) {
+        double& margin = grid.margins[p % grid.columns];
+        margin = std::max(margin, margin_of(figure.panels[p]));
+        grid.axes = std::max(grid.axes, width_for_names(figure.panels[p]));
+    }
+    const double page = grid.columns == 1 ? column_page : wide_page;
+    const double missing = page - grid.width();
+    grid.axes += std::max(0.0, missing / static_cast<double>(grid.columns));
+    return grid;
+}
+
+/// Places a figure's parts from the top of the page down. Heights are negative until the height of
+/// the page is known.
+class PageMaker {
+  public:
+    explicit PageMaker(const Figure& figure) : figure_(figure), grid_(grid_of(figure)) {
+        page_.width = grid_.width();
+        page_.title = title_lines(figure.title, page_.width);
+        if (!page_.title.empty()) {
+            depth_ =
+                above_title + below_title + title_line * static_cast<double>(page_.title.size());
         }
     }
-    return title;
-}
+
+    Page page() {
+        const auto keyed = std::ranges::count_if(figure_.panels, &Panel::key);
+        for (std::size_t p = 0; p < figure_.panels.size() && keyed == 1; ++p) {
+            if (figure_.panels[p].key) depth_ += place_key(p, key_inset, page_.width);
+        }
+        for (std::size_t p = 0; p < figure_.panels.size(); p += grid_.columns) {
+            place_row(p, keyed > 1);
+        }
+        page_.height = depth_;
+        for (auto& place : page_.panels)
+            place.bottom += depth_, place.top += depth_;
+        for (auto& key : page_.keys)
+            key.corner.y += depth_;
+        return page_;
+    }
+
+  private:
+    static constexpr double key_inset = 0.12;
+
+    /// Places the key of a panel between two edges, and returns its height.
+    double place_key(std::size_t p, double left, double right) {
+        KeyLayout layout = key_layout(figure_.panels[p], right - left);
+        if (layout.rows == 0) return 0;
+        page_.keys.push_back({p, {left, -depth_}, layout});
+        return layout.height();
+    }
+
+    void place_row(std::size_t first, bool with_keys) {
+        const std::size_t end = std::min(first + grid_.columns, figure_.panels.size());
+        double key = 0, highest = 0, lowest = 0, heading = 0;
+        for (std::size_t p = first; p < end; ++p) {
+            const double left = grid_.left_of(p - first);
+            if (with_keys && figure_.panels[p].key) {
+                const double right = left + grid_.margins[p - first] + grid_.axes;
+                key = std::max(key, place_key(p, left + key_inset, right));
+            }
+            highest =
+                std::max(highest, height_of(figure_.panels[p], figure_, grid_.axes, grid_.columns));
+            lowest = std::max(lowest, bottom_of(figure_.panels[p]));
+            if (!figure_.panels[p].heading.empty()) heading = heading_line;
+        }
+        const double top = depth_ + key + heading + top_margin;
+        for (std::size_t p = first; p < end; ++p) {
+            const double left = grid_.left_of(p - first) + grid_.margins[p - first];
+            PanelPlace place{
+                .left = left,
+                .right = left + grid_.axes,
+                .bottom = -(top + height_of(figure_.panels[p], figure_, grid_.axes, grid_.columns)),
+                .top = -top};
+            set_ranges(place, figure_.panels[p]);
+            page_.panels.push_back(place);
+        }
+        depth_ = top + highest + lowest;
+    }
+
+    const Figure& figure_;
+    Grid grid_;
+    Page page_;
+    double depth_ = 0;  ///< from the top of the page [inch]
+};
 
 }  // namespace
 
 Page page_of(const Figure& figure) {
-    const Size usual = figure.panels.size() == 1 ? alone
-                       : figure.stacked          ? above_another
-                       : figure.small            ? small
-                                                 : side_by_side;
-    Page page;
-    double left = 0, depth = title_height;
-    for (const auto& panel : figure.panels) {
-        Size cell = with_names(usual, panel, figure);
-        cell.height += bottom_of(panel) - bottom_margin;
-        double margin =
-            figure.small && panel.y_label.empty() ? left_margin_unlabelled : left_margin;
-        if (!panel.y_names.empty()) {
-            const Size rows = with_rows(panel);
-            margin = rows.width;
-            cell.height = rows.height + bottom_of(panel) - bottom_margin;
-        }
-        cell.width -= left_margin - margin;
-        const double whole = cell.width + (panel.key == Key::outside ? outside_key_width : 0);
-        PanelPlace place{.left = left + margin,
-                         .right = left + cell.width - right_margin,
-                         .bottom = -(depth + cell.height - bottom_of(panel)),
-                         .top = -(depth + top_margin)};
-        set_ranges(place, panel);
-        page.panels.push_back(place);
-        page.width = std::max(page.width, left + whole);
-        page.height = std::max(page.height, depth + cell.height);
-        const bool row_full = figure.columns > 0 && page.panels.size() % figure.columns == 0;
-        if (figure.stacked || row_full) {
-            depth += cell.height;
-            left = 0;
-        } else {
-            left += whole;
-        }
-    }
-    for (auto& place : page.panels) {
-        // So far counted from the upper edge of the page; gnuplot counts from the lower edge.
-        place.bottom += page.height;
-        place.top += page.height;
-    }
-    page.title = wrapped_title(figure.title, page.width);
-    page.height += title_line * static_cast<double>(std::ranges::count(page.title, '\n'));
-    return page;
+    return PageMaker(figure).page();
 }
 
 }  // namespace pendular

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "reports/figure_style.h"
 
@@ -37,19 +38,21 @@ std::optional<Figure> flow_function_figure(const std::vector<FileView>& views) {
     if (points.x.size() < 2) return std::nullopt;
     Panel panel{.x_label = "major principal stress [Pa]",
                 .y_label = "unconfined strength [Pa]",
-                .key = Key::outside};
-    // Classes of flowability, the major principal stress over the strength.
-    for (const int limit : {1, 2, 4, 10}) {
-        panel.curves.push_back(line_from_axis(fmt::format("flowability {}", limit), 0, 1.0 / limit,
-                                              1.05 * greatest, "#a0a0a0"));
-        panel.curves.back().style = limit == 1 ? Curve::Style::line : Curve::Style::dashed_line;
-        panel.curves.back().in_table = false;
-    }
-    panel.curves.push_back(std::move(points));
+                .key = true};
     panel.x_range = {{0, 1.05 * greatest}};
     constexpr double least_share = 0.15;  // so that the line of flowability 10 is seen
     panel.y_range = {{0, 1.15 * std::max(strongest, least_share * greatest)}};
-    return Figure{.name = "flow_function", .title = "flow function", .panels = {panel}};
+    // Classes of flowability, the major principal stress over the strength.
+    for (const auto& [limit, dash] : {std::pair(1, "solid"), std::pair(2, "(10,4)"),
+                                      std::pair(4, "(3,3)"), std::pair(10, "(10,4,2,4)")}) {
+        const double end = std::min(panel.x_range->second, limit * panel.y_range->second);
+        panel.curves.push_back(
+            line_from_axis(fmt::format("flowability {}", limit), 0, 1.0 / limit, end, "#8a8a8a"));
+        panel.curves.back().dash = dash;
+        panel.curves.back().in_table = false;
+    }
+    panel.curves.push_back(std::move(points));
+    return Figure{.name = "flow_function", .title = "Flow function", .panels = {panel}};
 }
 
 std::vector<Figure> wall_locus_figures(const FileView& view) {
@@ -67,11 +70,11 @@ std::vector<Figure> wall_locus_figures(const FileView& view) {
                     .curves = {line_from_axis("wall yield locus", line.intercept, line.slope,
                                               greatest, calibrated_colour),
                                points},
-                    .key = Key::outside};
+                    .key = true};
         panel.x_range = {{0, greatest}};
         panel.y_from_zero = true;
         figures.push_back({.name = fmt::format("wall_locus_{}", figures.size() + 1),
-                           .title = fmt::format("angle of wall friction {:.3g}°",
+                           .title = fmt::format("Wall yield locus: angle of wall friction {:.3g}°",
                                                 std::atan(line.slope) * 180 / std::numbers::pi),
                            .panels = {panel}});
     }

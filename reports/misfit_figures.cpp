@@ -43,6 +43,7 @@ std::vector<double> residuals_of(const Comparison& comparison, Eigen::Index obse
 Curve expected_band(std::size_t n) {
     Curve band{
         .label = "normal errors, 95 %", .style = Curve::Style::band, .colour = explaining_colour};
+    band.in_key = false;
     for (std::size_t k = 0; k < n; ++k) {
         const double q = expected_quantile(k, n), below = normal_below(q);
         band.x.push_back(q);
@@ -54,7 +55,9 @@ Curve expected_band(std::size_t n) {
 }
 
 Figure quantile_figure(const Comparison& comparison) {
-    Figure figure{.name = "qq", .title = "Residuals against a normal distribution", .panels = {}};
+    Figure figure{.name = "qq",
+                  .title = "Residuals against the quantiles of a normal distribution",
+                  .panels = {}};
     const std::size_t n = comparison.readings.size();
     if (n < 3) return figure;
     Panel panel{.x_label = "quantile of the normal distribution [standard errors]",
@@ -63,7 +66,8 @@ Figure quantile_figure(const Comparison& comparison) {
     panel.curves.push_back(line);
     line.style = Curve::Style::line;
     line.y_error.clear();
-    line.in_key = line.in_table = false;
+    line.in_key = line.banded = true;
+    line.in_table = false;
     panel.curves.push_back(line);
     for (const Eigen::Index observable : {0, 1}) {
         Curve points{.label = observable == 0 ? "shear stress" : "solid fraction",
@@ -75,8 +79,7 @@ Figure quantile_figure(const Comparison& comparison) {
         }
         panel.curves.push_back(points);
     }
-    panel.key = Key::top_left;
-    panel.headroom = 0.22;
+    panel.key = true;
     figure.panels = {panel};
     return figure;
 }
@@ -126,10 +129,9 @@ std::vector<std::vector<LedgerRow>> ledger_rows(const Comparison& comparison) {
 Figure ledger_figure(const Comparison& comparison) {
     Figure figure{.name = "chi2_ledger", .title = "", .panels = {}};
     if (comparison.readings.empty()) return figure;
-    figure.title = fmt::format("Parts of χ^2 = {:.1f} of {} values", comparison.total.chi2,
+    figure.title = fmt::format("Parts of χ^2 = {:.1f} of {} measured values", comparison.total.chi2,
                                2 * comparison.readings.size() + comparison.direct.size());
-    Panel panel{.x_label = "χ^2 per measured value (dashed: expected for a correct model)",
-                .y_label = ""};
+    Panel panel{.x_label = "χ^2 per measured value", .y_label = ""};
     Curve bars{.label = "part of the readings",
                .style = Curve::Style::bars_across,
                .colour = model_colour};
@@ -147,7 +149,7 @@ Figure ledger_figure(const Comparison& comparison) {
     panel.curves = {bars};
     panel.references = {{"expected for a correct model", 1, 0, true, calibrated_colour}};
     panel.x_range = {0, 1.08 * std::max(1.5, greatest)};
-    panel.key = Key::none;  // the line would cross it
+    panel.key = true;
     figure.panels = {panel};
     return figure;
 }
@@ -197,10 +199,9 @@ Axis axis_of(const Covariate& covariate) {
 Panel residual_panel(const Comparison& comparison, const Covariate& covariate) {
     const Axis axis = axis_of(covariate);
     Panel panel{.x_label = axis.label,
-                .y_label = "(measured − predicted)/standard error",
+                .y_label = "residual/standard error",
                 .log_x = axis.logarithmic && covariate.values.minCoeff() > 0,
                 .zero_line = true,
-                .headroom = 0.2,
                 .y_least = 2.5};
     for (std::size_t o = 0; o < 2; ++o) {
         Curve points{.label = observables[o],
@@ -223,15 +224,16 @@ Figure residuals_along(const Comparison& comparison) {
         readings.push_back(misfit.reading);
     }
     Figure figure{.name = "residuals",
-                  .title = fmt::format("Residuals: χ^2 = {:.2f}, degrees of freedom: {}",
+                  .title = fmt::format("Residuals, measured minus predicted: χ^2 = {:.1f} for {} "
+                                       "degrees of freedom",
                                        comparison.total.chi2, comparison.total.dof),
-                  .panels = {},
-                  .columns = 3};
+                  .panels = {}};
     for (const Covariate& covariate : covariates_of(readings, predicted)) {
         figure.panels.push_back(residual_panel(comparison, covariate));
     }
     if (!figure.panels.empty()) {
-        figure.panels.front().key = Key::top_left;
+        figure.panels.front().key = true;
+        figure.columns = std::min<std::size_t>(3, figure.panels.size());
     }
     return figure;
 }
@@ -250,34 +252,57 @@ std::string text_of(const Look& look, bool above) {
     return fmt::format("{} by {}", above ? "above" : "below", size);
 }
 
+/// Whether a condition's mean residual of an observable has this sign and size.
+bool has_look(const ConditionMisfit& group, std::size_t observable, const Look& look, bool above) {
+    const double off = group.normalised(static_cast<Eigen::Index>(observable));
+    return (off > 0) == above && std::abs(off) >= look.from && std::abs(off) < look.to;
+}
+
+double least_inertial_number(const Comparison& comparison) {
+    double least = INFINITY;
+    for (const ConditionMisfit& group : comparison.by_condition)
+        least = std::min(least, group.condition.inertial_number);
+    return least;
+}
+
 /// Panel of the mean residuals of an observable at a liquid content, over normal stress and
-/// inertial number. `key`: whether the panel has the key that explains all symbols.
+/// inertial number. `key`: whether the panel has the key that explains the symbols of all panels.
 Panel map_panel(const Comparison& comparison, double liquid_content, std::size_t observable,
                 bool key) {
     const std::string liquid =
-        liquid_content == 0 ? "dry" : fmt::format("content {:.3g}", liquid_content);
-    Panel panel{.x_label = fmt::format("σ_{{22}} [Pa] ({}, {})", observables[observable], liquid),
+        liquid_content == 0 ? "dry" : fmt::format("Φ_L/Φ_S = {:.3g}", liquid_content);
+    Panel panel{.x_label = fmt::format("σ_{{22}} [Pa], {}, {}", observables[observable], liquid),
                 .y_label = "inertial number I",
                 .log_x = true};
-    panel.key = key ? Key::outside : Key::none;
+    panel.log_y = least_inertial_number(comparison) > 0;
+    panel.key = key;
     for (const bool above : {true, false}) {
         for (const Look& look : looks) {
             Curve points{.label = text_of(look, above),
                          .colour = above ? calibrated_colour : model_colour,
                          .symbol = {Shape::circle, above ? Filling::filled : Filling::hollow},
                          .area = look.area};
+            points.in_key = false;
             for (const ConditionMisfit& group : comparison.by_condition) {
-                const double off = group.normalised(static_cast<Eigen::Index>(observable));
-                if (group.condition.liquid_content == liquid_content && (off > 0) == above &&
-                    std::abs(off) >= look.from && std::abs(off) < look.to) {
+                const bool in_panel = group.condition.liquid_content == liquid_content;
+                if (in_panel && has_look(group, observable, look, above)) {
                     points.x.push_back(group.condition.normal_stress);
                     points.y.push_back(group.condition.inertial_number);
                 }
+                points.in_key = points.in_key || has_look(group, 0, look, above) ||
+                                has_look(group, 1, look, above);
             }
             panel.curves.push_back(points);
         }
     }
     return panel;
+}
+
+/// Sets one range of inertial numbers for all panels, in which those of one set point lie together.
+void share_inertial_numbers(Figure& figure, double least, double most) {
+    constexpr double margin = 1.5;
+    for (Panel& panel : figure.panels)
+        if (panel.log_y) panel.y_range = {{least / margin, most * margin}};
 }
 
 /// Without panels where all readings have one inertial number.
@@ -289,16 +314,21 @@ Figure residual_map(const Comparison& comparison) {
     }
     if (inertial_numbers.size() < 2) contents.clear();
     Figure figure{.name = "residual_map",
-                  .title = "Where measured means lie above or below the model, in standard errors",
+                  .title = "Measured means above and below the model, in standard errors",
                   .panels = {},
-                  .columns = contents.size(),
-                  .small = true};
-    for (const std::size_t observable : {0u, 1u}) {
-        for (const double content : contents) {
-            const bool last = observable == 0 && content == *contents.rbegin();
-            figure.panels.push_back(map_panel(comparison, content, observable, last));
-        }
+                  .columns = contents.size()};
+    constexpr std::size_t most_columns = 3;  // so that numbers along the axes have room
+    if (contents.size() > most_columns) figure.columns = 2;
+    for (std::size_t k = 0; k < 2 * contents.size(); ++k) {
+        // Observables below one another or, for many contents, side by side.
+        const bool beside = contents.size() > most_columns;
+        const std::size_t observable = beside ? k % 2 : k / contents.size();
+        const double content = *std::next(
+            contents.begin(), static_cast<std::ptrdiff_t>(beside ? k / 2 : k % contents.size()));
+        figure.panels.push_back(map_panel(comparison, content, observable, figure.panels.empty()));
     }
+    if (!inertial_numbers.empty())
+        share_inertial_numbers(figure, *inertial_numbers.begin(), *inertial_numbers.rbegin());
     return figure;
 }
 
@@ -313,23 +343,27 @@ std::vector<Figure> residual_figures(const Comparison& comparison) {
 namespace {
 
 Figure parity_figure(const Comparison& comparison) {
-    Figure figure{.name = "parity", .title = "Model against measurement", .panels = {}};
+    Figure figure{.name = "parity",
+                  .title = "Predicted against measured values",
+                  .panels = {},
+                  .stacked = true};
     for (std::size_t o = 0; o < 2; ++o) {
         Panel panel{.x_label = o == 0 ? "measured shear stress |σ_{12}| [Pa]"
                                       : "measured solid fraction Φ_S",
                     .y_label = o == 0 ? "predicted shear stress |σ_{12}| [Pa]"
                                       : "predicted solid fraction Φ_S"};
-        Curve points{.label = "reading, ± 1 standard error", .colour = model_colour};
+        Curve points{.label = "reading, ± 1 standard error along both axes",
+                     .colour = model_colour};
         for (const auto& misfit : comparison.readings) {
             const auto i = static_cast<Eigen::Index>(o);
             points.x.push_back(misfit.reading.value(i));
             points.y.push_back(misfit.predicted(i));
-            points.y_error.push_back(
-                std::sqrt(misfit.reading.covariance(i, i) + misfit.predicted_covariance(i, i)));
+            points.x_error.push_back(std::sqrt(misfit.reading.covariance(i, i)));
+            points.y_error.push_back(std::sqrt(misfit.predicted_covariance(i, i)));
         }
         panel.curves.push_back(points);
-        panel.diagonal = true;
-        panel.key = o == 0 ? Key::top_left : Key::none;
+        panel.diagonal = panel.x_uncertain = true;
+        panel.key = o == 0;
         figure.panels.push_back(panel);
     }
     return figure;
@@ -348,6 +382,12 @@ std::vector<Figure> comparison_figures(const StudyModel& study_model,
     std::ranges::move(misfit_figures(comparison), std::back_inserter(figures));
     std::ranges::move(parameter_figures(study_model, calibration), std::back_inserter(figures));
     return figures;
+}
+
+void mark_as_rejected(std::vector<Figure>& figures) {
+    for (Figure& figure : figures) {
+        figure.title += " (fit not to be used: see compare.json)";
+    }
 }
 
 }  // namespace pendular

@@ -32,6 +32,9 @@ std::vector<Figure> residual_figures(const Comparison& comparison);
 std::vector<Figure> comparison_figures(const StudyModel& model, const Calibration& calibration,
                                        const Comparison& comparison);
 
+/// Says in the titles of figures that the fit is not to be used.
+void mark_as_rejected(std::vector<Figure>& figures);
+
 /// Returns two figures of the dry readings; none if the study has no dry readings.
 /// - `calibration`: stress ratio and solid fraction against friction. The curve is the fitted model
 ///   without effects on the instrument. The band is the mean of the readings at the lowest inertial

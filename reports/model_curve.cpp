@@ -23,7 +23,7 @@ const Coordinate along_inverse_normal_stress = {
 
 namespace {
 
-/// Largest number of groups of either state: `series_looks` in dry_figures.cpp has as many.
+/// Largest number of groups of either state: more colours of one scale are not told apart.
 constexpr std::size_t most_series = 8;
 /// Relative difference up to which coordinates belong to one set point [1].
 constexpr double same_place = 0.05;
@@ -290,11 +290,14 @@ void ModelCurve::draw_in(Panel& panel, std::size_t o, const Curve& look,
                          const std::string& band_label) const {
     Curve line = look;
     line.style = Curve::Style::line;
+    line.banded = true;
+    line.in_table = look.label != band_label;  // the rows of the band say all
     line.x = x;
     Curve band = line;
     band.style = Curve::Style::band;
     band.label = band_label;
     band.in_key = false;
+    band.in_table = true;
     for (const Shown& one : y) {
         line.y.push_back(one.value[o]);
         band.y.push_back(one.value[o]);

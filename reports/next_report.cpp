@@ -231,29 +231,18 @@ Output next_output(const NextMeasurement& next, const StudyDiagnosis& diagnosis,
 
 namespace {
 
-constexpr Curve::Style rival_lines[] = {Curve::Style::line, Curve::Style::dashed_line,
-                                        Curve::Style::dotted_line};
-constexpr Shape rival_shapes[] = {Shape::circle, Shape::square, Shape::triangle, Shape::diamond,
-                                  Shape::star};
+/// Models with a curve: `look_of_series` has as many looks with shapes and dashes of their own.
+constexpr std::size_t most_rivals = most_named_series;
 
-}  // namespace
+/// Plans along the normal stress, and normal stresses of the readings to make [Pa], in the figure
+/// of a next measurement.
+struct NextCurves {
+    std::vector<const Plan*> along;
+    std::vector<double> stresses;
+};
 
-Figure next_figure(const NextMeasurement& next) {
-    Figure figure{.name = "next",
-                  .title = "Predictions of the models that fit, and suggested readings",
-                  .panels = {},
-                  .stacked = true};
-    if (next.plans.empty()) {
-        return figure;
-    }
-    const std::vector<std::string> colours = {model_colour, calibrated_colour, "#2e8b57", "#8e44ad",
-                                              "#d68910"};
+NextCurves curves_of(const NextMeasurement& next, const std::vector<Plan>& plans) {
     const auto of_shear = [&](std::size_t point) { return !next.points[point].direct; };
-    std::vector<Plan> plans;
-    std::ranges::copy_if(next.plans, std::back_inserter(plans), of_shear, &Plan::point);
-    if (plans.empty()) {
-        return figure;
-    }
     const auto& steps = next.series.steps;
     const auto step = std::ranges::find_if(steps, of_shear, &Series::Step::point);
     const std::size_t first = step == steps.end()
@@ -261,70 +250,78 @@ Figure next_figure(const NextMeasurement& next) {
                                   : step->point;
     const Condition& at = next.points[first].condition;
     const bool same_rate = next.study.rig && next.study.rig->shear_rate;
-    std::vector<const Plan*> along;
+    const auto shown = [&](std::size_t point) {
+        return of_shear(point) && beside(next.points[point].condition, at, next.study, same_rate);
+    };
+    NextCurves curves;
     for (const Plan& plan : plans) {
-        if (beside(next.points[plan.point].condition, at, next.study, same_rate)) {
-            along.push_back(&plan);
-        }
+        if (shown(plan.point)) curves.along.push_back(&plan);
     }
-    std::ranges::sort(along, {}, &Plan::point);
-    std::vector<double> stresses;  // normal stresses of the readings to make [Pa]
+    std::ranges::sort(curves.along, {}, &Plan::point);
     for (const Series::Step& each : steps) {
-        const Condition& c = next.points[each.point].condition;
-        if (of_shear(each.point) && beside(c, at, next.study, same_rate)) {
-            stresses.push_back(c.normal_stress);
-        }
+        const double stress = next.points[each.point].condition.normal_stress;
+        if (shown(each.point) &&
+            std::ranges::find(curves.stresses, stress) == curves.stresses.end())
+            curves.stresses.push_back(stress);
     }
-    if (steps.empty()) stresses.push_back(at.normal_stress);
-    if (stresses.empty()) {
-        figure.title = "Predictions of the models that fit; a direct measurement tells them apart";
+    if (steps.empty()) curves.stresses.push_back(at.normal_stress);
+    return curves;
+}
+
+/// Difference of a model's prediction from that of the first model [%], along the normal stress.
+Curve difference(const NextMeasurement& next, const NextCurves& curves, std::size_t model,
+                 Eigen::Index observable) {
+    Curve line = model_line(plain_text(next.rivals[model].name),
+                            look_of_series(model, std::min(next.rivals.size(), most_rivals)));
+    for (const Plan* plan : curves.along) {
+        const Forecast& forecast = plan->forecasts[model];
+        const double whole = plan->forecasts.front().value(observable) / 100;
+        line.x.push_back(next.points[plan->point].condition.normal_stress);
+        line.y.push_back(forecast.value(observable) / whole - 100);
+        line.y_error.push_back(error_of(forecast)(observable) / whole);
     }
-    for (const std::size_t o : {0u, 1u}) {
-        Panel panel{.x_label = "normal stress σ_{22} [Pa]",
-                    .y_label = o == 0 ? stress_ratio_label : solid_fraction_label,
-                    .log_x = true};
-        for (const double stress : stresses) {
-            panel.references.push_back({"measure here", stress, 0, true, measured_colour});
-        }
-        for (std::size_t k = 0; k < std::min(next.rivals.size(), colours.size()); ++k) {
-            Curve band{.label = "± 1 standard error",
-                       .style = Curve::Style::band,
-                       .colour = colours[k],
-                       .in_key = false};
-            for (const Plan* plan : along) {
-                const double stress = next.points[plan->point].condition.normal_stress;
-                const auto i = static_cast<Eigen::Index>(o);
-                const double unit = o == 0 ? stress : 1;
-                band.x.push_back(stress);
-                band.y.push_back(plan->forecasts[k].value(i) / unit);
-                band.y_error.push_back(error_of(plan->forecasts[k])(i) / unit);
-            }
-            Curve line = band;
-            line.label = plain_text(next.rivals[k].name);
-            // Curves that coincide are told apart by their lines and by symbols at places of their
-            // own.
-            line.style = rival_lines[k % std::size(rival_lines)];
-            line.y_error.clear();
-            line.in_key = true;
-            Curve marks = line;
-            marks.style = Curve::Style::points;
-            marks.symbol = {rival_shapes[k], Filling::hollow};
-            marks.in_table = false;
-            marks.x.clear(), marks.y.clear();
-            const std::size_t shown = std::min(next.rivals.size(), colours.size());
-            for (std::size_t n = k; n < line.x.size(); n += shown) {
-                marks.x.push_back(line.x[n]);
-                marks.y.push_back(line.y[n]);
-            }
-            line.in_key = false;
-            panel.curves.push_back(band);
-            panel.curves.push_back(line);
-            panel.curves.push_back(marks);
-        }
-        panel.key = o == 0 ? Key::top_right : Key::none;
-        panel.headroom = o == 0 ? 0.3 : 0;
-        figure.panels.push_back(panel);
+    return line;
+}
+
+Panel next_panel(const NextMeasurement& next, const NextCurves& curves, Eigen::Index observable) {
+    Panel panel{.x_label = "normal stress σ_{22} [Pa]",
+                .y_label = observable == 0 ? "difference in stress ratio [%]"
+                                           : "difference in solid fraction [%]",
+                .log_x = true,
+                .key = observable == 0};
+    for (const double stress : curves.stresses) {
+        panel.references.push_back({"measure here", stress, 0, true, measured_colour});
     }
+    for (std::size_t k = 0; k < std::min(next.rivals.size(), most_rivals); ++k) {
+        const Curve line = difference(next, curves, k, observable);
+        Curve band = line, bare = line;
+        band.style = Curve::Style::band;
+        band.dash.clear();
+        band.in_key = false;
+        bare.y_error.clear();
+        bare.in_table = false;
+        bare.banded = true;
+        bare.label += ", ± 1 standard error";
+        panel.curves.push_back(band);
+        panel.curves.push_back(bare);
+    }
+    return panel;
+}
+
+}  // namespace
+
+Figure next_figure(const NextMeasurement& next) {
+    Figure figure{.name = "next", .title = "", .panels = {}, .stacked = true};
+    std::vector<Plan> plans;
+    std::ranges::copy_if(next.plans, std::back_inserter(plans),
+                         [&](const Plan& plan) { return !next.points[plan.point].direct; });
+    if (plans.empty()) return figure;
+    const NextCurves curves = curves_of(next, plans);
+    figure.title = fmt::format("Predictions of the models that fit, relative to {}{}",
+                               plain_text(next.rivals[0].name),
+                               curves.stresses.empty() ? "; a direct measurement tells them apart"
+                                                       : ", and suggested readings");
+    figure.panels = {next_panel(next, curves, 0), next_panel(next, curves, 1)};
     return figure;
 }
 

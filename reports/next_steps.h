@@ -63,8 +63,9 @@ std::vector<std::string> plan_lines(const NextMeasurement& next);
 Output next_output(const NextMeasurement& next, const StudyDiagnosis& diagnosis,
                    const std::vector<NextStep>& steps, bool has_rig);
 
-/// Returns a figure of the predicted stress ratio and solid fraction against the normal stress,
-/// with a curve and a band of one standard error for each of up to five models that fit. All other
+/// Returns a figure of the predicted stress ratio and solid fraction against the normal stress, as
+/// differences from those of the first model [%], with a curve and a band of one standard error for
+/// each of up to four models that fit. All other
 /// quantities are those of the first suggested reading or, without any, of the reading for which
 /// the predictions differ most. Vertical lines mark the normal stresses of the suggested readings,
 /// or the normal stress where the predictions differ most. Without panels if only one model fits,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "calib/emulator/emulated_observables.h"
+#include "reports/figure_style.h"
 #include "reports/symbol.h"
 
 namespace pendular {
@@ -51,21 +52,33 @@ double content_of(double bridge_volume) {
     return 0;
 }
 
-/// Entries of the key that explain shapes by friction and colours by liquid content.
-void add_key(Panel& panel, bool frictions) {
+/// Entries of the key that explain shapes by friction and colours by liquid content. Beside the
+/// frictions, the contents share one entry, so that the key stays short. `shape`: of all points
+/// where the frictions have no entries, by default that of friction 0.09. `most_content`: the
+/// largest content that is drawn.
+void add_key(Panel& panel, bool frictions, Shape shape = Shape::triangle, double most_content = 1) {
+    panel.key = true;
     if (frictions) {
         for (const FrictionCode& code : friction_code) {
             panel.curves.push_back({.label = fmt::format("friction {:g}", code.friction),
-                                    .colour = "#555555",
+                                    .colour = shape_colour,
                                     .symbol = {code.shape, Filling::hollow}});
         }
+        Curve contents{.style = Curve::Style::scale};
+        for (const ContentCode& code : content_code) {
+            if (code.liquid_content > most_content) continue;
+            contents.colours.emplace_back(code.colour);
+            contents.label = fmt::format("liquid content {:g} to {:g}",
+                                         content_code.front().liquid_content, code.liquid_content);
+        }
+        panel.curves.push_back(std::move(contents));
+        return;
     }
     for (const ContentCode& code : content_code) {
         panel.curves.push_back({.label = fmt::format("liquid content {:g}", code.liquid_content),
                                 .colour = std::string(code.colour),
-                                .symbol = {Shape::square, code.filling}});
+                                .symbol = {shape, code.filling}});
     }
-    panel.key = Key::outside;
 }
 
 /// Points of states, a curve for each friction and bridge volume.
@@ -111,7 +124,7 @@ Figure one_panel(const char* name, const std::string& title, Panel panel) {
 }
 
 Figure stacked(const char* name, const std::string& title, Panel upper, Panel lower) {
-    lower.key = Key::none;
+    lower.key = false;
     std::erase_if(lower.curves, [](const Curve& curve) { return curve.x.empty(); });
     return {.name = name,
             .title = title,
@@ -123,11 +136,14 @@ Figure stacked(const char* name, const std::string& title, Panel upper, Panel lo
 Panel dry_panel(const PaperStudy& study, const char* x_label, const char* y_label, Observable which,
                 bool logarithmic, double from, double to,
                 const std::function<std::pair<double, double>(double)>& at) {
-    Curve band{.label = "emulator", .style = Curve::Style::band, .colour = "#1b6ca8"};
-    Curve line{.label = "emulator",
+    Curve band{.label = "emulator, ± 1 standard error",
+               .style = Curve::Style::band,
+               .colour = "#1b6ca8",
+               .in_key = false};
+    Curve line{.label = band.label,
                .style = Curve::Style::line,
                .colour = "#1b6ca8",
-               .in_key = false,
+               .banded = true,
                .in_table = false};
     for (int k = 0; k < dots; ++k) {
         const double part = static_cast<double>(k) / (dots - 1);
@@ -170,7 +186,7 @@ std::vector<Figure> dry_grains(const PaperStudy& study) {
                 return p.inertial_number <= 0.001 && p.friction <= 0.3;
             },
             &dem::RunParameters::friction));
-        panel.key = Key::outside;
+        panel.key = true;
         panel.references = {
             {.label = "friction 0.09", .value = 0.09, .vertical = true, .colour = "#d62728"},
             {.label = "", .value = value, .colour = "#d62728"}};
@@ -183,15 +199,15 @@ std::vector<Figure> dry_grains(const PaperStudy& study) {
             study, which,
             [](const dem::RunParameters& p) { return same_setting(p.friction, 0.09); },
             &dem::RunParameters::inertial_number));
-        panel.key = Key::outside;
+        panel.key = true;
         return panel;
     };
-    return {stacked("mustarphimu", "dry grains, slow shear",
+    return {stacked("mustarphimu", "Dry grains, slow shear",
                     by_friction(Observable::stress_ratio, "stress ratio [1]",
                                 study.dry_stress_ratio(0.09).value),
                     by_friction(Observable::solid_fraction, "solid fraction [1]",
                                 study.dry_solid_fraction(0.09).value)),
-            stacked("muphinertial", "dry grains, friction 0.09",
+            stacked("muphinertial", "Dry grains, friction 0.09",
                     by_rate(Observable::stress_ratio, "stress ratio [1]"),
                     by_rate(Observable::solid_fraction, "solid fraction [1]"))};
 }
@@ -203,7 +219,7 @@ Figure liquid_contents(const PaperStudy& study) {
     std::ranges::move(
         points(of_friction(study, 0.09), pressure, observable(Observable::liquid_content)),
         std::back_inserter(panel.curves));
-    return one_panel("philphis", "friction 0.09", std::move(panel));
+    return one_panel("philphis", "Friction 0.09", std::move(panel));
 }
 
 /// Dotted lines of the straight lines of one friction, from 1/P* = 0 to the lowest P*.
@@ -226,6 +242,7 @@ std::vector<Curve> strength_lines(const PaperStudy& study, double friction) {
 std::vector<Figure> strength_and_density(const PaperStudy& study) {
     Panel strength{.x_label = inverse_pressure_axis, .y_label = "stress ratio [1]"};
     add_key(strength, false);
+    strength.curves.push_back(kind_entry("straight line", Curve::Style::dotted_line));
     std::ranges::move(strength_lines(study, 0.09), std::back_inserter(strength.curves));
     std::ranges::move(
         points(of_friction(study, 0.09), inverse_pressure, observable(Observable::stress_ratio)),
@@ -235,8 +252,8 @@ std::vector<Figure> strength_and_density(const PaperStudy& study) {
     std::ranges::move(points(of_friction(study, 0.09), inverse_pressure,
                              [](const PaperState& s) { return s.rigid_solid_fraction(); }),
                       std::back_inserter(density.curves));
-    return {one_panel("cexpnum", "friction 0.09, lines fitted at P* >= 2.3", std::move(strength)),
-            one_panel("phiexpnum", "friction 0.09", std::move(density))};
+    return {one_panel("cexpnum", "Friction 0.09, lines fitted at P* >= 2.3", std::move(strength)),
+            one_panel("phiexpnum", "Friction 0.09", std::move(density))};
 }
 
 std::vector<Figure> cohesions(const PaperStudy& study) {
@@ -249,7 +266,7 @@ std::vector<Figure> cohesions(const PaperStudy& study) {
                 .colour = "#1b6ca8",
                 .symbol = {Shape::star, Filling::filled}};
     Panel by_friction{.x_label = "friction [1]", .y_label = "reduced cohesion c* [1]"};
-    add_key(by_friction, false);
+    add_key(by_friction, false, Shape::square);
     for (const PaperContent& content : paper_contents) {
         Curve curve{.label = fmt::format("c*, liquid content {:g}", content.liquid_content),
                     .colour = std::string(code_of(content.liquid_content).colour),
@@ -276,9 +293,9 @@ std::vector<Figure> cohesions(const PaperStudy& study) {
                      .y_label = "reduced cohesion c* [1]",
                      .references = {},
                      .curves = {simulated, rumpf, general},
-                     .key = Key::outside};
-    return {one_panel("cphilphis", "friction 0.09", std::move(by_content)),
-            one_panel("cstarmu", "from straight lines at P* >= 2.3", std::move(by_friction))};
+                     .key = true};
+    return {one_panel("cphilphis", "Friction 0.09", std::move(by_content)),
+            one_panel("cstarmu", "From straight lines at P* >= 2.3", std::move(by_friction))};
 }
 
 Figure effective_stress(const PaperStudy& study) {
@@ -292,7 +309,7 @@ Figure effective_stress(const PaperStudy& study) {
             {.label = "",
              .value = study.dry(Observable::stress_ratio, friction, grid_inertial_number).value});
     }
-    return one_panel("coulombeff", "lines: stress ratio of dry grains", std::move(panel));
+    return one_panel("coulombeff", "Lines: stress ratio of dry grains", std::move(panel));
 }
 
 std::vector<Figure> coordination_and_density(const PaperStudy& study) {
@@ -321,7 +338,7 @@ Figure predicted(const PaperStudy& study, const char* name, const char* title,
 Figure cohesion_ratio(const PaperStudy& study, const char* name, const char* title,
                       double closures::ClosureValues::*prediction, double most_content) {
     Panel panel{.x_label = inverse_pressure_axis, .y_label = "predicted over fitted c* [1]"};
-    add_key(panel, true);
+    add_key(panel, true, {}, most_content);
     const auto ratio = [&](const PaperState& s) {
         const StrengthLine* line = study.line(s.friction(), s.bridge_volume());
         const double predicted_cohesion = s.closure(prediction).value;
@@ -346,7 +363,7 @@ std::vector<Figure> capillary_shear(const PaperStudy& study) {
         one_panel("scaps", "",
                   all_states(study, inverse_pressure_axis, "a^{2}σ_{12}^{cap}/F_{0} [1]",
                              inverse_pressure, over_pull_off(Observable::capillary_shear_stress))),
-        one_panel("scapcd", "capillary shear stress of distant bridges over that of contacts",
+        one_panel("scapcd", "Capillary shear stress of distant bridges over that of contacts",
                   std::move(ratio)),
         stacked("fabric", "",
                 all_states(study, inverse_pressure_axis, "F_{12}^{c} [1]", inverse_pressure,
@@ -380,7 +397,7 @@ Figure distant_approximations(const PaperStudy& study) {
                       .references = {},
                       .curves = {fabric, force},
                       .diagonal = true,
-                      .key = Key::outside});
+                      .key = true});
 }
 
 Figure approximation(const PaperStudy& study) {
@@ -403,20 +420,20 @@ std::vector<Figure> paper_figures(const PaperStudy& study) {
     add(cohesions(study));
     add({effective_stress(study)});
     add(coordination_and_density(study));
-    add({predicted(study, "appdiff", "without capillary shear stress",
+    add({predicted(study, "appdiff", "Without capillary shear stress",
                    &closures::ClosureValues::strength3),
-         predicted(study, "s12pred", "with capillary shear stress",
+         predicted(study, "s12pred", "With capillary shear stress",
                    &closures::ClosureValues::strength2),
          cohesion_ratio(study, "cohcomp", "Rumpf's formula",
                         &closures::ClosureValues::rumpf_cohesion, 1),
-         cohesion_ratio(study, "cohgen", "generalised cohesion, small liquid contents",
+         cohesion_ratio(study, "cohgen", "Generalised cohesion, small liquid contents",
                         &closures::ClosureValues::generalised_cohesion, 0.02)});
     add(capillary_shear(study));
     add({distant_approximations(study), approximation(study)});
     for (Figure& figure : figures) {
         if (figure.name == "mustarphimu" || figure.name == "muphinertial") continue;
-        figure.title += fmt::format("{}stiffness number {:g}", figure.title.empty() ? "" : ", ",
-                                    paper_stiffness);
+        figure.title += fmt::format(
+            "{} number {:g}", figure.title.empty() ? "Stiffness" : ", stiffness", paper_stiffness);
     }
     return figures;
 }

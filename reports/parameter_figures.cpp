@@ -12,6 +12,7 @@
 
 #include "calib/fit/fit.h"
 #include "calib/fit/parameter_errors.h"
+#include "data/effect_parameter.h"
 #include "reports/figure.h"
 #include "reports/figure_style.h"
 
@@ -45,8 +46,27 @@ std::vector<Eigen::Index> determined(const Calibration& c) {
     return result;
 }
 
-std::string label_of(const Parameter& parameter) {
-    return plain_text(fmt::format("{} [{}]", parameter.name, parameter.unit));
+/// Axis of a parameter: label, and size of the unit of the axis in the SI unit.
+struct ParameterAxis {
+    std::string label;
+    double unit = 1;
+};
+
+ParameterAxis axis_of(const Parameter& parameter) {
+    if (parameter.name == "friction") return {"intergranular friction μ", 1};
+    PrintedUnit unit = printed_unit({.name = parameter.name,
+                                     .unit = parameter.unit,
+                                     .lower = parameter.lower,
+                                     .upper = parameter.upper});
+    if (unit.name == "deg") unit.name = "°";
+    if (unit.name.starts_with("u")) unit.name.replace(0, 1, "µ");
+    return {plain_text(fmt::format("{} [{}]", parameter.name, unit.name)), unit.si};
+}
+
+/// Divides values along x by the unit of the axis.
+void convert(std::vector<double>& values, double unit) {
+    for (double& value : values)
+        value /= unit;
 }
 
 Panel profile_panel(const Model& model, const Measured& measured, const Fit& best,
@@ -55,9 +75,12 @@ Panel profile_panel(const Model& model, const Measured& measured, const Fit& bes
     const double fitted = c.fit.parameters(k), error = c.fit.standard_error(k);
     // chi2 lacks what widens the standard error: few replicates, and a larger discrepancy.
     const double share = c.fit.covariance(k, k) / (error * error);
-    Panel panel{.x_label = label_of(parameter), .y_label = "rise of χ^2"};
-    Curve profile{.label = "others refitted", .style = Curve::Style::line, .colour = model_colour},
-        parabola{.label = "by the standard error",
+    const ParameterAxis axis = axis_of(parameter);
+    Panel panel{.x_label = axis.label, .y_label = "rise of χ^2"};
+    Curve profile{.label = "all other parameters refitted",
+                  .style = Curve::Style::line,
+                  .colour = model_colour},
+        parabola{.label = "parabola of the standard error",
                  .style = Curve::Style::dashed_line,
                  .colour = calibrated_colour};
     const Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(
@@ -82,15 +105,17 @@ Panel profile_panel(const Model& model, const Measured& measured, const Fit& bes
             parabola.y.push_back(parabola_at(value));
             const double rise =
                 parabola_at(value) + difference(std::clamp(value, at.front(), at.back()));
-            if (rise > profile_reach * profile_reach) continue;  // the key is there
+            if (rise > profile_reach * profile_reach) continue;  // above the axes
             profile.x.push_back(value);
             profile.y.push_back(rise);
         }
     }
+    convert(profile.x, axis.unit);
+    convert(parabola.x, axis.unit);
     panel.curves = {profile, parabola};
-    panel.references = {{"68 %", rise_68, 0, false, "#888888"},
-                        {"95 %", rise_95, 0, false, "#444444"}};
-    panel.x_range = {values(0), values(values.size() - 1)};
+    panel.references = {{"68 % and 95 % of probability", rise_68, 0, false, "#888888"},
+                        {"", rise_95, 0, false, "#888888"}};
+    panel.x_range = {values(0) / axis.unit, values(values.size() - 1) / axis.unit};
     panel.y_range = {0, profile_reach * profile_reach};
     return panel;
 }
@@ -99,8 +124,7 @@ Figure profile_figure(const StudyModel& study_model, const Calibration& c) {
     Figure figure{.name = "profile",
                   .title = "Profile likelihood of the fitted parameters",
                   .panels = {},
-                  .columns = 2,
-                  .small = true};
+                  .columns = 2};
     const std::vector<Reading> fitted(c.readings.begin(),
                                       c.readings.begin() + static_cast<std::ptrdiff_t>(c.fitted));
     const ModelOfReadings model = study_model.at(fitted);
@@ -112,10 +136,7 @@ Figure profile_figure(const StudyModel& study_model, const Calibration& c) {
         figure.panels.push_back(profile_panel(model, measured, best, c, k));
     }
     if (figure.panels.empty()) return figure;
-    figure.panels.front().key = Key::top_left;
-    for (Panel& panel : figure.panels) {
-        panel.headroom = 0.34;
-    }
+    figure.panels.front().key = true;
     return figure;
 }
 
@@ -139,27 +160,34 @@ Curve ellipse(const Calibration& c, Eigen::Index a, Eigen::Index b, double rise)
 }
 
 Panel pair_panel(const Calibration& c, Eigen::Index a, Eigen::Index b) {
-    Panel panel{.x_label = label_of(c.parameters[static_cast<std::size_t>(a)]),
-                .y_label = label_of(c.parameters[static_cast<std::size_t>(b)])};
+    const ParameterAxis along = axis_of(c.parameters[static_cast<std::size_t>(a)]),
+                        up = axis_of(c.parameters[static_cast<std::size_t>(b)]);
+    Panel panel{.x_label = along.label, .y_label = up.label, .x_uncertain = true};
     Curve inner = ellipse(c, a, b, rise_68_of_two), outer = ellipse(c, a, b, rise_95_of_two);
-    inner.label = "68 % of both together";
-    outer.label = "95 %";
+    inner.label = "68 % of the probability of both";
+    outer.label = "95 % of the probability of both";
     outer.style = Curve::Style::dashed_line;
     Curve best{.label = "fit, ± 1 standard error",
                .x = {c.fit.parameters(a)},
                .y = {c.fit.parameters(b)},
                .y_error = {c.fit.standard_error(b)},
+               .x_error = {c.fit.standard_error(a)},
                .colour = calibrated_colour};
+    for (Curve* const curve : {&inner, &outer, &best}) {
+        convert(curve->x, along.unit);
+        convert(curve->x_error, along.unit);
+        convert(curve->y, up.unit);
+        convert(curve->y_error, up.unit);
+    }
     panel.curves = {inner, outer, best};
     return panel;
 }
 
 Figure corner_figure(const Calibration& c) {
     Figure figure{.name = "corner",
-                  .title = "Fitted parameters, two by two",
+                  .title = "Confidence regions of the fitted parameters, two by two",
                   .panels = {},
-                  .columns = 2,
-                  .small = true};
+                  .columns = 2};
     std::vector<Eigen::Index> shown = determined(c);
     shown.resize(std::min(shown.size(), most_in_pairs));
     for (std::size_t j = 1; j < shown.size(); ++j) {
@@ -168,8 +196,7 @@ Figure corner_figure(const Calibration& c) {
         }
     }
     if (figure.panels.empty()) return figure;
-    figure.panels.front().key = Key::top_left;
-    figure.panels.front().headroom = 0.28;
+    figure.panels.front().key = true;
     return figure;
 }
 
@@ -186,8 +213,8 @@ Figure error_budget(const Calibration& c) {
     for (const InstrumentError& each : largest_errors(c.fit, 0, true, most_parts))
         parts.emplace_back(std::abs(each.shift(0)), each.name);
     std::ranges::sort(parts);
-    Panel panel{.x_label = "10^3 × part of the error", .y_label = ""};
-    Curve bars{.label = "part (parts add as squares)",
+    Panel panel{.x_label = "10^3 × part of the standard error", .y_label = ""};
+    Curve bars{.label = "part; the squares of all parts add up",
                .style = Curve::Style::bars_across,
                .colour = model_colour};
     for (const auto& [size, name] : parts) {
@@ -197,10 +224,9 @@ Figure error_budget(const Calibration& c) {
     }
     const double whole = in_thousandths * c.fit.standard_error(0);
     panel.curves = {bars};
-    panel.references = {{"standard error", whole, 0, true, "#888888"}};
+    panel.references = {{"whole standard error", whole, 0, true, "#888888"}};
     panel.x_range = {0, 1.08 * whole};
-    panel.key = Key::top_left;
-    panel.headroom = 0.2;
+    panel.key = true;
     figure.panels = {panel};
     return figure;
 }

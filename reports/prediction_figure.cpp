@@ -89,13 +89,13 @@ std::string label_of(Observable which) {
     const Quantity& about = quantity(dem::observable_names[static_cast<std::size_t>(which)]);
     std::string words(about.name);
     std::ranges::replace(words, '_', ' ');
-    return fmt::format("{} {}", words, about.symbol);
+    return fmt::format("{} {} [1]", words, about.symbol);
 }
 
 /// Panel of an observable: emulated curve with its standard errors, and runs beside it.
 Panel panel_of(Observable which, const PredictionCurve& curve, const Emulator& emulator) {
     const Variable& variable = variable_named(curve.variable);
-    Curve line{.label = "emulator",
+    Curve line{.label = "emulator, ± 1 standard error",
                .style = Curve::Style::line,
                .x = curve.at,
                .y = {},
@@ -103,7 +103,9 @@ Panel panel_of(Observable which, const PredictionCurve& curve, const Emulator& e
                .colour = model_colour};
     Curve band = line;
     band.style = Curve::Style::band;
-    band.label = "emulator, ± 1 standard error";
+    band.in_key = false;
+    line.banded = true;
+    line.in_table = false;
     for (const auto& observables : curve.observables) {
         const Estimate& value = value_of(observables, which);
         line.y.push_back(value.value);
@@ -167,7 +169,7 @@ void check_drawable(const std::string& name, const PredictionCurve& curve) {
 Figure prediction_figure(const PredictionCurve& curve, const Emulator& emulator,
                          const std::vector<std::string>& drawn) {
     Figure figure{.name = "prediction",
-                  .title = "Emulated flow, " + subtitle(curve),
+                  .title = "Emulated steady shear, " + subtitle(curve),
                   .panels = {},
                   .stacked = true};
     for (const std::string& name : drawn) {
@@ -178,11 +180,9 @@ Figure prediction_figure(const PredictionCurve& curve, const Emulator& emulator,
                           ? panel_of(dem::observable_named(name), curve, emulator)
                           : panel_of(*closure, curve);
         const Variable& variable = variable_named(curve.variable);
-        const bool first = figure.panels.empty();
         panel.x_label = variable.label;
         panel.log_x = variable.log && curve.at.front() > 0;
-        panel.key = first ? Key::top_left : Key::none;
-        panel.headroom = first ? 0.3 : 0;
+        panel.key = figure.panels.empty();
         figure.panels.push_back(panel);
     }
     return figure;

@@ -191,30 +191,52 @@ ShapeAxis axis_of(const Proposal& proposal, const std::vector<Reading>& readings
 Figure proposal_figure(const Proposal& proposal, const std::vector<Reading>& readings,
                        const Prediction& model) {
     const ShapeAxis axis = axis_of(proposal, readings);
-    Figure figure{.name = "proposal", .title = "Change of unknown cause"};
+    std::vector<double> contents;
+    for (const Reading& reading : readings)
+        contents.push_back(reading.condition.liquid_content);
+    std::ranges::sort(contents);
+    const auto repeated = std::ranges::unique(contents);
+    contents.erase(repeated.begin(), repeated.end());
+    Figure figure{.name = "proposal",
+                  .title = "A change of unknown cause that would explain the readings",
+                  .panels = {},
+                  .stacked = true};
     for (const Eigen::Index observable : {0, 1}) {
         Panel panel{.x_label = axis.label,
-                    .y_label = observable == 0 ? "deviation of shear stress from the model [%]"
-                                               : "deviation of solid fraction from the model [%]",
+                    .y_label = observable == 0 ? "shear stress, off the model [%]"
+                                               : "solid fraction, off the model [%]",
                     .log_x = spans_decade(axis.at),
                     .zero_line = true,
-                    .key = observable == 0 ? Key::top_left : Key::none,
-                    .headroom = 0.2};
-        Curve measured{.label = "measured", .colour = measured_colour},
-            changed{.label = "model with the change",
-                    .colour = model_colour,
-                    .symbol = {Shape::square, Filling::hollow}};
-        for (std::size_t k = 0; k < readings.size(); ++k) {
-            const Eigen::Index at = 2 * static_cast<Eigen::Index>(k) + observable;
-            const double whole = model.value(at) / 100;
-            measured.x.push_back(axis.at[k]);
-            measured.y.push_back(readings[k].value(observable) / whole - 100);
-            measured.y_error.push_back(std::sqrt(readings[k].covariance(observable, observable)) /
-                                       whole);
-            changed.x.push_back(axis.at[k]);
-            changed.y.push_back(proposal.model.fit.prediction.value(at) / whole - 100);
+                    .key = observable == 0};
+        std::vector<std::string> names;
+        for (std::size_t n = 0; n < contents.size(); ++n) {
+            names.push_back(contents[n] == 0 ? "dry"
+                                             : fmt::format("Φ_L/Φ_S = {:.3g}", contents[n]));
+            const SeriesLook look = look_of_series(n, contents.size());
+            Curve measured = measured_points("measured, " + names.back(), look),
+                  changed = model_points("model with the change, " + names.back(), look);
+            measured.in_key = changed.in_key = false;
+            for (std::size_t k = 0; k < readings.size(); ++k) {
+                if (readings[k].condition.liquid_content != contents[n]) continue;
+                const Eigen::Index at = 2 * static_cast<Eigen::Index>(k) + observable;
+                const double whole = model.value(at) / 100;
+                measured.x.push_back(axis.at[k]);
+                measured.y.push_back(readings[k].value(observable) / whole - 100);
+                measured.y_error.push_back(
+                    std::sqrt(readings[k].covariance(observable, observable)) / whole);
+                changed.x.push_back(axis.at[k]);
+                changed.y.push_back(proposal.model.fit.prediction.value(at) / whole - 100);
+            }
+            panel.curves.push_back(measured);
+            panel.curves.push_back(changed);
         }
-        panel.curves = {measured, changed};
+        for (Curve entry : series_entries(names)) {
+            if (entry.style == Curve::Style::line) entry.style = Curve::Style::points;
+            panel.curves.push_back(std::move(entry));
+        }
+        panel.curves.push_back(kind_entry(measured_text, Curve::Style::points));
+        panel.curves.push_back(
+            kind_entry("model with the change", Curve::Style::points, Filling::hollow));
         figure.panels.push_back(std::move(panel));
     }
     return figure;

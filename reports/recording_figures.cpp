@@ -186,15 +186,28 @@ const std::string& colour_of(AveragedWindow::Kind kind) {
     }
 }
 
+Filling filling_of(AveragedWindow::Kind kind) {
+    switch (kind) {
+        case AveragedWindow::Kind::used:
+            return Filling::filled;
+        case AveragedWindow::Kind::no_plateau:
+            return Filling::hollow;
+        default:
+            return Filling::crossed;
+    }
+}
+
 /// The mean over a window, as a line from its begin to its end, or as points where a line would be
 /// too short to be seen.
 Curve mean_curve(const RecordingCourse& course, const AveragedWindow& window, bool first) {
-    const bool is_short = 30 * (window.end - window.begin) < course.size();
+    const bool is_short = 30 * (window.end - window.begin) < course.size(),
+               used = window.kind == AveragedWindow::Kind::used;
     Curve curve{.label = text_of(window.kind),
                 .style = is_short ? Curve::Style::points : Curve::Style::line,
                 .colour = colour_of(window.kind),
-                .symbol = {Shape::square, Filling::filled},
-                .weight = 3,
+                .symbol = {Shape::square, filling_of(window.kind)},
+                .dash = used ? "solid" : "(3,2)",
+                .weight = used ? 3.0 : 2.0,
                 .area = 0.4,
                 .in_key = first};
     if (const auto mean = course.mean(window))
@@ -213,7 +226,7 @@ Panel course_panel(const FileView& view, const std::vector<AveragedWindow>& wind
         panel.curves.push_back(mean_curve(course, window, in_key.insert(window.kind).second));
     }
     std::erase_if(panel.curves, [](const Curve& curve) { return curve.x.empty(); });
-    panel.key = Key::outside;
+    panel.key = true;
     return panel;
 }
 
@@ -293,7 +306,7 @@ Panel locus_panel(const YieldLocus& locus) {
     }
     for (Curve* const curve : {&failures, &at_end})
         if (!curve->x.empty()) panel.curves.push_back(*curve);
-    panel.key = Key::outside;
+    panel.key = true;
     return panel;
 }
 
@@ -309,7 +322,7 @@ void set_equal_scales(Figure& figure, double greatest) {
 std::string locus_title(const YieldLocus& locus) {
     const LinearYieldLocus& line = *locus.line;
     std::string title = fmt::format(
-        "cohesion {:.4g} Pa, slope {:.3g}°, unconfined strength {:.4g} Pa", line.cohesion,
+        "Cohesion {:.4g} Pa, slope {:.3g}°, unconfined strength {:.4g} Pa", line.cohesion,
         line.slope_angle * 180 / std::numbers::pi, line.unconfined_strength);
     if (line.flowability)
         title += fmt::format(": flowability {:.3g}, {}", *line.flowability, line.flow_class);
@@ -322,7 +335,7 @@ Figure recording_figure(const FileView& view, const std::vector<Reading>& readin
                         const std::vector<Remark>& left_out) {
     const std::vector<AveragedWindow> windows = windows_of(view, readings, left_out);
     Figure figure{.name = figure_name("recording_", name_of(view)),
-                  .title = plain_text(name_of(view)),
+                  .title = plain_text("Recording " + name_of(view)),
                   .panels = {course_panel(view, windows, true), course_panel(view, windows, false)},
                   .stacked = true};
     std::erase_if(figure.panels, [](const Panel& panel) { return panel.curves.empty(); });

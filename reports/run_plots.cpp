@@ -18,11 +18,11 @@
 namespace pendular {
 namespace {
 
-const char* const colours[] = {"#000000", "#1b6ca8", "#c8502d", "#2f8f4e"};
-
 Panel course(const StoredRun& stored, const std::string& label, dem::Observable which,
-             double (*value)(const dem::TraceBlock&)) {
-    Curve curve{.label = "blocks of strain", .style = Curve::Style::line, .colour = "#1b6ca8"};
+             double (*value)(const dem::TraceBlock&), bool key) {
+    Curve curve{.label = "averages over blocks of strain",
+                .style = Curve::Style::line,
+                .colour = "#1b6ca8"};
     double strain = 0;
     for (const auto& block : stored.run.trace) {
         strain += block.strain;
@@ -38,7 +38,7 @@ Panel course(const StoredRun& stored, const std::string& label, dem::Observable 
                             .vertical = true,
                             .colour = "#c8502d"}},
             .curves = {curve},
-            .key = Key::outside};
+            .key = key};
 }
 
 std::vector<std::string> number_columns() {
@@ -65,40 +65,65 @@ std::optional<double> number_of(const RunColumn& column, const dem::RunResult& r
     return number && std::isfinite(*number) ? std::optional(*number) : std::nullopt;
 }
 
-/// Index of a run's group among `curves_of_groups`. Without effects on grains: 0 for dry runs, 1 to
-/// 3 for wet runs with P* below 1, from 1 to 10 and above 10; with effects on grains: 4 to 7.
-std::size_t group_of(const dem::RunResult& run) {
-    const auto& wetting = run.parameters.wetting;
-    const std::size_t wetness = !wetting                            ? 0
-                                : wetting->reduced_pressure < 1     ? 1
-                                : wetting->reduced_pressure <= 10.0 ? 2
-                                                                    : 3;
-    return run.parameters.effects.empty() ? wetness : wetness + std::size(colours);
+/// Ranges of a quantity of runs that colours tell apart; it is on neither axis.
+struct Ranges {
+    std::vector<std::string> labels;
+    std::vector<double> ends;  ///< upper end of each range but the last
+    double (*of)(const dem::RunResult&);
+
+    std::size_t place(double value) const {
+        return static_cast<std::size_t>(std::ranges::upper_bound(ends, value) - ends.begin());
+    }
+};
+
+/// The ranges of P*, or those of the friction where an axis shows P* or what follows from it.
+Ranges ranges_for(const std::string& x, const std::string& y) {
+    for (const std::string& axis : {x, y}) {
+        if (axis == "reduced_pressure" || axis == "liquid_content" || axis == "bridge_volume") {
+            return {{"friction < 0.05", "friction 0.05 to 0.1", "friction 0.1 to 0.2",
+                     "friction ≥ 0.2"},
+                    {0.05, 0.1, 0.2},
+                    [](const dem::RunResult& run) { return run.parameters.friction; }};
+        }
+    }
+    return {
+        {"P* < 1", "P* 1 to 10", "P* ≥ 10", "dry"}, {1, 10, 1e300}, [](const dem::RunResult& run) {
+            const auto& wetting = run.parameters.wetting;
+            return wetting ? wetting->reduced_pressure : INFINITY;
+        }};
 }
 
-/// Curves of the groups of runs, by dryness or P* and by effects on grains, without points yet.
-std::vector<Curve> curves_of_groups() {
-    const std::vector<std::string> labels = {"dry", "P* < 1", "P* 1 to 10", "P* > 10"};
+/// Curves of the groups of runs, by a range and by effects on grains, without points yet.
+std::vector<Curve> curves_of_groups(const Ranges& ranges) {
     std::vector<Curve> curves;
     for (const bool effects : {false, true}) {
-        for (std::size_t k = 0; k < labels.size(); ++k) {
-            curves.push_back(
-                {.label = labels[k] + (effects ? ", effects" : ""), .colour = colours[k]});
-            if (effects) {
-                curves.back().symbol = {Shape::square, Filling::hollow};
-            }
+        for (std::size_t k = 0; k < ranges.labels.size(); ++k) {
+            const SeriesLook look = look_of_series(k, ranges.labels.size());
+            curves.push_back(effects
+                                 ? model_points(ranges.labels[k] + ", with effects on grains", look)
+                                 : measured_points(ranges.labels[k], look));
+            curves.back().area = 0.4;  // of hundreds of points
         }
     }
     return curves;
+}
+
+std::string words_of(std::string column) {
+    std::ranges::replace(column, '_', ' ');
+    return column;
+}
+
+std::string title_word(const std::string& column) {
+    std::string words = words_of(column);
+    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+    return words;
 }
 
 std::string label_of(const std::string& column) {
     if (column == "wall_seconds") {
         return "wall time [s]";
     }
-    std::string label = column;
-    std::ranges::replace(label, '_', ' ');
-    return label + " [1]";
+    return words_of(column) + " [1]";
 }
 
 bool spans_decades(const std::vector<Curve>& curves) {
@@ -116,12 +141,14 @@ bool spans_decades(const std::vector<Curve>& curves) {
 Figure trace_figure(const StoredRun& stored) {
     return {
         .name = fmt::format("run_{}", stored.id),
-        .title = fmt::format("run {}: friction {:.4g}, inertial number {:.3g}", stored.id,
+        .title = fmt::format("Simulation {}: friction {:.4g}, inertial number {:.3g}", stored.id,
                              stored.run.parameters.friction, stored.run.parameters.inertial_number),
-        .panels = {course(stored, "stress ratio [1]", dem::Observable::stress_ratio,
-                          [](const dem::TraceBlock& b) { return -double{b.s12} / b.s22; }),
-                   course(stored, "solid fraction [1]", dem::Observable::solid_fraction,
-                          [](const dem::TraceBlock& b) { return double{b.solid_fraction}; })},
+        .panels = {course(
+                       stored, "stress ratio [1]", dem::Observable::stress_ratio,
+                       [](const dem::TraceBlock& b) { return -double{b.s12} / b.s22; }, true),
+                   course(
+                       stored, "solid fraction [1]", dem::Observable::solid_fraction,
+                       [](const dem::TraceBlock& b) { return double{b.solid_fraction}; }, false)},
         .stacked = true};
 }
 
@@ -134,13 +161,18 @@ Figure runs_figure(const std::vector<StoredRun>& runs, const std::string& x, con
     }
     const RunColumn *along = column_named(x), *up = column_named(y),
                     *error = column_named(y + "_stderr");
-    std::vector<Curve> curves = curves_of_groups();
+    const Ranges ranges = ranges_for(x, y);
+    std::vector<Curve> curves = curves_of_groups(ranges);
+    std::size_t drawn = 0;
     for (const StoredRun& stored : runs) {
         const auto at = number_of(*along, stored.run), value = number_of(*up, stored.run);
         if (!stored.run.failure.empty() || !at || !value) {
             continue;
         }
-        Curve& curve = curves[group_of(stored.run)];
+        const bool effects = !stored.run.parameters.effects.empty();
+        Curve& curve =
+            curves[ranges.place(ranges.of(stored.run)) + (effects ? ranges.labels.size() : 0)];
+        ++drawn;
         curve.x.push_back(*at);
         curve.y.push_back(*value);
         curve.y_error.push_back(error ? number_of(*error, stored.run).value_or(0) : 0);
@@ -150,13 +182,14 @@ Figure runs_figure(const std::vector<StoredRun>& runs, const std::string& x, con
         throw InputError("no run has both columns; widen --where");
     }
     const bool decades = spans_decades(curves);
-    return {.name = y + "_by_" + x,
-            .title = fmt::format("{} runs", runs.size()),
-            .panels = {{.x_label = label_of(x),
-                        .y_label = label_of(y),
-                        .log_x = decades,
-                        .curves = std::move(curves),
-                        .key = Key::outside}}};
+    return {
+        .name = y + "_by_" + x,
+        .title = fmt::format("{} against {} of {} simulations", title_word(y), words_of(x), drawn),
+        .panels = {{.x_label = label_of(x),
+                    .y_label = label_of(y),
+                    .log_x = decades,
+                    .curves = std::move(curves),
+                    .key = true}}};
 }
 
 namespace {
@@ -239,29 +272,27 @@ std::string title(const std::string& what, const dem::RunResult& run) {
 
 Figure profiles_figure(const dem::RunResult& run) {
     const auto panel = [&](Field which, const std::string& label) {
-        Panel result{.x_label = "position along the gradient x_2/H",
+        Panel result{.x_label = "position along the gradient x_2/H [1]",
                      .y_label = label,
                      .curves = {contacts(run, which)},
                      .x_range = {{0.0, 1.0}}};
         result.curves.front().in_key = false;
         return result;
     };
-    Panel velocity = panel(Field::velocity, "velocity v_1/(γ̇H)");
+    Panel velocity = panel(Field::velocity, "velocity v_1/(γ̇H) [1]");
     velocity.curves.front().label = "simulated";
     velocity.curves.front().in_key = true;
     velocity.curves.push_back(
         {.label = "uniform shear", .style = Curve::Style::dotted_line, .x = {0, 1}, .y = {0, 1}});
-    velocity.key = Key::top_left;
+    velocity.key = true;
     Panel solid = panel(Field::solid_fraction, solid_fraction_label);
     const Mean& mean = run[dem::Observable::solid_fraction];
     solid.references.push_back({"of the whole sample", mean.value, mean.standard_error});
-    solid.key = Key::top_right;
-    solid.headroom = 0.12;
-    return {
-        .name = "profiles",
-        .title = title("Profiles along the velocity gradient", run),
-        .panels = {velocity, solid,
-                   panel(Field::granular_temperature, "granular temperature ⟨δv^2⟩/(3a^2γ̇^2)")}};
+    solid.key = true;
+    return {.name = "profiles",
+            .title = title("Profiles along the velocity gradient", run),
+            .panels = {velocity, solid,
+                       panel(Field::granular_temperature, "temperature ⟨δv^2⟩/(3a^2γ̇^2) [1]")}};
 }
 
 /// Panel of the probability density of the normal contact force, with a logarithmic axis. Bins
@@ -279,15 +310,15 @@ Panel force_panel(const dem::RunResult& run) {
             kept.y_error.push_back(all.y_error[k]);
         }
     }
-    return {.x_label = "normal force of contacts F_N/⟨F_N⟩",
-            .y_label = "probability density",
+    return {.x_label = "normal force of contacts F_N/⟨F_N⟩ [1]",
+            .y_label = "probability density [1]",
             .log_y = true,
             .curves = {kept},
             .x_range = {{0.0, 8.0}}};
 }
 
 Panel angle_panel(const std::string& label, std::vector<Curve> curves) {
-    return {.x_label = "angle of n from the flow to the gradient [°]",
+    return {.x_label = "angle of contacts to the flow [°]",
             .y_label = label,
             .curves = std::move(curves),
             .x_range = {{0.0, 180.0}}};
@@ -298,18 +329,17 @@ Figure distributions_figure(const dem::RunResult& run) {
     Panel orientation =
         angle_panel("probability density [1/rad]", {contacts(run, Field::contact_orientation)});
     orientation.references.push_back({"isotropic", 1 / std::numbers::pi, 0});
-    orientation.key = Key::top_left;
-    orientation.headroom = 0.22;
-    Panel force = angle_panel("mean normal force of contacts F_N/(a^2σ_{22})",
+    orientation.key = true;
+    Panel force = angle_panel("mean force F_N/(a^2σ_{22}) [1]",
                               {contacts(run, Field::contact_force_by_orientation)});
     force.references.push_back({"of all contacts", run[dem::Observable::contact_force].value, 0});
-    force.key = Key::top_left;
+    force.key = true;
     force.curves.front().in_key = false;
     std::vector<Panel> panels{orientation, force, force_panel(run)};
     if (wet) {
         panels.front().curves.push_back(distant(run, Field::distant_orientation));
-        panels.push_back({.x_label = "gap of bridges without contact h/a",
-                          .y_label = "probability density",
+        panels.push_back({.x_label = "gap of bridges without contact h/a [1]",
+                          .y_label = "probability density [1]",
                           .curves = {distant(run, Field::distant_gap)}});
     }
     return {.name = "distributions",

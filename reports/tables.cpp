@@ -160,8 +160,7 @@ std::vector<std::string> predictions_table(const Comparison& comparison, bool wo
     }
     lines.push_back(
         "  (resid./err.: measured minus model, divided by the standard error of this difference; "
-        "part of chi2: contribution of this reading, which equals the sum of the squares of its "
-        "two resid./err. only if errors are not correlated)");
+        "part of chi2: contribution of this reading)");
     for (const DirectMisfit& direct : comparison.direct) {
         const DirectMeasurement& m = direct.measurement;
         lines.push_back(fmt::format(

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/predicted_readings.h"
@@ -10,7 +11,6 @@
 #include "calib/fit/structural_cohesion.h"
 #include "reports/figure_style.h"
 #include "reports/model_curve.h"
-#include "reports/symbol.h"
 
 namespace pendular {
 namespace {
@@ -53,7 +53,23 @@ struct WetStudy {
         return study_model.effects().empty() && calibration.model.base == "dem";
     }
     std::string model_word() const { return simulated() ? "simulated" : "model"; }
-    std::string at_readings() const { return simulated() ? "simulated" : "model at the readings"; }
+    std::string at_readings() const { return simulated() ? "simulated" : model_at_readings_text; }
+    /// Distinct liquid contents, from the smallest.
+    std::vector<double> contents() const {
+        std::vector<double> all;
+        for (const WetGroup& group : groups) {
+            if (std::ranges::find(all, group.liquid_content) == all.end())
+                all.push_back(group.liquid_content);
+        }
+        std::ranges::sort(all);
+        return all;
+    }
+    /// Look of the readings with a liquid content, and of their model.
+    SeriesLook look(double liquid_content) const {
+        const std::vector<double> all = contents();
+        const auto place = std::ranges::lower_bound(all, liquid_content) - all.begin();
+        return look_of_series(static_cast<std::size_t>(place), all.size());
+    }
     /// Pull-off force F0 [µN] of the study's liquid, which the axes use.
     double force() const { return 1e6 * pull_off_force(calibration.grains, *calibration.liquid); }
     /// Pull-off force F0 [µN] of the liquid as changed by effects.
@@ -123,19 +139,11 @@ std::string title(const std::string& what, const WetStudy& study) {
 }
 
 std::string measured_line_text(const WetStudy& study) {
-    return fmt::format("measured, line for P* ≥ {:.2g}", study.limit);
+    return fmt::format("cohesion line through readings at P* ≥ {:.2g}", study.limit);
 }
 
-std::string colour_of(double liquid_content) {
-    return std::string(code_of(liquid_content).colour);
-}
-
-/// Curve without points yet, in the colour of one liquid content.
-Curve points_of(const std::string& kind, double liquid_content, const Symbol& symbol) {
-    return {.label = fmt::format("{}, {}", kind, content_text(liquid_content)),
-            .colour = colour_of(liquid_content),
-            .symbol = symbol,
-            .in_key = false};
+std::string label_of(const std::string& kind, double liquid_content) {
+    return fmt::format("{}, {}", kind, content_text(liquid_content));
 }
 
 /// Beginning of the labels of a group's curves.
@@ -157,34 +165,51 @@ ModelCurve model_of(const WetStudy& study, const CurveGroup& series) {
     return {x, predict_unseen(study.model, study.fitted, conditions), conditions};
 }
 
+/// Series of a group of readings, each with a curve of its own.
+std::vector<CurveGroup> wet_series(const WetStudy& study, const WetGroup& group) {
+    return curve_groups(group.members, study.model, study.calibration, along_inverse_normal_stress,
+                        {Apart::bead_volume, Apart::file});
+}
+
 /// Draws the model curves of one liquid content, several where the predictions differ between
 /// masses of beads or files. A curve that does not represent the predictions of its readings is
 /// left out.
 void draw_model(Panel& panel, const WetStudy& study, const WetGroup& group, std::size_t o) {
-    for (const CurveGroup& series :
-         curve_groups(group.members, study.model, study.calibration, along_inverse_normal_stress,
-                      {Apart::bead_volume, Apart::file})) {
+    for (const CurveGroup& series : wet_series(study, group)) {
         if (!series.curve) continue;
-        Curve look = points_of(kind_of(group) + "model", group.liquid_content, {});
+        Curve look = model_line(label_of(kind_of(group) + "model", group.liquid_content),
+                                study.look(group.liquid_content));
+        look.in_key = false;
         if (!series.name.empty()) look.label += ", " + series.name;
         model_of(study, series).draw_in(panel, o, look, look.label);
     }
 }
 
+/// Draws the readings, and the predictions of those that no curve of the model represents.
 void draw_points(Panel& panel, const WetStudy& study, const WetGroup& group, std::size_t o) {
     const Calibration& c = study.calibration;
-    Curve simulated = points_of(kind_of(group) + study.at_readings(), group.liquid_content,
-                                simulated_symbol(study.friction(), group.liquid_content));
-    Curve measured = points_of(kind_of(group) + "measured", group.liquid_content, measured_symbol);
+    const SeriesLook look = study.look(group.liquid_content);
+    Curve measured =
+        measured_points(label_of(kind_of(group) + "measured", group.liquid_content), look);
+    Curve predicted =
+        model_points(label_of(kind_of(group) + study.at_readings(), group.liquid_content), look);
+    measured.in_key = predicted.in_key = false;
+    const std::vector<CurveGroup> all = wet_series(study, group);
+    predicted.drawn = !std::ranges::all_of(all, &CurveGroup::curve);
     for (const std::size_t k : group.members) {
         const Condition& condition = c.readings[k].condition;
         const double x = study.inverse_pressure(condition);
-        add_point(simulated, x,
-                  shown(c.prediction, static_cast<Eigen::Index>(k), condition.normal_stress), o);
         add_point(measured, x, shown(c.readings[k]), o);
+        add_point(predicted, x,
+                  shown(c.prediction, static_cast<Eigen::Index>(k), condition.normal_stress), o);
     }
+    panel.curves.push_back(predicted);
     panel.curves.push_back(measured);
-    panel.curves.push_back(simulated);
+}
+
+bool has_style(const Panel& panel, Curve::Style style) {
+    return std::ranges::any_of(
+        panel.curves, [&](const Curve& curve) { return curve.style == style && !curve.x.empty(); });
 }
 
 /// Draws the dry readings and their predictions at 1/P* = 0: as one mean point, or one by one where
@@ -199,13 +224,9 @@ void draw_dry(Panel& panel, const WetStudy& study, std::size_t o) {
     if (dry.empty()) {
         return;
     }
-    Curve simulated{.label = study.at_readings() + ", dry",
-                    .colour = colour_of(0),
-                    .symbol = simulated_symbol(study.friction(), 0),
-                    .in_key = false};
-    Curve measured = simulated;
-    measured.label = "measured, dry";
-    measured.symbol = measured_symbol;
+    Curve simulated = model_points(study.at_readings() + ", dry", dry_look),
+          measured = measured_points("measured, dry", dry_look);
+    simulated.in_key = measured.in_key = false;
     const auto add = [&](const std::vector<std::size_t>& places) {
         const MeasuredAndModel means = means_of(places, c, study.measured.covariance);
         add_point(simulated, 0, means.model, o);
@@ -217,65 +238,62 @@ void draw_dry(Panel& panel, const WetStudy& study, std::size_t o) {
         for (const std::size_t k : dry)
             add({k});
     }
-    panel.curves.push_back(measured);
+    // Where the curves of the model begin at this point, it would only hide the measured one.
+    simulated.drawn = !mean_suffices(dry, c) || !has_style(panel, Curve::Style::line);
     panel.curves.push_back(simulated);
+    panel.curves.push_back(measured);
 }
 
-/// Source of a cohesion line in a figure: "measured", or "simulated" or "model".
-std::string source_of(const CohesionLine& line, const WetStudy& study) {
-    return line.source == "measured" ? line.source : study.model_word();
-}
-
+/// Draws the cohesion lines through the readings. Those through the model would lie on its curves,
+/// and only the CSV file has them; the figure of the reduced cohesion compares both.
 void draw_lines(Panel& panel, const WetStudy& study, double end) {
     for (const CohesionLine& line : study.lines) {
-        Curve curve =
-            points_of("cohesion line, " + source_of(line, study), line.liquid_content, {});
-        curve.style =
-            line.source == "measured" ? Curve::Style::dotted_line : Curve::Style::dashed_line;
+        const bool measured = line.source == "measured";
+        const std::string source = measured ? line.source : study.model_word();
+        Curve curve{.label = label_of("cohesion line, " + source, line.liquid_content),
+                    .style = Curve::Style::dotted_line,
+                    .colour = study.look(line.liquid_content).colour,
+                    .weight = 0.8,
+                    .drawn = measured,
+                    .in_key = false};
         curve.x = {0, end};
         curve.y = {line.stress_ratio_intercept.value, stress_ratio(line, 1 / end)};
         panel.curves.push_back(curve);
     }
 }
 
-/// Entry of a key that explains a line style or symbol for all liquid contents.
-Curve kind(const std::string& label, Curve::Style style, const Symbol& symbol = {}) {
-    return {.label = label, .style = style, .colour = explaining_colour, .symbol = symbol};
-}
-
-/// Adds the key: the symbol of each liquid content, then the style of each kind of data.
-void explain(Panel& panel, const WetStudy& study, bool with_dry, bool with_lines) {
+/// Adds the key: the look of each liquid content, then of each kind of data.
+void explain(Panel& panel, const WetStudy& study, bool with_dry) {
     using Style = Curve::Style;
-    const auto code = [&](double content, const std::string& label) {
-        Curve curve = points_of("", content, simulated_symbol(study.friction(), content));
-        curve.label = label;
-        curve.in_key = true;
-        panel.curves.push_back(curve);
-    };
-    std::string last;
-    for (const WetGroup& group : study.groups) {
-        const std::string text = content_text(group.liquid_content);
-        if (std::exchange(last, text) != text) code(group.liquid_content, text);
-    }
-    if (with_dry) {
-        code(0, "dry");
-    }
-    panel.curves.push_back(kind("measured", Style::points, measured_symbol));
+    const bool lines = has_style(panel, Style::line), fitted = has_style(panel, Style::dotted_line),
+               predicted = std::ranges::any_of(panel.curves, [](const Curve&curve) {
+                   return curve.drawn && curve.symbol.filling == Filling::hollow &&
+                          !curve.x.empty();
+               });
+    std::vector<std::string> names;
+    for (const double content : study.contents())
+        names.push_back(content_text(content));
+    std::ranges::move(series_entries(names), std::back_inserter(panel.curves));
+    if (with_dry) panel.curves.push_back(measured_points("dry", dry_look));
+    const std::size_t others = with_dry + lines + predicted + fitted + 1;
+    constexpr std::size_t most_entries = 8;
+    const bool together = predicted && names.size() + others > most_entries;
     panel.curves.push_back(
-        kind(study.at_readings(), Style::points, {shape_of(study.friction()), Filling::hollow}));
-    panel.curves.push_back(kind("model", Style::line));
-    panel.curves.push_back(kind("± 1 standard error", Style::band));
-    if (with_lines) {
-        panel.curves.push_back(kind(measured_line_text(study), Style::dotted_line));
-        panel.curves.push_back(kind(study.model_word() + ", likewise", Style::dashed_line));
-    }
-    panel.key = Key::outside;
+        kind_entry(together ? fmt::format("{} (hollow: {})", measured_text, study.at_readings())
+                            : measured_text,
+                   Style::points));
+    if (lines)
+        panel.curves.push_back(
+            kind_entry(study.model_word() + ", ± 1 standard error", Style::line));
+    if (predicted && !together)
+        panel.curves.push_back(kind_entry(study.at_readings(), Style::points, Filling::hollow));
+    if (fitted) panel.curves.push_back(kind_entry(measured_line_text(study), Style::dotted_line));
+    panel.key = true;
 }
 
 /// Panel of the stress ratio (o = 0) or the solid fraction (o = 1) against 1/P*.
 Panel pressure_panel(const WetStudy& study, std::size_t o) {
-    Panel panel{.x_label = fmt::format("inverse reduced pressure 1/P* = F_0/(a^2σ_{{22}}), {}",
-                                       force_text(study)),
+    Panel panel{.x_label = fmt::format("inverse reduced pressure 1/P*, {}", force_text(study)),
                 .y_label = o == 0 ? stress_ratio_label : solid_fraction_label};
     double end = 0;
     for (const WetGroup& group : study.groups) {
@@ -292,14 +310,14 @@ Panel pressure_panel(const WetStudy& study, std::size_t o) {
     for (const WetGroup& group : study.groups) {
         draw_points(panel, study, group, o);
     }
-    explain(panel, study, with_dry, o == 0 && !study.lines.empty());
+    explain(panel, study, with_dry);
     return panel;
 }
 
 Figure stress_ratio_figure(const WetStudy& study) {
     Panel panel = pressure_panel(study, 0);
     if (1 / study.limit < panel.x_range->second) {
-        panel.references.push_back({.label = fmt::format("P* = {:.2g}", study.limit),
+        panel.references.push_back({.label = "",  // the entry of the cohesion lines states it
                                     .value = 1 / study.limit,
                                     .vertical = true});
     }
@@ -314,27 +332,28 @@ Figure solid_fraction_figure(const WetStudy& study) {
             .panels = {pressure_panel(study, 1)}};
 }
 
-/// Draws the reduced cohesion of each cohesion line, in the symbol of its liquid content.
+/// Draws the reduced cohesion of each cohesion line.
 void draw_cohesions(Panel& panel, const WetStudy& study) {
+    Curve measured = measured_points(measured_line_text(study) + ", ± 1 standard error",
+                                     {.colour = measured_colour}),
+          model = model_points("cohesion line through the " +
+                                   (study.simulated() ? std::string("simulations") : "model"),
+                               {.colour = model_colour, .shape = Shape::square});
     for (const CohesionLine& line : study.lines) {
-        const double content = line.liquid_content;
-        Curve curve =
-            points_of(source_of(line, study), content,
-                      line.source == "measured" ? measured_symbol
-                                                : simulated_symbol(study.friction(), content));
-        curve.x = {content};
-        curve.y = {line.reduced_cohesion.value};
-        curve.y_error = {line.reduced_cohesion.standard_error};
-        panel.curves.push_back(curve);
+        Curve& curve = line.source == "measured" ? measured : model;
+        curve.x.push_back(line.liquid_content);
+        curve.y.push_back(line.reduced_cohesion.value);
+        curve.y_error.push_back(line.reduced_cohesion.standard_error);
     }
+    for (Curve* const curve : {&measured, &model})
+        if (!curve->x.empty()) panel.curves.push_back(*curve);
 }
 
 Figure cohesion_figure(const WetStudy& study, const std::vector<StructuralCohesion>& structural) {
     Panel panel{.x_label = liquid_content_label,
-                .y_label = "reduced cohesion c* = a^2c/F_0, " + force_text(study),
+                .y_label = "reduced cohesion c*, " + force_text(study),
                 .log_x = true,
-                .key = Key::top_left,
-                .headroom = 0.32};
+                .key = true};
     Curve rumpf{.label = "μ*_0Φ_SZ*/π (Rumpf)",
                 .colour = "#b9770e",
                 .symbol = {Shape::diamond, Filling::hollow}},
@@ -349,12 +368,9 @@ Figure cohesion_figure(const WetStudy& study, const std::vector<StructuralCohesi
             curve->y_error.push_back(estimate.standard_error);
         }
     }
-    panel.curves.push_back(kind(measured_line_text(study), Curve::Style::points, measured_symbol));
-    panel.curves.push_back(kind(study.model_word() + ", likewise", Curve::Style::points,
-                                {shape_of(study.friction()), Filling::hollow}));
-    panel.curves.push_back(rumpf);
-    panel.curves.push_back(generalised);
     draw_cohesions(panel, study);
+    for (const Curve* const curve : {&rumpf, &generalised})
+        if (!curve->x.empty()) panel.curves.push_back(*curve);
     return {
         .name = "reduced_cohesion", .title = title("Reduced cohesion", study), .panels = {panel}};
 }

@@ -271,7 +271,7 @@ void draw_shares(const Studies& all, const std::filesystem::path& folder) {
                   .panels = {}};
     Panel panel{.x_label = "noncentrality v after refitting the friction",
                 .y_label = "share of laboratories [%]",
-                .key = Key::outside,
+                .key = true,
                 .y_range = std::pair(0.0, 100.0)};
     const std::vector<std::tuple<std::string, Test, std::string>> kinds = {
         {"noticed", alarms, "#000000"},

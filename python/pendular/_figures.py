@@ -16,13 +16,13 @@ NORMAL_STRESS = r"normal stress $\sigma_{22}$ [Pa]"
 MODEL = "#0b62a4"
 CALIBRATED = "#c0392b"
 REFERENCE = "#888888"
-#: Colour and symbol of each series, as in the figures of the command line.
+#: Colour and symbol of each series; the first four as in the figures of the command line.
 LOOKS = [
-    ("#1f4fd8", "o"),
-    ("#d62728", "s"),
-    ("#149339", "^"),
-    ("#8e2fb5", "D"),
-    ("#b9770e", "v"),
+    ("#0b62a4", "o"),
+    ("#c0392b", "s"),
+    ("#1e8449", "^"),
+    ("#6c3483", "v"),
+    ("#b9770e", "D"),
     ("#0f8b8d", "*"),
     ("#111111", "o"),
     ("#808080", "s"),

@@ -251,9 +251,12 @@ TEST(LadderFigure, ShowsEveryRung) {
                   300u);
     }
     const std::string numbers = content_of(folder.path() / "ladder.csv");
-    for (const char* part : {"1,start,1,97.5,,start,,", "1,fall,3,7.5,,'+ capillary-shear-stress,,",
-                             "1,fall,8,1.025,,− torque-offset,,χ^2 per degree of freedom\n",
-                             "2,\"shear stress, fitted\",0.88,14.1,,start,,RMS error [%]\n"}) {
+    for (const char* part : {"1,model of the study,1,97.5,,start,,",
+                             "1,model of the study,3,7.5,,'+ capillary-shear-stress,,",
+                             "1,model of the study,8,1.025,,− torque-offset,,χ^2 per degree of "
+                             "freedom\n",
+                             "2,\"shear stress, fitted readings\",0.88,14.1,,start,,RMS error "
+                             "[%]\n"}) {
         EXPECT_THAT(numbers, HasSubstr(part));
     }
     const std::string drawing = content_of(folder.path() / "ladder.svg");

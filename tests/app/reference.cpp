@@ -60,7 +60,7 @@ TEST(ReferencePages, OfEffectsHoldTheRegistry) {
         text += fmt::format("\n## {}\n\n{}.\n\n```\n{}\n```\n\n", effect.name, summary,
                             effect.equation);
         text +=
-            "| parameter | bounds | value without effect | smallest size of interest | meaning |\n"
+            "| parameter | bounds | value without effect | size that matters | meaning |\n"
             "|---|---|---|---|---|\n";
         for (const EffectParameter& p : effect.parameters) {
             text += fmt::format(
@@ -92,7 +92,8 @@ constexpr std::array<std::array<const char*, 2>, 24> other_terms = {{
      "a measurement of an effect's parameter without shearing grains, such as the torque of the "
      "empty cell"},
     {"discrepancy",
-     "relative error that is expected of a model's predictions, other than that of its simulations"},
+     "relative error that is expected of a model's predictions, other than that of its "
+     "simulations"},
     {"effect", "a physical property of instrument, beads, liquid or grains that a model may lack"},
     {"effect set", "the effects that one model contains"},
     {"emulator", "Gaussian processes that predict simulations, trained on simulations"},
@@ -105,14 +106,14 @@ constexpr std::array<std::array<const char*, 2>, 24> other_terms = {{
     {"misfit",
      "difference between measured and predicted value over its standard error; chi2 is the "
      "sum of squares, with correlations"},
-    {"power", "probability that the readings show an effect of the smallest size of interest"},
+    {"power", "probability that the readings show an effect of the size that matters"},
     {"reading", "shear stress and solid fraction of one step of steady shear"},
     {"reduction of chi2", "decrease of chi2 when an effect is added to the model"},
     {"replicates", "readings at the same conditions, to 2 %"},
     {"score test", "test of an effect from the residuals, without a refit"},
     {"share imitated by the calibrated parameters",
      "share of an effect's change of the readings that a change of friction can imitate"},
-    {"smallest effect of interest", "smallest size of an effect that matters to the user"},
+    {"size that matters", "smallest size of an effect that is of interest to the user"},
     {"training simulations", "simulations on which the emulator is trained"},
 }};
 

@@ -156,7 +156,7 @@ TEST(Symbol, OfAMeasurementReachesOutOfAllOthers) {
 /// Every symbol once, each in a colour of its own, at (number of its shape, number of its filling),
 /// on axes of different scales.
 Figure every_symbol() {
-    Panel panel{.x_label = "shape", .y_label = "filling", .key = Key::outside};
+    Panel panel{.x_label = "shape", .y_label = "filling", .key = true};
     for (int shape = 0; shape < 6; ++shape) {
         for (int filling = 0; filling < 5; ++filling) {
             panel.curves.push_back(

@@ -149,7 +149,7 @@ TEST_F(UserText, IsNoMarkupWhereverItStands) {
     drawn.panels[0].x_label = plain_text(text + " along x, σ_{22}");
     drawn.panels[0].curves[0].label = plain_text(text + " in the key");
     drawn.panels[0].y_label = "σ_{22}";
-    drawn.panels[0].key = Key::outside;
+    drawn.panels[0].key = true;
     draw(drawn, ".");
     const auto words = words_in("figure.svg");
     for (const std::string& wanted :

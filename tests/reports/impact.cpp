@@ -91,7 +91,7 @@ TEST(Figures, LeaveOutValuesThatAreNotFinite) {
     Panel panel{.x_label = "x", .y_label = "y"};
     panel.curves = {{.x = {1, none, 2}, .y = {1, 2, over}, .y_error = {0.1, none, 0.1}},
                     {.style = Curve::Style::line, .x = {1, 2, 3, 4}, .y = {1, none, over, 2}},
-                    {.style = Curve::Style::bars, .x = {1, 2}, .y = {none, none}}};
+                    {.style = Curve::Style::bars_across, .x = {1, 2}, .y = {none, none}}};
     panel.references = {{.label = "r", .value = none}};
     EXPECT_TRUE(draw({.name = "gaps", .title = "", .panels = {panel}}, folder.path()));
     std::ifstream file(folder.path() / "gaps.svg");

@@ -66,10 +66,10 @@ TEST(ScanFigures, LeaveOutTheLineOfChi2ThatWouldSqueezeTheBars) {
 TEST(ScanFigures, ShowTheCosinesOfTheEffectsThatAreSeen) {
     const auto figures = scan_figures(diagnosis(100), space);
     const Panel& panel = figures[1].panels.at(0);
-    EXPECT_THAT(panel.x_names, ElementsAre(ElementsAre("gain"), ElementsAre("offset")));
+    EXPECT_THAT(panel.x_names, ElementsAre(ElementsAre("1"), ElementsAre("2")));
     const Curve& cells = panel.curves.at(0);
     EXPECT_THAT(cells.shade, ElementsAre(testing::DoubleEq(0.6), 1, 1));
-    EXPECT_THAT(cells.names, ElementsAre("0.60", "1.00", "1.00"));
+    EXPECT_THAT(cells.names, ElementsAre("60", "100", "100"));
 }
 
 }  // namespace pendular::scan_figures_test
