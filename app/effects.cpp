@@ -14,6 +14,7 @@
 #include "data/input_error.h"
 #include "reports/draw_figure.h"
 #include "reports/effect_pages.h"
+#include "reports/page/effect_picture.h"
 #include "sim/catalogue/effect_catalogue.h"
 #include "workflow/json/commands.h"
 #include "workflow/study_input.h"
@@ -53,8 +54,9 @@ contain the parameter and, in SI units,
 with + - * / ^ ( ), comparisons, && ||, CONDITION ? A : B, pi, and abs acos asin atan atan2 avg cos
 cosh exp ln log (ln) log10 log2 max min rint sign sin sinh sqrt sum tan tanh.
 
-With --manual DIR, the command writes a page on each effect in Markdown, with a figure of the
-predicted change of the readings, and DIR/index.md with a list of the pages.)";
+With --manual DIR, the command writes a page on each effect in Markdown, with a picture of what
+happens in the cell and a figure of the predicted change of the readings, and DIR/index.md with a
+list of the pages.)";
 
 const char* const effects_examples = R"(  pendular effects
   pendular effects torque-offset
@@ -144,6 +146,7 @@ void write_manual(Console& console, const std::filesystem::path& folder,
     std::vector<std::pair<std::string, bool>> pages;
     for (const EffectEntry& entry : entries) {
         const std::string& name = entry.effect->name;
+        write_whole(folder / "figures" / (name + "-cell.svg"), cell_picture(*entry.effect));
         std::string figure = signatures.draw_one(*entry.effect);
         pages.emplace_back(name, !figure.empty());
         if (figure.empty()) {
@@ -152,7 +155,9 @@ void write_manual(Console& console, const std::filesystem::path& folder,
         } else {
             ++drawn;
         }
-        write_whole(folder / (name + ".md"), manual_page(entry, figure));
+        const std::string picture =
+            fmt::format("![What happens in the cell](figures/{}-cell.svg)\n\n", name);
+        write_whole(folder / (name + ".md"), manual_page(entry, picture + figure));
     }
     write_whole(folder / "index.md", manual_index(entries));
     console.line(fmt::format("Pages on {} effects, {} of them with a figure, are written to {}.",
