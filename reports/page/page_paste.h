@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "reports/page/report_page.h"
+#include "reports/page/page_content.h"
 
 namespace pendular {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/page/report_page.h"
+#include "reports/page/page_content.h"
 
 namespace pendular {
 
