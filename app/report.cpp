@@ -1,5 +1,6 @@
 // `pendular report`: one page on a study, with switches for effects and sliders for parameters.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -25,7 +26,18 @@ study so far, what to do next, the fit with its correlations, and the sources of
 Switches add the leading effects to the model or remove them, and sliders change the parameters. The
 page then draws the changed curves and residuals and states chi2 and RMS errors. Every combination of
 the leading effects is fitted beforehand, as 'pendular add' fits it without new simulations. Every
-figure saves its numbers as CSV and its drawing as SVG.)";
+figure saves its numbers as CSV and its drawing as SVG. The files results.csv, results.tex (a table
+for LaTeX) and methods.txt (a paragraph on methods and result, with the references) beside the page
+have fitted parameters, cohesions and misfit to paste into a paper; the page has them too.)";
+
+/// Writes the results as one copies them into a paper, and returns the names of the files.
+std::vector<std::string> write_paste(const PasteTexts& paste, const std::filesystem::path& out) {
+    if (paste.csv.empty()) return {};
+    write_whole(out / "results.csv", paste.csv);
+    write_whole(out / "results.tex", paste.latex);
+    write_whole(out / "methods.txt", paste.methods);
+    return {"results.csv", "results.tex", "methods.txt"};
+}
 
 }  // namespace
 
@@ -40,19 +52,23 @@ int report(const std::vector<std::string>& arguments) {
                 "seed of the simulated random errors from which p values and power are computed "
                 "(default 1)");
     std::size_t switches = 6;
-    options.add("switches", &switches,
-                "largest number N of effects with a switch, 0 to 8 (default 6); 2^N models are "
-                "fitted");
+    options.add(
+        "switches", &switches,
+        "largest number N of effects with a switch, 0 to 8 (default 6, or 5 for more than 60 "
+        "readings); 2^N models are fitted");
     options.offer_runs_of();
     const auto common = options.parse(arguments);
     if (!common) return done;
     if (switches > 8) throw InputError("--switches must be from 0 to 8");
     Console console(*common);
-    const OpenSession session(console, *common, {"report.html"}, seed);
-    const StudyPage page = study_page(*session, *common, switches);
+    const OpenSession session(console, *common,
+                              {"report.html", "results.csv", "results.tex", "methods.txt"}, seed);
+    const StudyPage page = study_page(
+        *session, *common, options.given("switches") ? std::optional(switches) : std::nullopt);
     console.end_progress();
     const auto file = common->out_folder() / "report.html";
     write_whole(file, page.html);
+    const auto to_paste = write_paste(page.paste, common->out_folder());
     console.answer(page.answer);
     console.line(fmt::format("Page: {}", file.string()));
     const auto counted = [](std::size_t count, const char* one, const char* several) {
@@ -62,6 +78,8 @@ int report(const std::vector<std::string>& arguments) {
                              counted(page.switches.size(), "switch", "switches"),
                              counted(page.models, "fitted model", "fitted models"),
                              counted(page.readings, "reading", "readings")));
+    if (!to_paste.empty())
+        console.line(fmt::format("To paste into a paper: {}.", fmt::join(to_paste, ", ")));
     for (const std::string& note : page.notes) {
         console.note(note);
     }

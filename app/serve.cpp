@@ -1,4 +1,5 @@
 // `pendular serve`: the page of a study on live data, for browsers on this computer.
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 
@@ -15,6 +16,8 @@
 #include "app/serve/received_recording.h"
 #include "app/study_page.h"
 #include "app/terminal.h"
+#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/study/study.h"
 #include "reports/change_figure.h"
@@ -23,6 +26,7 @@
 #include "reports/misfit_figures.h"
 #include "reports/page/report_page.h"
 #include "workflow/json/commands.h"
+#include "workflow/json/fit.h"
 
 namespace pendular::app {
 namespace {
@@ -45,6 +49,7 @@ struct ServeOptions {
     int port = 0;
     std::int64_t seed = 1;
     std::size_t switches = 6;
+    bool switches_given = false;
     bool fidelity_given = false;
 };
 
@@ -69,13 +74,43 @@ Answer change_study(Action action, const std::string& effect, const CommonOption
     return answer;
 }
 
+/// Writes the page to the results folder, so that the next server shows it at once. A folder that
+/// cannot be written only means that the next server shows nothing at first.
+void keep_page(const StudyPage& page, const std::filesystem::path& out) {
+    try {
+        write_whole(out / "report.html", page.alone);
+    } catch (const InputError&) {
+        return;
+    }
+}
+
+/// Results from before in a results folder.
+EarlierResults earlier_results(const std::filesystem::path& out) {
+    EarlierResults earlier;
+    try {
+        earlier.ladder = read_ladder(out / "ladder.json");
+        constexpr std::size_t largest_page = 16 << 20;  // pages have about a megabyte
+        earlier.page = read_text(out / "report.html", largest_page);
+        struct stat status {};
+        if (stat((out / "report.html").c_str(), &status) == 0)
+            earlier.when = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(status.st_mtime));
+    } catch (const InputError&) {
+        return earlier;  // none, or none that can be read: a first page has less
+    }
+    return earlier;
+}
+
 StudyWork work_on(const CommonOptions& common, const ServeOptions& own, Console& console) {
     const auto watch = std::make_shared<StudyWatch>(common.study, common.out_folder());
     return {.look = [watch] { return watch->look(); },
             .page =
                 [&](std::size_t version, const std::stop_token& stop, const Listener& listener) {
                     const OpenSession session(stop, listener, common, {}, own.seed);
-                    return study_page(*session, common, own.switches, version);
+                    StudyPage page = study_page(
+                        *session, common,
+                        own.switches_given ? std::optional(own.switches) : std::nullopt, version);
+                    keep_page(page, common.out_folder());
+                    return page;
                 },
             .store =
                 [&](const std::string& name, const std::string& bytes) {
@@ -112,20 +147,23 @@ int serve(const std::vector<std::string>& arguments) {
     options.add("seed", &own.seed,
                 "seed of the simulated random errors from which p values and power are computed "
                 "(default 1)");
-    options.add("switches", &own.switches,
-                "largest number N of effects with a switch, 0 to 8 (default 6); 2^N models are "
-                "fitted");
+    options.add(
+        "switches", &own.switches,
+        "largest number N of effects with a switch, 0 to 8 (default 6, or 5 for more than 60 "
+        "readings); 2^N models are fitted");
     const auto common = options.parse(arguments);
     if (!common) return done;
     if (own.switches > 8) throw InputError("--switches must be from 0 to 8");
     if (own.port < 0 || own.port > 65535) throw InputError("--port must be from 1 to 65535");
     checked_seed(own.seed);
     own.fidelity_given = options.given("fidelity");
+    own.switches_given = options.given("switches");
     read_patterns(common->study);  // refuses what is no study; one without recordings is welcome
     Console console(*common);
     const InterruptGuard guard;
     LiveStudy study(work_on(*common, own, console),
-                    waiting_page(study_name(common->study), PENDULAR_VERSION));
+                    waiting_page(study_name(common->study), PENDULAR_VERSION,
+                                 earlier_results(common->out_folder())));
     PageServer server(own.port);
     server.start(study);
     console.answer(fmt::format("Open {} in a browser on this computer.", server.address().text()));

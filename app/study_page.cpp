@@ -36,11 +36,15 @@ std::string study_name(const std::filesystem::path& file) {
     return (is_directory(whole) ? whole : whole.parent_path()).filename().string();
 }
 
-StudyPage study_page(const Session& session, const CommonOptions& common, std::size_t switches,
-                     std::optional<std::size_t> version) {
+StudyPage study_page(const Session& session, const CommonOptions& common,
+                     std::optional<std::size_t> switches, std::optional<std::size_t> version) {
     const StudyDiagnosis d = session.diagnose();
     const std::vector<PagePanel> panels = page_panels(d.readings, session.study());
-    const SwitchOptions switching{.most = switches, .along = points_of_curves(panels)};
+    // 2^6 fits of 60 readings take 9 s on two cores; each switch less halves the time.
+    constexpr std::size_t usual = 6, many_readings = 60;
+    const std::size_t most =
+        switches.value_or(d.readings.size() > many_readings ? usual - 1 : usual);
+    const SwitchOptions switching{.most = most, .along = points_of_curves(panels)};
     const auto folder = common.out_folder();
     std::error_code error;
     std::vector<std::string> notes;
@@ -48,7 +52,7 @@ StudyPage study_page(const Session& session, const CommonOptions& common, std::s
     const std::vector<NextStep> steps =
         next_steps(d, impacts, session.resolved(), common.study_word());
     const auto runs = runs_json(d.models->simulation().emulator().runs());
-    const PageContent content{
+    PageContent content{
         .study = study_name(session.study().file),
         .study_argument = common.study_word(),
         .resolved = session.resolved(),
@@ -70,8 +74,15 @@ StudyPage study_page(const Session& session, const CommonOptions& common, std::s
         .recordings =
             recordings_of(session, [&](const std::string& note) { notes.push_back(note); })};
     const SwitchedModels& fits = content.switched;
-    return {.html = report_page(content),
+    std::string html = report_page(content), alone;
+    if (version) {
+        content.served_version.reset();
+        alone = report_page(content);
+    }
+    return {.html = std::move(html),
+            .alone = std::move(alone),
             .answer = verdict_line(d.diagnosis, *d.models, content.checks),
+            .paste = paste_texts(content),
             .verdict = std::string(to_string(d.diagnosis.verdict)),
             .next = content.command,
             .measure = first_step(content.steps),

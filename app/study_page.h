@@ -12,6 +12,7 @@
 #include "data/recordings/file_view.h"
 #include "data/study/study.h"
 #include "reports/page/page_data.h"
+#include "reports/page/page_paste.h"
 #include "workflow/session.h"
 
 namespace pendular::app {
@@ -19,7 +20,10 @@ namespace pendular::app {
 /// Page of a study as HTML, and the results that the console prints when the page is made.
 struct StudyPage {
     std::string html;
+    /// Page that needs no server, for the results folder; empty where `html` needs none.
+    std::string alone = {};
     std::string answer;   ///< verdict in one to three sentences
+    PasteTexts paste;     ///< results as one copies them into a paper
     std::string verdict;  ///< as in JSON, such as "missing"
     std::string next;     ///< command to give next
     /// First step after the diagnosis, such as a measurement or a check of a sensor; may be empty.
@@ -34,14 +38,16 @@ struct StudyPage {
 /// Makes the page of a study: diagnoses it, plans the next measurement, and fits the model with
 /// each combination of its leading effects (`switched_models`). Nothing is simulated, and no file
 /// is written.
-/// @param switches largest number of these effects
+/// @param switches largest number of these effects; empty: 6, or 5 for more than 60 readings, so
+/// that
+///        the page of 89 readings takes about as long as that of 60
 /// @param version version number of the page, by which a browser finds out that `pendular serve`
 ///        has a newer page; empty: a page that needs no server
 /// @throws InputError if the study cannot be diagnosed, such as with too few readings, or if
 ///         ladder.json cannot be read
 /// @throws dem::Interrupted if the user requests a stop
-StudyPage study_page(const Session& session, const CommonOptions& common, std::size_t switches,
-                     std::optional<std::size_t> version = {});
+StudyPage study_page(const Session& session, const CommonOptions& common,
+                     std::optional<std::size_t> switches, std::optional<std::size_t> version = {});
 
 /// Returns the name of a study on its page: that of the folder that contains `file`, its
 /// study.toml.

@@ -16,9 +16,10 @@ class Reader {
     for (let k = 0; k < width; ++k) value += this.view.getUint8(this.at++) * 2 ** (8 * k);
     return value;
   }
-  scaled(count) {
-    const unit = this.float() / 32767;
-    return Float64Array.from({length: count}, () => { this.at += 2; return unit * this.view.getInt16(this.at - 2, true); });
+  // Integers of one or two bytes, with the scale of the greatest before them.
+  scaled(count, width = 2) {
+    const unit = this.float() / (width === 2 ? 32767 : 127);
+    return Float64Array.from({length: count}, () => { this.at += width; return unit * (width === 2 ? this.view.getInt16(this.at - 2, true) : this.view.getInt8(this.at - 1)); });
   }
 }
 
@@ -33,18 +34,18 @@ class Model {
     if (this.values) return;
     const reader = new Reader(this.response), p = this.parameters.length;
     this.values = [reader.floats(this.count), reader.floats(this.count)];
-    this.coefficients = Array.from({length: p + p * (p + 1) / 2}, () => [reader.scaled(this.count), reader.scaled(this.count)]);
+    this.coefficients = Array.from({length: p + p * (p + 1) / 2}, (_, k) => [0, 1].map(() => reader.scaled(this.count, k < p ? 2 : 1)));
     const errors = new Reader(this.errors);
     this.sigma = [errors.floats(this.readings.length), errors.floats(this.readings.length)];
     const terms = 1 + this.coefficients.length;
     this.chi2Form = new Reader(this.form).floats(terms * (terms + 1) / 2);
     const without = new Reader(this.without);
-    this.withoutReadings = Array.from({length: this.fitted}, () => without.floats(1 + p));
+    this.withoutColumns = Array.from({length: 1 + p}, () => without.scaled(this.fitted));
   }
   // Fall of chi2 and shifts of the parameters where a fitted reading is left out of the fit.
   withoutReading(id) {
     this.unpack();
-    return this.withoutReadings[id];
+    return this.withoutColumns.map(column => column[id]);
   }
   terms(d) {
     const terms = [...d];
@@ -100,12 +101,15 @@ function passes(series) {
   });
 }
 
+// Duration of the transition from one model to another [ms]; chosen: long enough to follow a reading by eye, short
+// enough not to wait for.
+const MOVE = 450;
+
 class Page {
   constructor(data) {
-    Object.assign(this, {data, marked: new Set(), here: -1, told: -1, out: -1, plots: []});
+    Object.assign(this, {data, marked: new Set(), here: -1, told: -1, out: -1, plots: [], keepAxes: true, move: null});
     this.models = data.models.map(m => m.why_not === undefined ? new Model(m, data.readings, data.points) : m);
     this.index = data.current;
-    this.order = data.switches.map((_, k) => k).filter(k => this.isOn(k));
     this.d = [];
     this.makeSwitches();
     this.choose(this.models[this.index].why_not === undefined ? this.index : this.models.findIndex(m => m.why_not === undefined));
@@ -113,6 +117,61 @@ class Page {
     this.makeRecordings();
     this.makeReadings();
     this.update();
+    // A wide figure takes another form where the page becomes narrow.
+    let roomy = this.roomy();
+    addEventListener("resize", () => { if (window.page === this && roomy !== this.roomy()) { roomy = this.roomy(); this.drawAll(); } });
+  }
+  roomy() { return document.documentElement.clientWidth >= 700; }
+  // Words for a reading, as in the tables of the program: its file and step, or the line of its file.
+  nameOf(id) {
+    const r = this.data.readings[id];
+    return r.step ? `${r.file} step ${r.step}` : `${r.file}:${r.line}`;
+  }
+  // Combinations between which the axes of figures stay: no effect, the study's, each of these and one effect more or
+  // less, and all effects.
+  kept() {
+    const {current, switches} = this.data, flips = switches.flatMap((_, k) => [current ^ 1 << k, 1 << k]);
+    return [...new Set([0, current, ...flips, this.models.length - 1])].filter(index => this.models[index].why_not === undefined);
+  }
+  // Relative RMS deviation of a combination, or of the model that is shown (null).
+  rmsOf(index, which) {
+    if (index !== null) return this.models[index].rms[which];
+    const shown = this.d.some(d => d !== 0) ? this.model.rmsAt(this.d, which) : this.model.rms[which];
+    return this.move ? this.move.rms[which] + this.move.share * (shown - this.move.rms[which]) : shown;
+  }
+  // Predictions that are shown: on the way to another model, between those of the two.
+  predicted(which) { return this.between("values", which, this.model.predict(this.d, which)); }
+  sigma(which) {
+    this.model.unpack();
+    return this.between("sigma", which, this.model.sigma[which]);
+  }
+  between(what, which, to) {
+    if (!this.move) return to;
+    const from = this.move[what][which], {share} = this.move;
+    return to.map((value, k) => from[k] + share * (value - from[k]));
+  }
+  // Shows the way from what was shown to the present model, unless the reader wants no motion.
+  startMove(from) {
+    this.move = null;
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches || document.hidden) return;
+    const begun = performance.now(), move = {...from, share: 0};
+    this.move = move;
+    const step = now => {
+      if (this.move !== move || window.page !== this) return;
+      const t = Math.max(0, Math.min(1, (now - begun) / MOVE));
+      move.share = t * t * (3 - 2 * t);
+      if (t >= 1) this.move = null;
+      this.drawAll(t < 1);
+      if (t < 1) requestAnimationFrame(step);
+    };
+    requestAnimationFrame(step);
+  }
+  // Draws all figures that depend on the model. `seen`: only those in the window.
+  drawAll(seen = false) {
+    for (const plot of this.plots) {
+      const box = seen ? plot.figure.getBoundingClientRect() : null;
+      if (!box || box.bottom > 0 && box.top < innerHeight) plot.draw();
+    }
   }
   get model() { return this.models[this.index]; }
   isOn(k) { return (this.index >> k & 1) === 1; }
@@ -128,7 +187,12 @@ class Page {
       box.addEventListener("change", () => this.flip(k, box.checked));
       return {box, gain};
     });
-    if (this.boxes.length === 0) html("p", {}, field, "This page has no switches: no effect leads, or it was made with --switches 0.");
+    if (this.boxes.length === 0) { html("p", {}, field, "This page has no switches: no effect leads, or it was made with --switches 0."); return; }
+    const label = html("label", {class: "axes", title: "Axes that stay show how far the model moves; axes that follow show the present model closely."}, field);
+    const box = html("input", {type: "checkbox", id: "keep-axes"}, label);
+    box.checked = this.keepAxes;
+    label.append(" Axes stay when an effect is switched");
+    box.addEventListener("change", () => { this.keepAxes = box.checked; this.drawAll(); });
   }
   flip(k, on) {
     const wanted = on ? this.index | 1 << k : this.index & ~(1 << k);
@@ -137,11 +201,11 @@ class Page {
       this.say(`This combination cannot be fitted: ${this.models[wanted].why_not}.`);
       return;
     }
-    this.order = this.order.filter(other => other !== k);
-    if (on) this.order.push(k);
-    const out = this.out;
+    const out = this.out, both = f => [0, 1].map(f);
+    const from = {values: both(which => this.predicted(which)), sigma: both(which => this.sigma(which)), rms: both(which => this.rmsOf(null, which))};
     this.choose(wanted);
     if (out < this.model.fitted) this.out = out;
+    this.startMove(from);
     this.update();
   }
   choose(index) {
@@ -172,45 +236,62 @@ class Page {
   }
 
   makePlots() {
-    const figures = document.getElementById("figures"), {readings} = this.data;
-    const labels = ["stress ratio [1]", "solid fraction [1]"], names = ["stress-ratio", "solid-fraction"];
+    const place = id => document.getElementById(id), labels = ["stress ratio [1]", "solid fraction [1]"], names = ["stress-ratio", "solid-fraction"];
+    this.ladder = new LadderPicture(this);
+    this.plots.push(new Plot(place("ladder-figure"), {name: "ladder", title: "Deviation of each reading from the model, as effects were added", wide: true,
+      xLabel: "", parts: ["shear stress [%]", "solid fraction [%]"], lines: true, names: () => this.ladder.names(), reach: () => this.ladder.reach()}, () => this.ladder.series(), this));
     this.data.panels.forEach((panel, number) => [0, 1].forEach(which => {
-      this.plots.push(new Plot(figures, {name: `${panel.title.split(" ")[0].toLowerCase()}-${names[which]}`, title: `${panel.title}: ${["stress ratio", "solid fraction"][which]}`,
-        xLabel: panel.x_label, yLabel: labels[which], logX: panel.log_x}, () => this.seriesOf(number, which), this));
+      this.plots.push(new Plot(place("figures"), {name: `${panel.title.split(" ")[0].toLowerCase()}-${names[which]}`, title: `${panel.title}: ${["stress ratio", "solid fraction"][which]}`,
+        xLabel: panel.x_label, yLabel: labels[which], logX: panel.log_x, quantity: panel.quantity,
+        reach: () => [this.kept().flatMap(index => this.reachOf(number, which, index))]}, () => this.seriesOf(number, which), this));
     }));
-    const axes = [["normal_stress", "normal stress [Pa]"], ["inertial_number", "inertial number I [1]"], ["liquid_content", "liquid content [1]"], ["height", "height [mm]", 1e3],
-      Math.max(...readings.map(r => r.time)) < 600 ? ["time", "time [s]"] : ["time", "time [min]", 1 / 60]];
-    for (const [key, label, factor] of axes) {
+    this.makeResiduals(place("residual-figures"));
+  }
+  makeResiduals(figures) {
+    const {readings} = this.data, yLabel = "(measured − model)/error [1]";
+    const reach = () => [this.kept().flatMap(index => [0, 1].flatMap(which => ends(this.residualsOf(index, which))))];
+    const last = Math.max(...readings.map(r => r.time)), [unit, second] = last < 600 ? ["s", 1] : last < 36000 ? ["min", 60] : ["h", 3600];
+    // Only quantities that a rheometer sets over decades have logarithmic axes.
+    const axes = [["normal_stress", "normal stress [Pa]", 1, true], ["inertial_number", "inertial number I [1]", 1, true], ["liquid_content", "liquid content [1]", 1], ["height", "height [mm]", 1e3],
+      ["time", `time [${unit}]`, 1 / second]];
+    for (const [key, label, factor, wide] of axes) {
       const values = readings.map(r => r[key]).filter(v => v !== null);
       const low = Math.min(...values), high = Math.max(...values);
       if (values.length < readings.length || !(high > low * 1.02 + 1e-12)) continue;
-      this.plots.push(new Plot(figures, {name: "residuals-" + key.replace("_", "-"), title: "Residuals: " + label.replace(/ \[.*/, ""), xLabel: label,
-        yLabel: "(measured − model)/error [1]", logX: low > 0 && high > 5 * low, zero: true}, () => this.residuals(r => r[key] * (factor || 1)), this));
+      this.plots.push(new Plot(figures, {name: "residuals-" + key.replace("_", "-"), title: "Residuals against " + label.replace(/ \[.*/, ""), xLabel: label,
+        yLabel, logX: Boolean(wide) && low > 0 && high > 5 * low, zero: true, reach}, () => this.residuals(r => r[key] * factor), this));
     }
     this.plots.push(new Plot(figures, {name: "quantiles", title: "Residuals against a normal distribution", xLabel: "expected from the normal distribution [1]",
-      yLabel: "(measured − model)/error [1]", zero: true}, () => this.quantiles(), this));
-    this.plots.push(new Plot(figures, {name: "ladder", title: "Error as effects are switched on", xLabel: "number of effects switched on, one after the other",
-      yLabel: "relative RMS error [%]", fromZero: true, names: () => ["none", ...this.order.map(k => this.data.switches[k].name)]}, () => this.path(), this));
+      yLabel, zero: true, reach}, () => this.quantiles(), this));
   }
   // Recordings change with nothing: they are drawn once.
   makeRecordings() {
     const figures = document.getElementById("recording-figures");
     this.recordings = this.data.recordings.filter(r => r.parts.length > 0).map((r, number) => new Plot(figures, {name: `recording-${number + 1}`, title: r.name,
-      xLabel: "row of the recording", parts: r.parts.map(part => part.label)}, () => recordingSeries(r), this));
+      xLabel: r.x_label, parts: r.parts.map(part => part.label)}, () => recordingSeries(r), this));
   }
   markPlots() { for (const plot of [...this.plots, ...this.recordings]) plot.mark(); }
   seriesOf(number, which) {
-    const panel = this.data.panels[number], predicted = this.model.predict(this.d, which), n = this.data.readings.length;
+    const panel = this.data.panels[number], predicted = this.predicted(which), n = this.data.readings.length;
     return panel.series.map(s => ({
-      label: s.label,
+      label: s.label, group: s.group, value: s.value,
       points: s.members.map(id => ({x: panel.x[id], y: this.data.readings[id].values[which], error: this.data.readings[id].errors[which], id})),
       marks: s.members.map(id => ({x: panel.x[id], y: predicted[id]})),
       curve: s.x.map((x, k) => [x, predicted[n + s.first + k]]).sort((a, b) => a[0] - b[0])
     })).map(s => passes(s) ? s : {...s, curve: []});
   }
+  // Ends of the predictions of a combination at the readings of a panel.
+  reachOf(number, which, index) {
+    const model = this.models[index], predicted = model.predict(model.parameters.map(() => 0), which);
+    return ends(this.data.panels[number].series.flatMap(s => s.members.map(id => predicted[id])));
+  }
+  residualsOf(index, which) {
+    const model = this.models[index], predicted = model.predict(model.parameters.map(() => 0), which);
+    return this.data.readings.map((r, id) => (r.values[which] - predicted[id]) / model.sigma[which][id]);
+  }
   normalised(which) {
-    const predicted = this.model.predict(this.d, which);
-    return this.data.readings.map((r, id) => (r.values[which] - predicted[id]) / this.model.sigma[which][id]);
+    const predicted = this.predicted(which), sigma = this.sigma(which);
+    return this.data.readings.map((r, id) => (r.values[which] - predicted[id]) / sigma[id]);
   }
   residuals(xOf) {
     return ["shear stress", "solid fraction"].map((label, which) => ({label, kind: "residual",
@@ -219,19 +300,9 @@ class Page {
   quantiles() {
     return ["shear stress", "solid fraction"].map((label, which) => {
       const sorted = this.normalised(which).map((y, id) => ({y, id})).sort((a, b) => a.y - b.y), n = sorted.length;
-      const ends = [normalQuantile(.5 / n), normalQuantile(1 - .5 / n)];
+      const limits = [normalQuantile(.5 / n), normalQuantile(1 - .5 / n)];
       return {label, kind: "residual", points: sorted.map(({y, id}, k) => ({x: normalQuantile((k + .5) / n), y, id})),
-        curve: which === 0 && n > 1 ? [[ends[0], ends[0]], [ends[1], ends[1]]] : []};
-    });
-  }
-  // Errors of the models on the way to the present one, in the order of the switches.
-  path() {
-    const steps = [0];
-    for (const k of this.order) steps.push(steps[steps.length - 1] | 1 << k);
-    const known = steps.map((index, x) => ({model: this.models[index], x})).filter(({model}) => model.why_not === undefined);
-    return ["shear stress", "solid fraction"].map((label, which) => {
-      const rms = known.map(({model, x}) => ({x, y: model === this.model ? model.rmsAt(this.d, which) : model.rms[which]}));
-      return {label, kind: "RMS error", points: rms.map(p => ({...p, id: -2})), curve: rms.map(p => [p.x, p.y])};
+        curve: which === 0 && n > 1 ? [[limits[0], limits[0]], [limits[1], limits[1]]] : []};
     });
   }
 
@@ -249,7 +320,7 @@ class Page {
       this.sliders[k].text.textContent = `${p.name} = ${moved ? Number(value.toPrecision(4)) + unitText(p.unit) + " (fit: " : ""}${fitText(p)}${moved ? ")" : ""}`;
     });
     this.score();
-    for (const plot of this.plots) plot.draw();
+    this.drawAll();
     if (this.told >= 0) this.tell(this.told);
     this.fillReadings();
     this.fitTable();
@@ -266,7 +337,7 @@ class Page {
     if (model.fitted < this.data.readings.length) html("p", {}, box, `${model.fitted} readings were fitted, ${this.data.readings.length - model.fitted} predicted.`);
     if (this.out >= 0) {
       const [fall, ...shifts] = model.withoutReading(this.out);
-      html("p", {"data-without": fall}, box, `Refit without reading ${this.out + 1}: chi2 falls by ${three(fall)}; ` +
+      html("p", {"data-without": fall}, box, `Refit without ${this.nameOf(this.out)}: chi2 falls by ${three(fall)}; ` +
         model.parameters.map((p, k) => {
           const errors = Math.abs(shifts[k]) / p.error;
           return errors < .05 ? `${p.name} stays` :
@@ -277,25 +348,29 @@ class Page {
 
   makeReadings() {
     const table = document.getElementById("readings"), head = html("tr", {}, html("thead", {}, table));
-    for (const text of ["reading", "file", "normal stress [Pa]", "I [1]", "liquid content [1]", "stress ratio [1]", "model [1]", "solid fraction [1]", "model [1]", "residuals [errors]", "leave out"]) html("th", {scope: "col"}, head, text);
+    for (const text of ["reading", "normal stress [Pa]", "I [1]", "liquid content [1]", "stress ratio [1]", "model [1]", "solid fraction [1]", "model [1]", "residuals [errors]", "leave out"]) html("th", {scope: "col"}, head, text);
     this.body = html("tbody", {}, table);
     this.rows = this.data.readings.map((r, id) => {
       const row = html("tr", {}, this.body);
-      html("td", {}, row, String(id + 1));
-      html("td", {}, row, `${r.file}:${r.line}`);
+      html("td", {title: `from line ${r.line} of ${r.file} on`}, row, this.nameOf(id));
       for (const v of [r.normal_stress, r.inertial_number, r.liquid_content]) html("td", {}, row, three(v));
       html("td", {}, row, withError(r.values[0], r.errors[0]));
       const ratio = html("td", {}, row);
       html("td", {}, row, withError(r.values[1], r.errors[1]));
       const fraction = html("td", {}, row), residuals = html("td", {}, row), last = html("td", {}, row);
-      const button = html("button", {type: "button", "aria-label": `Leave out reading ${id + 1}`}, last, "leave out");
+      const button = html("button", {type: "button", "aria-label": `Leave out ${this.nameOf(id)}`}, last, "leave out");
       button.addEventListener("click", () => { this.out = this.out === id ? -1 : id; this.update(); this.markPlots(); });
       row.addEventListener("pointerenter", () => this.show(id));
       return {row, ratio, fraction, residuals, button};
     });
   }
+  // Residuals of the present model, whatever is on its way in the figures.
+  finalResiduals(which) {
+    const predicted = this.model.predict(this.d, which);
+    return this.data.readings.map((r, id) => (r.values[which] - predicted[id]) / this.model.sigma[which][id]);
+  }
   fillReadings() {
-    const predicted = [0, 1].map(which => this.model.predict(this.d, which)), off = [0, 1].map(which => this.normalised(which));
+    const predicted = [0, 1].map(which => this.model.predict(this.d, which)), off = [0, 1].map(which => this.finalResiduals(which));
     this.rows.forEach(({row, ratio, fraction, residuals, button}, id) => {
       ratio.textContent = predicted[0][id].toFixed(4);
       fraction.textContent = predicted[1][id].toFixed(4);
@@ -312,11 +387,10 @@ class Page {
     const table = html("table", {}, place);
     html("caption", {}, table, `Fitted to ${model.fitted} readings: chi2 = ${model.chi2.toFixed(2)} of all readings for ${model.dof} degrees of freedom; reduced chi2 = ${(model.chi2 / model.dof).toFixed(3)}`);
     const head = html("tr", {}, html("thead", {}, table)), body = html("tbody", {}, table);
-    for (const text of ["parameter", "value ± standard error", "relative error [%]", "least allowed", "largest allowed", "unit of the range", "remark"]) html("th", {scope: "col"}, head, text);
+    for (const text of ["parameter", "value ± standard error", "allowed range"]) html("th", {scope: "col"}, head, text);
     for (const p of model.parameters) {
-      const row = html("tr", {}, body);
-      const relative = p.determined && p.value ? (100 * p.error / Math.abs(p.value)).toPrecision(2) : "";
-      for (const text of [p.name, fitText(p), relative, three(p.lower), three(p.upper), p.unit, p.at_bound ? "at an end of its range" : ""]) html("td", {}, row, text);
+      const row = html("tr", {}, body), range = `${three(p.lower)} to ${three(p.upper)}${unitText(p.unit)}${p.at_bound ? " (at an end)" : ""}`;
+      for (const text of [p.name, fitText(p), range]) html("td", {}, row, text);
     }
     if (model.parameters.length < 2) return;
     const second = html("table", {}, place);
@@ -338,8 +412,8 @@ class Page {
   }
   // Describes a reading; the line stays when the pointer leaves, so that it follows the model.
   tell(id) {
-    const r = this.data.readings[id], predicted = [0, 1].map(which => this.model.predict(this.d, which)[id]), off = [0, 1].map(which => this.normalised(which)[id]);
-    this.say(`Reading ${id + 1}, ${r.file} line ${r.line}${r.step ? `, step ${r.step}` : ""}: ${three(r.normal_stress)} Pa, I = ${three(r.inertial_number)}` +
+    const r = this.data.readings[id], predicted = [0, 1].map(which => this.model.predict(this.d, which)[id]), off = [0, 1].map(which => this.finalResiduals(which)[id]);
+    this.say(`${this.nameOf(id)}: ${three(r.normal_stress)} Pa, I = ${three(r.inertial_number)}` +
       `${r.liquid_content ? `, liquid content ${three(r.liquid_content)}` : ", dry"}. Stress ratio ${withError(r.values[0], r.errors[0])}, model ${predicted[0].toFixed(4)} (${off[0].toFixed(1)} errors). ` +
       `Solid fraction ${withError(r.values[1], r.errors[1])}, model ${predicted[1].toFixed(4)} (${off[1].toFixed(1)} errors).`);
     this.told = id;
@@ -349,24 +423,25 @@ class Page {
     this.marked = new Set(ids.filter(id => id >= 0));
     this.markPlots();
     this.rows.forEach(({row}, id) => row.classList.toggle("marked", this.marked.has(id)));
-    if (this.marked.size > 1) this.say(`${this.marked.size} readings are marked: ${[...this.marked].sort((a, b) => a - b).map(id => id + 1).join(", ")}. Escape unmarks them.`);
+    if (this.marked.size > 1) this.say(`${this.marked.size} readings are marked: ${[...this.marked].sort((a, b) => a - b).map(id => this.nameOf(id)).join(", ")}. Escape unmarks them.`);
   }
 }
 
 // Course of a recording in each part, and the means over the rows that are averaged.
 function recordingSeries(recording) {
-  const colours = {"averaged": "#009e73", "averaged, no plateau": "#d55e00"}, inKey = new Set();
+  const colours = {"reading": "var(--mark2)", "no plateau, no reading": "var(--mark1)"}, inKey = new Set();
+  const at = share => Number((recording.from + recording.span * share / 65535).toPrecision(6));
   return recording.parts.flatMap((part, index) => {
     const numbers = new Reader(part.points), course = [];
-    for (let row = 0; numbers.at < numbers.view.byteLength;) {
-      row += numbers.unsigned(part.width);
-      course.push([row, Number((part.low + part.range * numbers.unsigned(2) / 65535).toPrecision(7))]);
+    while (numbers.at < numbers.view.byteLength) {
+      const x = at(numbers.unsigned(2));
+      course.push([x, Number((part.low + part.range * numbers.unsigned(2) / 65535).toPrecision(7))]);
     }
     const windows = recording.windows.filter(w => w.means[index] !== null).map(w => {
       const mean = w.means[index], keyless = inKey.has(w.kind);
       inKey.add(w.kind);
       return {part: index, label: w.kind, kind: "mean " + part.label, keyless, straight: true, width: 4,
-        colour: colours[w.kind] || "#8a8a8a", dash: w.kind !== "averaged", curve: [[w.from, mean], [w.to, mean]],
+        colour: colours[w.kind] || "var(--mark6)", dash: w.kind !== "reading", curve: [[w.from, mean], [w.to, mean]],
         points: w.reading === null ? [] : [{x: (w.from + w.to) / 2, y: mean, id: w.reading}]};
     });
     return [{part: index, label: "recorded", kind: part.label, keyless: index > 0, straight: true, width: 1, colour: "var(--soft)", points: [], curve: course}, ...windows];
@@ -388,9 +463,32 @@ function normalShare(x) {
   return .5 + sum * Math.exp(-x * x / 2) / Math.sqrt(2 * Math.PI);
 }
 
+// Buttons that copy a text. A browser that gives no access to the clipboard selects the text instead.
+function offerCopies() {
+  for (const button of document.querySelectorAll("button[data-copy]")) button.addEventListener("click", async () => {
+    const source = document.getElementById(button.dataset.copy);
+    try {
+      await navigator.clipboard.writeText(source.textContent);
+      button.textContent = "Copied";
+    } catch (error) {
+      getSelection().selectAllChildren(source);
+      button.textContent = document.execCommand("copy") ? "Copied" : "Selected: press Ctrl-C";
+    }
+  });
+}
+// Opens the fold of a section to which a link leads.
+function openTarget() {
+  const target = location.hash.length > 1 && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const fold = target && target.classList.contains("folded") && target.querySelector("details");
+  if (fold) fold.open = true;
+}
+addEventListener("hashchange", openTarget);
+
 // Shows the data that are in the document; null where it has none.
 function showData() {
+  offerCopies();
+  openTarget();
   const text = document.getElementById("data"), data = text && JSON.parse(text.textContent);
   window.page = data && data.readings.length > 0 ? new Page(data) : null;
 }
-showData();
+try { showData(); } catch (error) { window.page = null; console.error(error); }

@@ -20,7 +20,7 @@ namespace {
 
 /// Number of points of a curve, and largest number of series with curves in a panel. Chosen: models
 /// are smooth along a panel, and more curves would cover each other.
-constexpr int points_of_curve = 9;
+constexpr int points_of_one_curve = 9;
 constexpr std::size_t most_curves = 12;
 /// Largest ratio of two values of a quantity that count as one. Chosen: above the 2 % of
 /// replicates, below the steps of a series.
@@ -119,8 +119,8 @@ void add_curve(PageSeries& series, const PagePanel& panel, const std::vector<Rea
     if (!(to > alike_ratio * from) || !(from > 0)) return;
     const ConditionPath path(conditions, along);
     const double first = along.of(conditions.front()), last = along.of(conditions.back());
-    for (int k = 0; k < points_of_curve; ++k) {
-        const double part = static_cast<double>(k) / (points_of_curve - 1);
+    for (int k = 0; k < points_of_one_curve; ++k) {
+        const double part = static_cast<double>(k) / (points_of_one_curve - 1);
         const double at = panel.log_x && first > 0 ? first * std::pow(last / first, part)
                                                    : first + (last - first) * part;
         series.along.push_back(path.at(at));
@@ -143,11 +143,27 @@ std::vector<std::vector<std::size_t>> divided_by_state(
     return result;
 }
 
+/// Differences between the series of a panel: `value`, a quantity that has `label` in words, and
+/// the `group`; an empty text where all readings are in one group.
+struct Lanes {
+    OfCondition value;
+    std::function<std::string(const Condition&)> label;
+    std::function<std::string(const Condition&)> group = [](const Condition&) { return ""; };
+};
+
+/// Texts that are not empty, with commas between them.
+std::string listed(const std::vector<std::string>& texts) {
+    std::string line;
+    for (const std::string& text : texts) {
+        if (!text.empty()) line += (line.empty() ? "" : ", ") + text;
+    }
+    return line;
+}
+
 /// Panel of some readings with a series for each of `groups`, and apart for points of failure.
 PagePanel panel_of(const std::vector<Reading>& readings, const Study& study,
                    const std::vector<std::vector<std::size_t>>& groups, PagePanel panel,
-                   const Coordinate& along, const OfCondition& x_of,
-                   const std::function<std::string(const Condition&)>& label) {
+                   const Coordinate& along, const OfCondition& x_of, const Lanes& lanes) {
     panel.x.assign(readings.size(), std::numeric_limits<double>::quiet_NaN());
     for (const std::vector<std::size_t>& group : divided_by_state(readings, groups)) {
         for (Part& part : divided_if_mixed(readings, group, study, along)) {
@@ -155,10 +171,11 @@ PagePanel panel_of(const std::vector<Reading>& readings, const Study& study,
                 panel.x[k] = x_of(readings[k].condition);
             }
             std::ranges::stable_sort(part.members, {}, [&](std::size_t k) { return panel.x[k]; });
-            const Condition& condition = readings[part.members.front()].condition;
-            PageSeries series{.label = label(condition) + (part.label.empty() ? "" : ", ") +
-                                       part.label +
-                                       (condition.at_failure ? ", points of failure" : ""),
+            const Condition& c = readings[part.members.front()].condition;
+            const std::string state = c.at_failure ? "points of failure" : "";
+            PageSeries series{.label = listed({lanes.group(c), lanes.label(c), part.label, state}),
+                              .group = listed({lanes.group(c), part.label, state}),
+                              .value = lanes.value(c),
                               .members = part.members,
                               .x = {},
                               .along = {}};
@@ -181,12 +198,13 @@ double inertial_number_of(const Condition& c) {
 struct Held {
     OfCondition of;
     std::function<std::string(const Condition&)> label;
+    std::string quantity;  ///< name and unit
 };
 
 Held held_inertial_number() {
-    return {inertial_number_of, [](const Condition& c) {
-                return "inertial number " + nominal_text(c.inertial_number);
-            }};
+    return {inertial_number_of,
+            [](const Condition& c) { return "inertial number " + nominal_text(c.inertial_number); },
+            "inertial number [1]"};
 }
 
 /// Speed of the lid where the cell and the heights are known, otherwise the shear rate.
@@ -199,15 +217,18 @@ Held held_speed(const std::vector<Reading>& readings, const Study& study) {
                             return r.condition.height.has_value();
                         });
     if (!by_lid) {
-        return {rate, [rate](const Condition& c) {
+        return {rate,
+                [rate](const Condition& c) {
                     return fmt::format("shear rate {} 1/s", nominal_text(rate(c)));
-                }};
+                },
+                "shear rate [1/s]"};
     }
     constexpr double per_minute = 60 / (2 * std::numbers::pi);
     const auto speed = [rate, cell = *study.cell](const Condition& c) {
         return per_minute * angular_velocity(rate(c), *c.height, cell);
     };
-    return {speed, [speed](const Condition& c) { return nominal_text(speed(c)) + " rpm"; }};
+    return {speed, [speed](const Condition& c) { return nominal_text(speed(c)) + " rpm"; },
+            "speed of the lid [rpm]"};
 }
 
 /// The quantity that divides readings into fewer series: the inertial number, unless the speed
@@ -221,50 +242,82 @@ Held held_constant(const std::vector<Reading>& readings, const std::vector<std::
                : inertial;
 }
 
+/// Whether the inertial number is the better x axis: it varies by the larger factor and has no more
+/// series than the normal stress.
+bool by_rate(const std::vector<Reading>& readings, const std::vector<std::size_t>& members,
+             const Held& held) {
+    return spread(readings, members, inertial_number_of) >
+               spread(readings, members, normal_stress_of) &&
+           divided(readings, members, normal_stress_of).size() <=
+               divided(readings, members, held.of).size();
+}
+
+std::string normal_stress_label(const Condition& c) {
+    return fmt::format("normal stress {} Pa", nominal_text(c.normal_stress));
+}
+
 PagePanel dry_panel(const std::vector<Reading>& readings, const std::vector<std::size_t>& dry,
                     const Study& study) {
     const Held held = held_constant(readings, dry, study);
-    const auto lanes = divided(readings, dry, held.of),
-               loads = divided(readings, dry, normal_stress_of);
-    const bool by_rate =
-        spread(readings, dry, inertial_number_of) > spread(readings, dry, normal_stress_of) &&
-        loads.size() <= lanes.size();
-    if (by_rate) {
-        return panel_of(readings, study, loads,
+    if (by_rate(readings, dry, held)) {
+        return panel_of(readings, study, divided(readings, dry, normal_stress_of),
                         {.title = "Dry readings",
                          .x_label = "inertial number I [1]",
-                         .log_x = spread(readings, dry, inertial_number_of) > 5},
-                        along_inertial_number, inertial_number_of, [](const Condition& c) {
-                            return fmt::format("normal stress {} Pa",
-                                               nominal_text(c.normal_stress));
-                        });
+                         .log_x = spread(readings, dry, inertial_number_of) > 5,
+                         .quantity = "normal stress [Pa]"},
+                        along_inertial_number, inertial_number_of,
+                        {.value = normal_stress_of, .label = normal_stress_label});
     }
-    return panel_of(readings, study, lanes,
+    return panel_of(readings, study, divided(readings, dry, held.of),
                     {.title = "Dry readings",
                      .x_label = "normal stress [Pa]",
-                     .log_x = spread(readings, dry, normal_stress_of) > 5},
-                    along_inverse_normal_stress, normal_stress_of, held.label);
+                     .log_x = spread(readings, dry, normal_stress_of) > 5,
+                     .quantity = held.quantity},
+                    along_inverse_normal_stress, normal_stress_of,
+                    {.value = held.of, .label = held.label});
+}
+
+std::string content_label(const Condition& c) {
+    return fmt::format("liquid content {:.3g}", c.liquid_content);
+}
+
+/// Differences between series of wet readings: the liquid content and, if several, the values of
+/// `of`.
+Lanes lanes_of_wet(const OfCondition& of, bool several,
+                   const std::function<std::string(const Condition&)>& label) {
+    return {.value = of,
+            .label = [several, label](const Condition& c) { return several ? label(c) : ""; },
+            .group = content_label};
 }
 
 PagePanel wet_panel(const std::vector<Reading>& readings, const std::vector<std::size_t>& wet,
                     const Study& study) {
     const Held held = held_constant(readings, wet, study);
+    const bool rates = by_rate(readings, wet, held);
+    const OfCondition of = rates ? normal_stress_of : held.of;
     std::vector<std::vector<std::size_t>> groups;
     for (const auto& content :
          divided(readings, wet, [](const Condition& c) { return c.liquid_content; })) {
-        std::ranges::move(divided(readings, content, held.of), std::back_inserter(groups));
+        std::ranges::move(divided(readings, content, of), std::back_inserter(groups));
     }
-    const bool several = spread(readings, wet, held.of) > alike_ratio;
+    const bool several = spread(readings, wet, of) > alike_ratio;
+    if (rates) {
+        return panel_of(readings, study, groups,
+                        {.title = "Wet readings",
+                         .x_label = "inertial number I [1]",
+                         .log_x = spread(readings, wet, inertial_number_of) > 5,
+                         .quantity = "normal stress [Pa]"},
+                        along_inertial_number, inertial_number_of,
+                        lanes_of_wet(of, several, normal_stress_label));
+    }
     return panel_of(
-        readings, study, groups, {.title = "Wet readings", .x_label = "1/P* [1]"},
+        readings, study, groups,
+        {.title = "Wet readings", .x_label = "1/P* [1]", .quantity = held.quantity},
         along_inverse_normal_stress,
         [&](const Condition& c) {
             return 1 / reduced_pressure(c.normal_stress, study.grains, *study.liquid);
         },
-        [several, held](const Condition& c) {
-            return fmt::format("liquid content {:.3g}", c.liquid_content) +
-                   (several ? ", " + held.label(c) : "");
-        });
+        lanes_of_wet(of, several, held.label));
 }
 
 }  // namespace

@@ -24,14 +24,6 @@ void Bytes::add_floats(const Eigen::VectorXd& values) {
     }
 }
 
-void Bytes::add_scaled(const Eigen::VectorXd& values) {
-    const double scale = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
-    add(static_cast<float>(scale));
-    for (const double value : values) {
-        add(static_cast<std::int16_t>(scale > 0 ? std::lround(32767 * value / scale) : 0));
-    }
-}
-
 std::string Bytes::base64() const {
     using namespace boost::archive::iterators;
     using Encoder = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
@@ -113,7 +105,11 @@ std::string response_of(const SwitchedModel& model, const std::vector<Condition>
                 first
                     ? part(model.response.first.col(k), model.along.first.col(k), which)
                     : part(model.response.second.col(k - p), model.along.second.col(k - p), which);
-            bytes.add_scaled(coefficients * (first ? errors(k) : squares(k - p)));
+            if (first) {
+                bytes.add_scaled<std::int16_t>(coefficients * errors(k));
+            } else {
+                bytes.add_scaled<std::int8_t>(coefficients * squares(k - p));
+            }
         }
     }
     return bytes.base64();
@@ -185,11 +181,12 @@ Json correlations_of(const Fit& fit) {
     return rows;
 }
 
-/// Fall of chi2 and shifts of the parameters without each fitted reading, reading by reading.
+/// Fall of chi2 and shifts of the parameters without each fitted reading: one column after the
+/// other.
 std::string without_of(const SwitchedModel& model) {
     Bytes bytes;
-    for (Eigen::Index k = 0; k < model.without_each.rows(); ++k) {
-        bytes.add_floats(model.without_each.row(k));
+    for (Eigen::Index k = 0; k < model.without_each.cols(); ++k) {
+        bytes.add_scaled<std::int16_t>(model.without_each.col(k));
     }
     return bytes.base64();
 }
@@ -237,6 +234,8 @@ Json panels_json(const std::vector<PagePanel>& panels) {
         Json series = Json::array();
         for (const PageSeries& each : panel.series) {
             series.push_back({{"label", each.label},
+                              {"group", each.group},
+                              {"value", shortened(each.value)},
                               {"members", each.members},
                               {"x", all_shortened(each.x)},
                               {"first", first}});
@@ -245,16 +244,29 @@ Json panels_json(const std::vector<PagePanel>& panels) {
         result.push_back({{"title", panel.title},
                           {"x_label", panel.x_label},
                           {"log_x", panel.log_x},
+                          {"quantity", panel.quantity},
                           {"x", all_shortened(panel.x)},
                           {"series", series}});
     }
     return result;
 }
 
+/// Steps of the ladder for the first picture, each with its name on the axis.
+Json ladder_json(const Ladder& ladder) {
+    Json steps = Json::array();
+    for (const LadderStep& step : ladder) {
+        steps.push_back({{"name", step_name(step)},
+                         {"effects", step.effects},
+                         {"rms", all_shortened(step.rms_percent)}});
+    }
+    return steps;
+}
+
 }  // namespace
 
 nlohmann::ordered_json page_data(const SwitchedModels& all, const std::vector<PagePanel>& panels,
-                                 const std::vector<PageRecording>& recordings) {
+                                 const std::vector<PageRecording>& recordings,
+                                 const PageStory& story) {
     const std::vector<Condition> points = points_of_curves(panels);
     Json switches = Json::array(), models = Json::array(), readings = Json::array();
     for (const std::string& name : all.switches) {
@@ -274,6 +286,9 @@ nlohmann::ordered_json page_data(const SwitchedModels& all, const std::vector<Pa
     return {{"switches", switches},
             {"always", all.always},
             {"current", all.current},
+            {"ladder", ladder_json(story.ladder)},
+            {"proposed", story.proposed ? Json(*story.proposed) : Json(nullptr)},
+            {"proposed_name", story.proposed_name},
             {"readings", readings},
             {"points", points.size()},
             {"panels", panels_json(panels)},

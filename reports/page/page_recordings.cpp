@@ -19,42 +19,55 @@ RecordingJson rounded(double value) {
     return std::stod(fmt::format("{:.7g}", value));
 }
 
-/// Row of each point minus the row of the point before it (0 before the first).
-std::vector<std::uint32_t> steps_of(const PageRecording::Course& course) {
-    std::vector<std::uint32_t> steps;
-    std::size_t last = 0;
-    for (const auto& [row, value] : course.points) {
-        steps.push_back(static_cast<std::uint32_t>(row - last));
-        last = row;
+constexpr double most_of_two_bytes = 65'535;  ///< 2^16 - 1: two bytes a number
+
+/// Along the x axis of a recording: time or, without it, number of the row.
+struct Axis {
+    std::string label = "row of the recording";
+    std::vector<double> of_row;  ///< empty: the number of the row, from 1
+    double from = 1, span = 1;
+
+    double at(std::size_t row) const {
+        return of_row.empty() ? static_cast<double>(row) : of_row[row - 1];
     }
-    return steps;
+};
+
+Axis axis_of(const PageRecording& recording) {
+    Axis axis;
+    std::size_t last = 1;
+    for (const PageRecording::Course& course : recording.courses) {
+        last = std::max(last, course.points.back().first);
+    }
+    if (!recording.time.empty()) {
+        const double duration = recording.time.back() - recording.time.front();
+        constexpr double minute = 60, longest_in_seconds = 600;  // chosen: three digits on the axis
+        const bool minutes = duration > longest_in_seconds;
+        axis.label = minutes ? "time [min]" : "time [s]";
+        axis.of_row = recording.time;
+        for (double& value : axis.of_row) {
+            value /= minutes ? minute : 1;
+        }
+    }
+    axis.from = axis.at(1);
+    axis.span = axis.at(axis.of_row.empty() ? last : axis.of_row.size()) - axis.from;
+    return axis;
 }
 
-/// Bytes that hold each of these numbers: 1, 2 or 4.
-int width_of(const std::vector<std::uint32_t>& numbers) {
-    const std::uint32_t greatest = std::ranges::max(numbers);
-    if (greatest < 256) return 1;
-    return greatest < 65'536 ? 2 : 4;
+void add_share(Bytes& bytes, double value, double low, double range) {
+    const double share = range > 0 ? (value - low) / range : 0;
+    bytes.add_unsigned(static_cast<std::uint32_t>(std::lround(most_of_two_bytes * share)), 2);
 }
 
-RecordingJson course_json(const PageRecording::Course& course) {
+RecordingJson course_json(const PageRecording::Course& course, const Axis& axis) {
     const auto by_value = [](const auto& a, const auto& b) { return a.second < b.second; };
     const auto [least, greatest] = std::ranges::minmax_element(course.points, by_value);
     const double low = least->second, range = greatest->second - low;
-    const auto steps = steps_of(course);
-    const int width = width_of(steps);
-    constexpr double parts = 65'535;  // 2^16 - 1: two bytes a value
     Bytes bytes;
-    for (std::size_t k = 0; k < steps.size(); ++k) {
-        const double share = range > 0 ? (course.points[k].second - low) / range : 0;
-        bytes.add_unsigned(steps[k], width);
-        bytes.add_unsigned(static_cast<std::uint32_t>(std::lround(parts * share)), 2);
+    for (const auto& [row, value] : course.points) {
+        add_share(bytes, axis.at(row), axis.from, axis.span);
+        add_share(bytes, value, low, range);
     }
-    return {{"label", course.label},
-            {"low", low},
-            {"range", range},
-            {"width", width},
-            {"points", bytes.base64()}};
+    return {{"label", course.label}, {"low", low}, {"range", range}, {"points", bytes.base64()}};
 }
 
 /// Index of the reading that averages a window of a file; null where none does.
@@ -67,7 +80,20 @@ RecordingJson reading_of(const AveragedWindow& window, const std::string& file,
     return found - readings.begin();
 }
 
-RecordingJson windows_json(const PageRecording& recording, const std::vector<Reading>& readings) {
+/// Outcome of an averaged range of rows.
+const char* outcome(AveragedWindow::Kind kind) {
+    switch (kind) {
+        case AveragedWindow::Kind::used:
+            return "reading";
+        case AveragedWindow::Kind::no_plateau:
+            return "no plateau, no reading";
+        default:
+            return "set aside";
+    }
+}
+
+RecordingJson windows_json(const PageRecording& recording, const Axis& axis,
+                           const std::vector<Reading>& readings) {
     RecordingJson windows = RecordingJson::array();
     for (std::size_t k = 0; k < recording.windows.size(); ++k) {
         const AveragedWindow& window = recording.windows[k];
@@ -75,13 +101,30 @@ RecordingJson windows_json(const PageRecording& recording, const std::vector<Rea
         for (const PageRecording::Course& course : recording.courses) {
             means.push_back(course.means[k] ? rounded(*course.means[k]) : RecordingJson(nullptr));
         }
-        windows.push_back({{"from", window.begin + 1},
-                           {"to", window.end},
-                           {"kind", text_of(window.kind)},
+        windows.push_back({{"from", rounded(axis.at(window.begin + 1))},
+                           {"to", rounded(axis.at(window.end))},
+                           {"kind", outcome(window.kind)},
                            {"reading", reading_of(window, recording.file, readings)},
                            {"means", means}});
     }
     return windows;
+}
+
+/// Time of each row, intervals one after the other; empty where a row has none.
+std::vector<double> times_of(const FileView& view) {
+    std::vector<double> times;
+    double before = 0;  // where an interval begins that counts from 0 again
+    for (const IntervalSeries& series : view.series) {
+        if (series.time.size() != series.size()) return {};
+        const bool again =
+            !times.empty() && !series.time.empty() && series.time.front() + before < times.back();
+        if (again) before = times.back() - series.time.front();
+        for (const double time : series.time) {
+            times.push_back(time + before);
+        }
+    }
+    const bool known = std::ranges::all_of(times, [](double t) { return std::isfinite(t); });
+    return known && std::ranges::is_sorted(times) ? times : std::vector<double>{};
 }
 
 }  // namespace
@@ -89,6 +132,8 @@ RecordingJson windows_json(const PageRecording& recording, const std::vector<Rea
 PageRecording page_recording(const FileView& view, const std::vector<Reading>& readings,
                              const std::vector<Remark>& left_out, std::size_t most) {
     PageRecording recording{.file = view.file.file,
+                            .time = times_of(view),
+                            .courses = {},
                             .windows = windows_of(view, readings, left_out)};
     for (const bool shear : {true, false}) {
         const RecordingCourse course(view, shear);
@@ -102,7 +147,7 @@ PageRecording page_recording(const FileView& view, const std::vector<Reading>& r
 }
 
 std::size_t points_of_recordings(std::size_t recordings) {
-    // A point has 3 to 6 bytes, 4 to 8 characters of base64: all points take at most 96 kB, unless
+    // A point has 4 bytes, 5.3 characters of base64: all points take at most 64 kB, unless
     // there are more than 300 recordings.
     constexpr std::size_t of_one = 400, of_all = 12'000, courses = 2;
     return std::clamp<std::size_t>(of_all / (courses * std::max<std::size_t>(1, recordings)), 20,
@@ -113,13 +158,17 @@ nlohmann::ordered_json recordings_json(const std::vector<PageRecording>& recordi
                                        const std::vector<Reading>& readings) {
     RecordingJson result = RecordingJson::array();
     for (const PageRecording& recording : recordings) {
-        RecordingJson parts = RecordingJson::array();
+        const Axis axis = axis_of(recording);
+        RecordingJson panels = RecordingJson::array();
         for (const PageRecording::Course& course : recording.courses) {
-            parts.push_back(course_json(course));
+            panels.push_back(course_json(course, axis));
         }
         result.push_back({{"name", std::filesystem::path(recording.file).filename().string()},
-                          {"parts", parts},
-                          {"windows", windows_json(recording, readings)}});
+                          {"x_label", axis.label},
+                          {"from", rounded(axis.from)},
+                          {"span", rounded(axis.span)},
+                          {"parts", panels},
+                          {"windows", windows_json(recording, axis, readings)}});
     }
     return result;
 }

@@ -2,7 +2,9 @@
 // Figures as inline SVG: axes, points with error bars, curves; brushing, CSV and SVG of what is shown.
 
 const SVG = "http://www.w3.org/2000/svg";
-const WIDTH = 460, HEIGHT = 320, LEFT = 66, RIGHT = 12, TOP = 12, BOTTOM = 48, GAP = 12;
+const WIDTH = 460, WIDE = 940, HEIGHT = 320, LEFT = 66, RIGHT = 12, TOP = 12, BOTTOM = 48, GAP = 12;
+// Most entries in a key: more are not read. Beyond, colours run along a scale (`scaled`).
+const MOST_ENTRIES = 8;
 // Okabe and Ito's colours, which stay apart for colour-blind readers, with a shape for each.
 // The style sheet has them for light and for dark pages.
 const COLOURS = Array.from({length: 8}, (_, k) => `var(--mark${k})`);
@@ -91,11 +93,31 @@ function save(name, type, text) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-// A figure. `spec`: {name, title, xLabel, yLabel, logX, zero, fromZero, names(), parts}; with names, these stand at
-// x = 0, 1, ... in place of numbers; with parts, axes of these labels stand one above the other.
+// Colour of a share from 0 to 1 along the scale that stands for many values of a quantity.
+const scaleColour = share => `color-mix(in oklab, var(--scale1) ${Math.round(100 * share)}%, var(--scale0))`;
+
+// Series of which there are too many for a key: those of one `group` have a shape in common, and the colour runs
+// with their `value`. Returns the series and the entries of the key.
+function scaled(series, quantity) {
+  const groups = [...new Set(series.map(s => s.group))], values = series.map(s => s.value);
+  const low = Math.min(...values), high = Math.max(...values), log = low > 0 && high > 3 * low;
+  const share = v => high > low ? (log ? Math.log(v / low) / Math.log(high / low) : (v - low) / (high - low)) : 0;
+  const shapeOf = group => SHAPES[groups.indexOf(group) % SHAPES.length];
+  const named = groups.slice(0, groups.length < MOST_ENTRIES ? groups.length : MOST_ENTRIES - 2);
+  return {
+    series: series.map(s => ({...s, colour: scaleColour(share(s.value)), shape: shapeOf(s.group), keyless: true})),
+    entries: [{scale: true, label: `${quantity} ${three(low)} to ${three(high)}`}, ...named.filter(g => g).map(group => ({shape: shapeOf(group), label: group})),
+      ...(named.length < groups.length ? [{label: `and ${groups.length - named.length} more, named where a reading is pointed at`}] : [])]
+  };
+}
+
+// A figure. `spec`: {name, title, xLabel, yLabel, logX, zero, lines, names(), parts, wide, quantity, reach()}; with
+// names, these stand at x = 0, 1, ... in place of numbers; with parts, axes of these labels stand one above the other.
+// `reach()`: [[low, high], ...] of each part over all models between which a reader switches, which the axes hold so
+// that they stay. `quantity`: what the `value` of the series is.
 // `contents()` returns the series that are shown now: {label, points: [{x, y, error, id}],
-// curve: [[x, y], ...], marks: [{x, y}]}, and if it wants: part (0: the upper one), kind (in the CSV), colour, dash,
-// width, straight (lines between the points of the curve), keyless.
+// curve: [[x, y], ...], marks: [{x, y}]}, and if it wants: part (0: the upper one), kind (in the CSV), colour, shape, dash,
+// width, straight (lines between the points of the curve), keyless, group, value, texts: [{x, y, text}].
 class Plot {
   constructor(parent, spec, contents, page) {
     Object.assign(this, {spec, contents, page, at: -1});
@@ -108,7 +130,7 @@ class Plot {
     buttons.append(" ");
     html("button", {type: "button", "aria-label": "Save " + spec.title + " as SVG"}, buttons, "SVG")
       .addEventListener("click", () => save(spec.name + ".svg", "image/svg+xml", this.svgText()));
-    this.svg = node("svg", {viewBox: `0 0 ${WIDTH} ${HEIGHT}`, tabindex: "0", role: "img",
+    this.svg = node("svg", {tabindex: "0", role: "img",
       "aria-label": spec.title + ". Arrow keys step through the readings.", "data-name": spec.name}, this.figure);
     this.key = html("ul", {class: "key"}, this.figure);
     this.svg.addEventListener("keydown", event => this.onKey(event));
@@ -128,10 +150,15 @@ class Plot {
     return [low - d, high + d];
   }
 
+  // Width of the drawing: a wide figure is drawn anew where the page is narrow, so that its letters stay legible.
+  get width() { return this.spec.wide && this.page.roomy() ? WIDE : WIDTH; }
+
   draw() {
-    const {spec} = this, series = this.contents();
+    const {spec, width} = this, all = this.contents();
+    const many = spec.quantity && all.length > MOST_ENTRIES ? scaled(all, spec.quantity) : {series: all, entries: []}, {series} = many;
     this.shown = series;
-    const labels = spec.parts || [spec.yLabel], xs = [], ysOf = labels.map(() => spec.zero ? [-2.5, 2.5] : []);
+    this.svg.setAttribute("viewBox", `0 0 ${width} ${HEIGHT}`);
+    const labels = spec.parts || [spec.yLabel], xs = [], ysOf = labels.map(() => spec.zero ? [-2.5, 2.5] : spec.lines ? [0] : []);
     for (const s of series) {
       const ys = ysOf[s.part || 0];
       for (const p of s.points) { xs.push(p.x); ys.push(p.y - (p.error || 0), p.y + (p.error || 0)); }
@@ -139,10 +166,10 @@ class Plot {
     }
     this.svg.replaceChildren();
     if (xs.length === 0) return;
-    if (spec.fromZero) ysOf[0].push(0);
+    if (spec.reach && this.page.keepAxes) (this.reached = this.reached || spec.reach()).forEach((ends, part) => ysOf[part].push(...ends));
     const names = spec.names ? spec.names() : null;
-    const [x0, x1] = names ? [-.5, names.length - .5] : this.range(xs, spec.logX, .06);
-    const xOf = x => LEFT + (WIDTH - LEFT - RIGHT) * (spec.logX ? Math.log(x / x0) / Math.log(x1 / x0) : (x - x0) / (x1 - x0));
+    const [x0, x1] = names ? [-.5, names.length - .3] : this.range(xs, spec.logX, .06);
+    const xOf = x => LEFT + (width - LEFT - RIGHT) * (spec.logX ? Math.log(x / x0) / Math.log(x1 / x0) : (x - x0) / (x1 - x0));
     const height = (HEIGHT - TOP - BOTTOM - GAP * (labels.length - 1)) / labels.length;
     const yOfPart = labels.map((label, part) => {
       const top = TOP + part * (height + GAP), bottom = top + height, [y0, y1] = this.range(ysOf[part], false, .06);
@@ -152,8 +179,9 @@ class Plot {
     });
     this.key.replaceChildren();
     this.places = [];
+    for (const entry of many.entries) this.keyEntry(entry);
     series.forEach((s, index) => this.drawSeries(s, index, xOf, yOfPart[s.part || 0]));
-    if (names) names.forEach((name, x) => html("li", {}, this.key, `${x}: ${x > 1 ? "and " : ""}${name}`));
+    if (names && width === WIDTH) names.forEach((name, x) => html("li", {}, this.key, `${x}: ${name}`));
     this.mark();
   }
 
@@ -164,44 +192,53 @@ class Plot {
     const xStep = spec.logX ? 0 : xTicks[1] - xTicks[0], yStep = yTicks[1] - yTicks[0];
     for (const x of xTicks) {
       node("line", {x1: xOf(x), x2: xOf(x), y1: top, y2: bottom, stroke: "var(--grid)"}, svg);
-      if (last) node("text", {...text, x: xOf(x), y: bottom + 16, "text-anchor": "middle"}, svg, names ? String(x) : tickText(x, xStep));
+      if (last) node("text", {...text, x: xOf(x), y: bottom + 16, "text-anchor": "middle"}, svg, names ? this.width === WIDTH ? String(x) : names[x] : tickText(x, xStep));
     }
     for (const y of yTicks) {
-      node("line", {x1: LEFT, x2: WIDTH - RIGHT, y1: yOf(y), y2: yOf(y), stroke: "var(--grid)"}, svg);
+      node("line", {x1: LEFT, x2: this.width - RIGHT, y1: yOf(y), y2: yOf(y), stroke: "var(--grid)"}, svg);
       node("text", {...text, x: LEFT - 6, y: yOf(y) + 4, "text-anchor": "end"}, svg, tickText(y, yStep));
     }
-    if (spec.zero) node("line", {x1: LEFT, x2: WIDTH - RIGHT, y1: yOf(0), y2: yOf(0), stroke: "var(--soft)", "stroke-width": 1.5}, svg);
-    node("rect", {x: LEFT, y: top, width: WIDTH - LEFT - RIGHT, height: bottom - top, fill: "none", stroke: "var(--soft)"}, svg);
-    if (last) node("text", {...text, x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 8, "text-anchor": "middle"}, svg, spec.xLabel);
+    if (spec.zero || spec.lines) node("line", {x1: LEFT, x2: this.width - RIGHT, y1: yOf(0), y2: yOf(0), stroke: "var(--soft)", "stroke-width": 1.5}, svg);
+    node("rect", {x: LEFT, y: top, width: this.width - LEFT - RIGHT, height: bottom - top, fill: "none", stroke: "var(--soft)"}, svg);
+    if (last) node("text", {...text, x: (LEFT + this.width - RIGHT) / 2, y: HEIGHT - 8, "text-anchor": "middle"}, svg, spec.xLabel);
     const middle = (top + bottom) / 2;
     node("text", {...text, x: 14, y: middle, "text-anchor": "middle", transform: `rotate(-90 14 ${middle})`}, svg, label);
   }
 
   drawSeries(s, index, xOf, yOf) {
-    const colour = s.colour || COLOURS[index % COLOURS.length], shape = s.colour ? "square" : SHAPES[(index + 3 * Math.floor(index / 8)) % SHAPES.length];
+    const colour = s.colour || COLOURS[index % COLOURS.length], shape = s.shape || (s.colour ? "square" : SHAPES[(index + 3 * Math.floor(index / 8)) % SHAPES.length]);
     if (s.curve && s.curve.length > 1) {
       const line = s.curve.map(([x, y]) => [xOf(x), yOf(y)]);
       node("path", {d: this.spec.names || s.straight ? "M" + line.map(p => p.map(v => v.toFixed(1)).join(" ")).join("L") : curvePath(line), fill: "none", stroke: colour, "stroke-width": s.width || 2,
-        class: "curve", ...(s.dash || index >= 8 && !s.colour ? {"stroke-dasharray": "5 3"} : {})}, this.svg);
+        class: "curve", ...(s.dash ? {"stroke-dasharray": "5 3"} : {})}, this.svg);
     }
     for (const m of s.marks || []) {
-      const x = xOf(m.x), y = yOf(m.y);
-      node("path", {d: `M${(x - 5).toFixed(1)} ${y.toFixed(2)}h10`, stroke: colour, "stroke-width": 2, class: "mark"}, this.svg);
+      const x = xOf(m.x), y = yOf(m.y), half = m.half || 5;
+      node("path", {d: `M${(x - half).toFixed(1)} ${y.toFixed(2)}h${2 * half}`, stroke: colour, "stroke-width": 2, class: "mark"}, this.svg);
     }
+    const hollow = ["plus", "cross", "ring"].includes(shape), radius = s.radius || 4.2;
     for (const p of s.points) {
       const x = xOf(p.x), y = yOf(p.y);
       const bar = p.error ? node("path", {d: `M${x.toFixed(1)} ${yOf(p.y - p.error).toFixed(1)}V${yOf(p.y + p.error).toFixed(1)}`, stroke: colour, "stroke-width": 1.2}, this.svg) : null;
-      const hollow = shape === "plus" || shape === "cross" || shape === "ring";
-      const point = node("path", {d: shapePath(shape, x, y, 4.2), fill: hollow ? "none" : colour, stroke: colour, "stroke-width": hollow ? 1.8 : 1, "data-id": p.id}, this.svg);
+      const point = node("path", {d: shapePath(shape, x, y, radius), fill: hollow ? "none" : colour, stroke: colour, "stroke-width": hollow ? 1.8 : 1, "data-id": p.id}, this.svg);
       this.places.push({x, y, id: p.id, point, bar});
     }
-    if (s.label && !s.keyless) {
-      const entry = html("li", {}, this.key);
-      const icon = node("svg", {viewBox: "0 0 16 12", width: 16, height: 12, style: "display:inline;width:16px;height:12px;vertical-align:-1px", "aria-hidden": "true"}, entry);
-      node("path", {d: s.straight ? "M1 6h14" : shapePath(shape, 8, 6, 4), fill: ["plus", "cross", "ring"].includes(shape) ? "none" : colour, stroke: colour,
-        ...(s.straight ? {"stroke-width": s.width} : {}), ...(s.dash ? {"stroke-dasharray": "5 3"} : {})}, icon);
-      entry.append(" " + s.label);
+    for (const t of s.texts || []) node("text", {x: xOf(t.x), y: yOf(t.y) + 4, "text-anchor": "start", fill: "var(--ink)", "font-size": "12.5", "font-weight": 650, "font-family": "system-ui, sans-serif",
+      stroke: "var(--ground)", "stroke-width": 4, "paint-order": "stroke"}, this.svg, t.text);
+    if (s.label && !s.keyless) this.keyEntry({label: s.label, straight: s.straight, width: s.width, dash: s.dash, shape, colour});
+  }
+
+  // Line of the key: a symbol or a piece of line, or the colours of a scale, and words.
+  keyEntry({label, straight, width, dash, shape, colour = "var(--ink)", scale}) {
+    const entry = html("li", {}, this.key);
+    if (scale || straight || shape) {
+      const long = scale ? 64 : 16;
+      const icon = node("svg", {viewBox: `0 0 ${long} 12`, width: long, height: 12, style: `display:inline;width:${long}px;height:12px;vertical-align:-1px`, "aria-hidden": "true"}, entry);
+      if (scale) for (let k = 0; k < 8; ++k) node("path", {d: `M${8 * k} 2h8v8h-8Z`, fill: scaleColour(k / 7)}, icon);
+      else node("path", {d: straight ? "M1 6h14" : shapePath(shape, 8, 6, 4), fill: ["plus", "cross", "ring"].includes(shape) ? "none" : colour, stroke: colour,
+        ...(straight ? {"stroke-width": width} : {}), ...(dash ? {"stroke-dasharray": "5 3"} : {})}, icon);
     }
+    entry.append(" " + label);
   }
 
   // Shows which readings are marked, under the pointer, or left out.
@@ -222,7 +259,7 @@ class Plot {
 
   position(event) {
     const box = this.svg.getBoundingClientRect();
-    return [(event.clientX - box.left) * WIDTH / box.width, (event.clientY - box.top) * HEIGHT / box.height];
+    return [(event.clientX - box.left) * this.width / box.width, (event.clientY - box.top) * HEIGHT / box.height];
   }
   nearest(x, y) {
     let best = {id: -1}, distance = 14;
@@ -275,11 +312,11 @@ class Plot {
     // An apostrophe in front of what a spreadsheet would take for a formula.
     const safe = text => /^[=+\-@\t\r]/.test(text) && isNaN(text) ? "'" + text : text;
     const quoted = any => (text => /[",\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text)(safe(any));
-    const names = this.spec.names ? this.spec.names() : null, at = x => names ? quoted(`${x}: ${names[x]}`) : x;
+    const names = this.spec.names ? this.spec.names() : null, at = x => names ? quoted(names[Math.round(x)]) : x;
     const rows = [["series", "kind", this.spec.xLabel, this.spec.yLabel || "value", "standard error"].map(quoted)];
     for (const s of this.shown) {
       for (const p of s.points) rows.push([quoted(s.label), s.kind || "measured", at(p.x), p.y, p.error || ""]);
-      for (const m of s.marks || []) rows.push([quoted(s.label), "model at the reading", m.x, m.y, ""]);
+      for (const m of s.marks || []) if (!m.mirrored) rows.push([quoted(s.label), s.points.length > 0 ? "model at the reading" : s.kind, at(m.x), m.y, ""]);
       if (!names) for (const [x, y] of s.curve || []) rows.push([quoted(s.label), s.kind || "model curve", x, y, ""]);
     }
     return rows.map(row => row.join(",")).join("\n") + "\n";
@@ -291,11 +328,11 @@ class Plot {
     copy.setAttribute("style", "background:" + style.getPropertyValue("--ground").trim());
     // The key, below the axes.
     const entries = [...this.key.children], ROW = 18;
-    copy.setAttribute("viewBox", `0 0 ${WIDTH} ${HEIGHT + ROW * entries.length + 6}`);
+    copy.setAttribute("viewBox", `0 0 ${this.width} ${HEIGHT + ROW * entries.length + 6}`);
     entries.forEach((entry, k) => {
-      const line = node("g", {transform: `translate(${LEFT} ${HEIGHT + ROW * k})`}, copy), icon = entry.querySelector("svg path");
-      if (icon) line.append(icon.cloneNode(true));
-      node("text", {x: 22, y: 10, fill: "var(--ink)", "font-size": "12.5", "font-family": "system-ui, sans-serif"}, line, entry.textContent.trim());
+      const line = node("g", {transform: `translate(${LEFT} ${HEIGHT + ROW * k})`}, copy), icons = [...entry.querySelectorAll("svg path")];
+      line.append(...icons.map(icon => icon.cloneNode(true)));
+      node("text", {x: icons.length > 1 ? 70 : 22, y: 10, fill: "var(--ink)", "font-size": "12.5", "font-family": "system-ui, sans-serif"}, line, entry.textContent.trim());
     });
     return copy.outerHTML.replace(/var\((--[a-z0-9]+)\)/g, (_, name) => style.getPropertyValue(name).trim());
   }

@@ -1,58 +1,30 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "analysis/diagnosis/impact.h"
 #include "analysis/ladder.h"
-#include "analysis/misfit/checks.h"
-#include "data/reading.h"
-#include "reports/page/page_curves.h"
-#include "reports/page/page_data.h"
-#include "workflow/study_diagnosis.h"
-#include "workflow/switched_models.h"
+#include "reports/page/page_content.h"
 
 namespace pendular {
-
-/// Results, texts and settings that the HTML page of a study shows.
-struct PageContent {
-    std::string study;  ///< name of the study
-    /// Path of the study as the user typed it, for commands; quoted if a shell needs quotes.
-    std::string study_argument;
-    const ResolvedStudy& resolved;
-    const Measurements& measurements;
-    const StudyDiagnosis& diagnosis;
-    Checks checks;                            ///< tests of the residuals of the study's model
-    std::optional<ImpactTable> impacts = {};  ///< empty: not computed
-    Ladder ladder = {};                       ///< may be empty
-    std::vector<std::string> steps = {};      ///< next steps (`step_lines`)
-    std::string command = {};                 ///< `pendular` command to give next (`next_command`)
-    /// Fitted models, one for each combination of the leading effects: those that the study lists
-    /// or that the diagnosis finds most important. The reader can switch them on and off.
-    SwitchedModels switched;
-    std::vector<PagePanel> panels;  ///< with the curves of `switched`
-    std::string version;            ///< of the program
-    SessionOptions options;         ///< the page states the name of the fidelity and the seed
-    std::size_t runs = 0;           ///< number of training simulations
-    std::string runs_hash = {};     ///< of these simulations (`runs_json`)
-    bool calibrated = false;        ///< whether the results folder has a fit of the study
-    /// Version number of the page, by which a browser finds out that `pendular serve` has a newer
-    /// page. Empty for a page without a server.
-    std::optional<std::size_t> served_version = {};
-
-    std::vector<PageRecording> recordings = {};  ///< may be empty
-};
 
 /// Returns the page as one HTML file that needs no further files: verdict, figures, fit, effects,
 /// shifts of the friction coefficient, ladder, next steps and provenance. In the figures, the
 /// reader can switch the leading effects and change parameters with sliders.
 std::string report_page(const PageContent& content);
 
-/// Returns the page that a server shows until the first results exist.
+/// Results from before, for a server that has none of its own yet.
+struct EarlierResults {
+    std::string page;  ///< HTML of a page (`report_page`); empty: none
+    std::string when;  ///< local time at which it was written
+    Ladder ladder;     ///< may be empty
+};
+
+/// Returns the page, of version 0, that a server shows until it has results: those of an earlier
+/// page of the same version of Pendular, or else what the ladder says, marked as of then; or that
+/// there are none. Of the earlier page, only texts and data are taken over, never markup.
 /// @param version version of the program
-std::string waiting_page(const std::string& study, const std::string& version);
+std::string waiting_page(const std::string& study, const std::string& version,
+                         const EarlierResults& earlier = {});
 
 /// Returns a Content-Security-Policy that forbids loading anything outside the page.
 /// @param served whether the page's script may send requests to its server

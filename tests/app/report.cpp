@@ -49,6 +49,27 @@ TEST_F(ReportTest, OfASingleReadingSaysWhatIsNeeded) {
     EXPECT_FALSE(fs::exists(folder.path() / "out/report.html"));
 }
 
+TEST_F(ReportTest, WritesATableAndAParagraphToPaste) {
+    const Outcome outcome = report();
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output,
+                HasSubstr("To paste into a paper: results.csv, results.tex, methods.txt."));
+    const fs::path out = fs::path(study) / "out";
+    EXPECT_THAT(
+        content_of(out / "results.csv"),
+        testing::ContainsRegex("quantity,value,standard error,unit,remark\n"
+                               "intergranular friction coefficient,0\\.[0-9]+,0\\.[0-9]+,1,\n"));
+    const std::string latex = content_of(out / "results.tex");
+    EXPECT_THAT(latex, HasSubstr("$\\pm$"));
+    EXPECT_THAT(latex, Not(HasSubstr("+-")));
+    const std::string methods = content_of(out / "methods.txt");
+    EXPECT_THAT(methods, HasSubstr("The intergranular friction coefficient was fitted with "
+                                   "Pendular "));
+    EXPECT_THAT(methods, HasSubstr(" to 9 of 9 readings (9 dry, 0 wet)"));
+    EXPECT_THAT(methods, HasSubstr("fidelity standard"));
+    EXPECT_THAT(methods, HasSubstr("Badetti"));
+}
+
 TEST_F(ReportTest, NeedsNoGnuplot) {
     const Outcome outcome = [&] {
         const std::string path = std::getenv("PATH");

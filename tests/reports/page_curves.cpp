@@ -1,6 +1,7 @@
 // Panels of a page: series that one curve can represent.
 #include "reports/page/page_curves.h"
 
+#include <cmath>
 #include <numbers>
 
 #include "data/annular_cell.h"
@@ -102,6 +103,33 @@ TEST(PagePanels, HaveACurveForEachSpeedThatWasHeld) {
             EXPECT_FALSE(series.along.empty());
         }
     }
+}
+
+TEST(PagePanels, OfManyInertialNumbersHaveThemOnTheAxis) {
+    Study of = study();
+    of.liquid = Liquid{.surface_tension = 0.072};
+    std::vector<Reading> readings;
+    for (const double content : {0.0, 0.01, 0.03}) {
+        for (const double stress : {500.0, 1000.0}) {
+            for (int k = 0; k < 15; ++k) {
+                Reading one = reading(stress, "a.csv", 0.015);
+                one.condition.inertial_number = 0.003 * std::pow(26, k / 14.0);
+                one.condition.liquid_content = content;
+                readings.push_back(one);
+            }
+        }
+    }
+    const auto panels = page_panels(readings, of);
+    ASSERT_EQ(panels.size(), 2u);
+    for (const PagePanel& panel : panels) {
+        EXPECT_EQ(panel.x_label, "inertial number I [1]");
+        EXPECT_EQ(panel.quantity, "normal stress [Pa]");
+    }
+    EXPECT_EQ(panels[0].series.size(), 2u);
+    ASSERT_EQ(panels[1].series.size(), 4u);
+    EXPECT_EQ(panels[1].series[2].label, "liquid content 0.03, normal stress 500 Pa");
+    EXPECT_EQ(panels[1].series[2].group, "liquid content 0.03");
+    EXPECT_DOUBLE_EQ(panels[1].series[2].value, 500);
 }
 
 }  // namespace pendular::reports_page_curves_test

@@ -179,8 +179,8 @@ TEST(PageRecordings, HoldEachReadingOfAStudy) {
     ASSERT_EQ(json.size(), 1u);
     EXPECT_EQ(json[0]["name"], path.filename().string());
     ASSERT_EQ(json[0]["parts"].size(), 2u);
-    // 400 points of one byte for the row and two for the value, as base64.
-    EXPECT_LE(json[0]["parts"][0]["points"].get<std::string>().size(), 400u * 3 * 4 / 3);
+    // 400 points of two bytes for the time and two for the value, as base64.
+    EXPECT_LE(json[0]["parts"][0]["points"].get<std::string>().size(), 400u * 4 * 4 / 3 + 4);
     ASSERT_EQ(json[0]["windows"].size(), 6u);
     for (const auto& window : json[0]["windows"]) {
         const Reading& reading = measurements.readings.at(window["reading"].get<std::size_t>());

@@ -1,0 +1,58 @@
+// The error as it fell: a column for each model of the study, in the order in which they were fitted, one for what the
+// diagnosis proposes, and one for the model that the switches choose.
+
+// Most steps of the ladder that are drawn, the latest: more columns would have no room for their names.
+const MOST_STEPS = 5;
+
+class LadderPicture {
+  constructor(page) {
+    this.page = page;
+    const {ladder, current, proposed} = page.data;
+    this.columns = ladder.slice(-MOST_STEPS).map(step => ({name: step.name, index: this.indexOf(step.effects), rms: step.rms}));
+    const last = this.columns[this.columns.length - 1];
+    if (!last || last.index !== current) this.columns.push({name: last ? "study.toml now" : "this study", index: current});
+    if (proposed !== null && proposed !== current) this.columns.push({name: page.data.proposed_name, index: proposed});
+    this.dry = page.data.readings.map(r => r.liquid_content === 0);
+  }
+  // Number of the fitted combination that has exactly these effects; null: none has.
+  indexOf(effects) {
+    const {switches, always} = this.page.data, {models} = this.page;
+    if (!always.every(name => effects.includes(name)) || !effects.every(name => always.includes(name) || switches.some(s => s.name === name))) return null;
+    const index = switches.reduce((sum, s, k) => sum + (effects.includes(s.name) ? 1 << k : 0), 0);
+    return models[index].why_not === undefined ? index : null;
+  }
+  names() { return [...this.columns.map(c => c.name), "switches below"]; }
+
+  // Relative deviations [%] of the readings from a fitted combination.
+  deviations(index, which) {
+    const {page} = this, predicted = index === null ? page.predicted(which) : page.models[index].predict(page.models[index].parameters.map(() => 0), which);
+    return page.data.readings.map((r, id) => 100 * (r.values[which] / predicted[id] - 1));
+  }
+  series() {
+    const columns = [...this.columns, {index: null, now: true}], roomy = this.page.roomy(), width = roomy ? .56 : .4, half = roomy ? 24 : 12, n = this.page.data.readings.length;
+    return [0, 1].flatMap(which => {
+      const points = [[], []], bars = [], texts = [], line = [];
+      columns.forEach((column, x) => {
+        const known = column.now || column.index !== null;
+        const rms = known ? this.page.rmsOf(column.now ? null : column.index, which) : column.rms[which];
+        if (known) this.deviations(column.now ? null : column.index, which).forEach((y, id) =>
+          points[this.dry[id] ? 0 : 1].push({x: x + (n > 1 ? width * (id / (n - 1) - .5) : 0), y, id}));
+        bars.push({x, y: rms, half}, {x, y: -rms, half, mirrored: true});
+        texts.push({x: x + width / 2 + .04, y: rms, text: `${rms < .995 ? rms.toFixed(2) : rms.toPrecision(3)} %`});
+        line.push([x, rms]);
+      });
+      const of = ["shear stress", "solid fraction"][which], more = {part: which, keyless: which > 0};
+      return [
+        ...[["dry reading", "circle", "var(--mark0)"], ["wet reading", "square", "var(--mark2)"]].map(([label, shape, colour], wet) =>
+          ({...more, label, kind: `${of}: deviation`, shape, colour, radius: n > 40 ? 2.6 : 3.4, points: points[wet]})).filter(s => s.points.length > 0),
+        {...more, label: "RMS deviation", kind: `${of}: RMS`, colour: "var(--mark1)", straight: true, width: 2, points: [], marks: bars, texts},
+        {...more, label: "RMS deviation", keyless: true, kind: `${of}: RMS`, colour: "var(--mark1)", width: 1, dash: true, points: [], curve: line}
+      ];
+    });
+  }
+  // Ends of the vertical axes: over all combinations between which the axes stay.
+  reach() {
+    return [0, 1].map(which => this.page.kept().flatMap(index => ends(this.deviations(index, which))));
+  }
+}
+const ends = values => { const known = [...values].filter(v => isFinite(v)); return known.length > 0 ? [Math.min(...known), Math.max(...known)] : []; };

@@ -1,0 +1,429 @@
+#include "reports/page/page_sections.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <set>
+#include <stdexcept>
+
+#include "analysis/diagnosis/study_evidence.h"
+#include "data/input_error.h"
+#include "data/remarks/wording.h"
+#include "reports/diagnosis_report.h"
+#include "reports/diagnosis_table.h"
+#include "reports/effect_pages.h"
+#include "reports/failure_report.h"
+#include "reports/impact_report.h"
+#include "reports/next_steps.h"
+#include "reports/other_causes.h"
+#include "reports/page/effect_picture.h"
+#include "reports/page/page_paste.h"
+#include "reports/page/page_story.h"
+#include "reports/proposal_report.h"
+#include "reports/with_error.h"
+#include "reports/words.h"
+#include "workflow/json/diagnosis.h"
+#include "workflow/rivals.h"
+
+namespace pendular {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+std::string trimmed(const std::string& line) {
+    const auto first = line.find_first_not_of(' ');
+    return first == std::string::npos ? "" : line.substr(first);
+}
+
+/// Moves the lines after the first `most` behind a fold.
+void fold_after(PageSection& section, std::size_t most, const std::string& title) {
+    if (section.lines.size() <= most) return;
+    const auto rest = section.lines.begin() + static_cast<std::ptrdiff_t>(most);
+    section.more.assign(rest, section.lines.end());
+    section.lines.erase(rest, section.lines.end());
+    section.more_title = title;
+}
+
+PageSection ladder_section(const PageContent& content) {
+    PageSection section{.id = "ladder", .title = "How the error fell", .figures = "ladder-figure"};
+    PageTable table{.caption = "Models of this study in the order of time",
+                    .head = {"step", "change", "effects", "chi2", "degrees of freedom",
+                             "relative RMS error of shear stress [%]",
+                             "relative RMS error of solid fraction [%]"},
+                    .folded = true};
+    for (const LadderStep& step : content.ladder) {
+        table.rows.push_back(
+            {fmt::format("{}", step.step),
+             step.effect.empty() ? step.change : step.change + " " + step.effect,
+             step.effects.empty() ? "none" : fmt::format("{}", fmt::join(step.effects, ", ")),
+             fmt::format("{:.2f}", step.chi2), fmt::format("{}", step.dof),
+             fmt::format("{:.3f}", step.rms_percent[0]),
+             fmt::format("{:.3f}", step.rms_percent[1])});
+    }
+    section.lines = {
+        "Deviation of each reading from the model, 100 (measured/model - 1), with the "
+        "RMS of all readings. The last column follows the switches below."};
+    section.tables = {table};
+    return section;
+}
+
+PageSection where_section(const PageContent& content) {
+    PageSection section{
+        .id = "where", .title = "Where the model fails", .figures = "residual-figures"};
+    for (const std::string& line : checks_table(content.checks)) {
+        section.lines.push_back(trimmed(line));
+    }
+    if (section.lines.empty()) section.lines = {"No check of the residuals fails."};
+    constexpr std::size_t most = 4;  // the heading and the three most significant checks
+    fold_after(section, most, "All checks that fail");
+    return section;
+}
+
+/// Chance to detect an effect [%] of the size that matters.
+std::string chance_text(const Finding& finding) {
+    return finding.p < significant_p ? "-" : fmt::format("{:.0f}", 100 * finding.power);
+}
+
+/// Tables of the known effects: the first in full, the others behind a fold. Without p values where
+/// none of them is small.
+std::vector<PageTable> scan_tables(const PageContent& content, bool with_p) {
+    const StudyModelSpace& models = *content.diagnosis.models;
+    const Diagnosis& diagnosis = content.diagnosis.diagnosis;
+    Cells head = {"effect", "group", "value in the model", "chi2/dof with it"};
+    if (with_p) head.emplace_back("p");
+    head.insert(head.end(), {"chance to detect the size that matters [%]", "decision"});
+    PageTable first{.caption = "Known effects, sorted by the change of chi2", .head = head};
+    PageTable others{.caption = "The other known effects", .head = head, .folded = true};
+    constexpr std::size_t most = 8;  // as many as a reader compares; no rival has stood below
+    for (const Finding& finding : diagnosis.scan) {
+        const Candidate& candidate = models.candidates()[finding.candidate];
+        Cells row = {candidate.name, candidate.group, estimate_of(diagnosis, finding, models),
+                     remaining_chi2_text(diagnosis, finding, models)};
+        if (with_p) row.push_back(p_text(finding.p, ""));
+        row.insert(row.end(),
+                   {chance_text(finding), std::string(to_string(diagnosis.decision_on(finding)))});
+        (first.rows.size() < most ? first : others).rows.push_back(row);
+    }
+    return {first, others};
+}
+
+/// Models that explain the readings, side by side.
+PageTable rivals_table(const PageContent& content) {
+    PageTable table{.caption = "Models that explain the readings, side by side",
+                    .head = {"further effects", "chi2", "degrees of freedom", "friction",
+                             "p: lack of fit", "p: another effect missing"}};
+    const Diagnosis& d = content.diagnosis.diagnosis;
+    const auto add = [&](const FittedModel& each) {
+        Cells names;
+        for (const std::size_t k : each.chosen) {
+            names.push_back(content.diagnosis.models->candidates()[k].name);
+        }
+        if (each.suspect) {
+            names.push_back("an error of " +
+                            content.diagnosis.evidence.suspects[*each.suspect].name);
+        }
+        table.rows.push_back({names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
+                              fmt::format("{:.2f}", each.fit.chi2), fmt::format("{}", each.fit.dof),
+                              estimate_text(each.fit, 0, "1"), p_text(each.lack_of_fit_p, ""),
+                              p_text(each.further_p, "")});
+    };
+    for (const FittedModel& each : d.confidence_set) {
+        add(each);
+    }
+    if (d.leaders) add(d.leaders->model);
+    return table;
+}
+
+/// Effects that a reader wants to picture: those of the study's model, then those that the verdict
+/// names, four at most.
+std::vector<std::string> pictured_effects(const PageContent& content) {
+    std::vector<std::string> names = names_of(content.resolved.study().model.effects);
+    const StudyDiagnosis& d = content.diagnosis;
+    const Verdict verdict = d.diagnosis.verdict;
+    if (verdict == Verdict::missing || verdict == Verdict::indistinguishable) {
+        names.insert(names.end(), d.diagnosis.effects.begin(), d.diagnosis.effects.end());
+    }
+    constexpr std::size_t most = 4;  // a row or two on the page
+    if (names.size() > most) names.resize(most);
+    return names;
+}
+
+std::vector<PagePicture> pictures_of(const PageContent& content) {
+    const EffectCatalogue& catalogue = content.resolved.catalogue();
+    const Study study = signature_study(built_in_effects());
+    // The emulator belongs to the diagnosis, which outlives this function.
+    const std::shared_ptr<const EmulatedSimulation> simulation(
+        std::shared_ptr<void>(), &content.diagnosis.models->simulation());
+    // Without a liquid, it cannot predict the wet readings of the pictures.
+    const bool predicts = content.resolved.study().liquid.has_value();
+    std::vector<PagePicture> pictures;
+    for (const std::string& name : pictured_effects(content)) {
+        const Effect& effect = catalogue.find(name);
+        PagePicture picture{name, effect.summary, cell_picture(effect), ""};
+        try {
+            if (predicts)
+                picture.change = change_picture(signature_figure(effect, study, simulation));
+        } catch (const std::logic_error&) {
+            picture.change.clear();  // no known run has the effect, or no cell shows it
+        } catch (const InputError&) {
+            picture.change.clear();  // the effect does not apply to the cell of the pictures
+        }
+        pictures.push_back(picture);
+    }
+    return pictures;
+}
+
+PageSection effects_section(const PageContent& content) {
+    const StudyDiagnosis& d = content.diagnosis;
+    PageSection section{.id = "effects", .title = "Which effect, and its rivals"};
+    const auto add = [&](const std::vector<std::string>& lines) {
+        section.lines.insert(section.lines.end(), lines.begin(), lines.end());
+    };
+    add(proposal_lines(d.proposals, d.diagnosis.base.fit.chi2, d.diagnosis.dof));
+    add(close_effects_lines(d.diagnosis, *d.models));
+    add(suspect_lines(d));
+    if (std::string order = order_line(d, content.resolved.catalogue()); !order.empty())
+        add({std::move(order)});
+    const auto& scan = d.diagnosis.scan;
+    const auto least = std::ranges::min_element(scan, {}, &Finding::p);
+    constexpr double worth_a_column = 0.5;  // above, all p values read as 1
+    const bool with_p = least != scan.end() && least->p < worth_a_column;
+    if (least != scan.end() && !with_p) {
+        section.lines.push_back(fmt::format(
+            "No known effect improves the model: after the correction for the number of tests, the "
+            "smallest p is {}.",
+            p_text(least->p, "")));
+    }
+    section.pictures = pictures_of(content);
+    section.tables = {rivals_table(content)};
+    std::ranges::move(scan_tables(content, with_p), std::back_inserter(section.tables));
+    return section;
+}
+
+/// Whether a line is a numbered step.
+bool is_step(const std::string& line) {
+    const auto digits = line.find_first_not_of("0123456789");
+    return digits > 0 && digits != std::string::npos && line.compare(digits, 2, ". ") == 0;
+}
+
+PageSection next_section(const PageContent& content) {
+    PageSection section{.id = "next", .title = "What to do next"};
+    for (std::size_t k = 1; k < content.steps.size(); ++k) {  // the title is the heading
+        const std::string line = trimmed(content.steps[k]);
+        (is_step(line) ? section.lines : section.more).push_back(line);
+    }
+    if (section.lines.empty()) section.lines.swap(section.more);
+    section.more_title = "Conditions and predictions of the planned measurements";
+    section.commands = {content.command};
+    return section;
+}
+
+/// Shift of a parameter with its sign; without a sign where it rounds to 0.
+std::string shift_text(double shift) {
+    const std::string text = fmt::format("{:+.4f}", shift);
+    return text.find_first_of("123456789") == std::string::npos ? text.substr(1) : text;
+}
+
+PageSection impact_section(const PageContent& content) {
+    const ImpactTable& impacts = *content.impacts;
+    PageSection section{.id = "impacts",
+                        .title = "How effects shift the fitted friction coefficient"};
+    const Cells head = {"effect or error", "group", "at the smallest size of interest",
+                        "at the estimate", "per standard error of the estimate"};
+    const std::string friction = with_error(impacts.fitted(0), impacts.errors(0));
+    PageTable effects{
+        .caption = fmt::format("Shift of the friction coefficient {} by each effect", friction),
+        .head = head};
+    PageTable errors{
+        .caption = fmt::format("Shift of the friction coefficient {} by each error of measurement",
+                               friction),
+        .head = head,
+        .folded = true};
+    for (const Impact& impact : impacts.impacts) {
+        const bool is_switch =
+            !impact.measurement && content.diagnosis.models->candidates()[impact.index].is_switch();
+        (impact.measurement ? errors : effects)
+            .rows.push_back({impact_name(impact), impact.group,
+                             shift_text(impact.at_interest.best()(0)),
+                             shift_text(impact.at_estimate.best()(0)),
+                             is_switch ? "" : fmt::format("{:.4f}", impact.by_error()(0))});
+    }
+    section.tables = {effects, errors};
+    return section;
+}
+
+/// Names of all effects that the page shows: listed, switched or named by the verdict.
+std::vector<std::string> used_effects(const PageContent& content) {
+    std::set<std::string> names(content.switched.switches.begin(), content.switched.switches.end());
+    names.insert(content.switched.always.begin(), content.switched.always.end());
+    const Diagnosis& d = content.diagnosis.diagnosis;
+    if (d.verdict != Verdict::inconclusive) names.insert(d.effects.begin(), d.effects.end());
+    return {names.begin(), names.end()};
+}
+
+/// Number of the readings behind a page, and of the means that it shows in their place.
+std::string readings_text(const StudyDiagnosis& d) {
+    if (d.readings.size() == d.measured) return fmt::format("{} readings", d.measured);
+    return fmt::format("the means of {} bins of neighbouring conditions, of {} readings,",
+                       d.readings.size(), d.measured);
+}
+
+PageSection provenance_section(const PageContent& content) {
+    PageSection section{.id = "provenance", .title = "Provenance"};
+    section.lines = {
+        fmt::format("Made by Pendular {} from {} and {} earlier simulations (hash {}), "
+                    "fidelity {}, seed {}.",
+                    content.version, readings_text(content.diagnosis), content.runs,
+                    content.runs_hash, content.options.fidelity.name, content.options.seed),
+        "No simulation was made for the fits of this page: the emulator predicts what simulations "
+        "would give, with its error. 'pendular calibrate' confirms the fit of the study's model by "
+        "new simulations.",
+        "Contact and capillary laws, closures and the friction's calibration follow Badetti, Fall, "
+        "Chevoir and Roux, Shear strength of wet granular materials: macroscopic cohesion and "
+        "effective stress (2018)."};
+    section.commands = {"pendular report " + content.study_argument};
+    PageTable table{.caption = "Sources of the effects on this page",
+                    .head = {"effect", "sources"}};
+    for (const std::string& name : used_effects(content)) {
+        const Effect& effect = content.resolved.catalogue().find(name);
+        table.rows.push_back({name, effect.references.empty()
+                                        ? effect.summary
+                                        : fmt::format("{}", fmt::join(effect.references, "; "))});
+    }
+    section.tables = {table};
+    return section;
+}
+
+PageSection paste_section(const PageContent& content) {
+    const PasteTexts texts = paste_texts(content);
+    PageSection section{.id = "paste", .title = "To paste into a paper"};
+    if (texts.csv.empty()) return section;
+    section.copies = {{"paste-methods", "Methods, result and references", texts.methods},
+                      {"paste-csv", "Table as CSV", texts.csv},
+                      {"paste-latex", "Table for LaTeX", texts.latex}};
+    return section;
+}
+
+/// The first sentence of a text; sentences end with a full stop and a blank.
+std::string first_sentence(const std::string& text) {
+    const auto end = text.find(". ");
+    return end == std::string::npos ? text : text.substr(0, end + 1);
+}
+
+std::vector<std::string> warnings_of(const PageContent& content) {
+    std::vector<std::string> warnings;
+    for (const std::string& reason : content.diagnosis.belief.reasons) {
+        warnings.push_back("Warning: " + reason);
+    }
+    for (const Remark& doubt : content.measurements.doubts()) {
+        warnings.push_back("Warning: " + text_of(doubt));
+    }
+    if (content.resolved.study().model.fit_to == "dry" &&
+        std::ranges::none_of(content.diagnosis.readings,
+                             [](const Reading& r) { return r.condition.dry(); })) {
+        warnings.push_back(
+            "No reading is dry, so that 'pendular calibrate' cannot fit the friction: measure the "
+            "beads without liquid as well.");
+    } else if (!content.calibrated) {
+        warnings.push_back(fmt::format(
+            "This study has not been calibrated yet: give 'pendular calibrate {}' to confirm its "
+            "fit by simulations.",
+            content.study_argument));
+    }
+    return warnings;
+}
+
+/// The answer, and what limits it.
+struct Answer {
+    std::string headline, rest;
+};
+
+/// The answer of an inconclusive verdict, the good news first where the model describes the
+/// readings; `answer` as it is where it does not.
+Answer answer_of_inconclusive(const Diagnosis& d, const std::string& answer) {
+    if (d.errors_assumed || d.base.lack_of_fit_p < significant_p) return {answer, ""};
+    const std::string good = fmt::format("The model describes the readings (chi2/dof {:.2f}).",
+                                         d.base.fit.chi2 / std::max(1, d.dof));
+    // Where effects are named, the answer has the good news itself, before a comma.
+    const std::string limit = ", which are inconclusive", none = "Inconclusive: no known";
+    if (const auto at = answer.find(limit); at != std::string::npos) {
+        return {good, "The readings are inconclusive" + answer.substr(at + limit.size())};
+    }
+    if (answer.starts_with(none)) return {good, "No known" + answer.substr(none.size())};
+    return {answer, ""};
+}
+
+/// The answer in one sentence. Where many effects are rivals, only three are named: the table of
+/// the models has all with their values.
+std::string headline(const StudyDiagnosis& study, const std::string& answer) {
+    const Diagnosis& d = study.diagnosis;
+    if (d.verdict != Verdict::indistinguishable) return first_sentence(answer);
+    constexpr std::size_t most_named = 4;
+    std::vector<std::string> names;
+    for (const FittedModel& each : d.confidence_set) {
+        names.push_back(joined(names_of(each, *study.models), "with"));
+    }
+    if (names.size() > most_named) {
+        const std::size_t others = names.size() - (most_named - 1);
+        names.resize(most_named - 1);
+        names.push_back(fmt::format("{} more", others));
+    }
+    const bool sure = answer.find("something may be") == std::string::npos;
+    return fmt::format(
+        "Something {} missing, and these readings do not tell what: {} explain them equally well.",
+        sure ? "is" : "may be", joined(names, "and"));
+}
+
+/// Sentences on the fits of the page, for its provenance.
+std::vector<std::string> evidence_of(const PageContent& content) {
+    std::vector<std::string> lines = {fit_line(content.diagnosis.diagnosis)};
+    const auto& current = content.switched.models[content.switched.current];
+    if (current && current->calibration.model.fit_to == "all" &&
+        content.resolved.study().model.fit_to == "dry") {
+        lines.push_back(
+            "All models on this page are fitted to all readings, so that their errors can be "
+            "compared. 'pendular calibrate' fits the dry readings alone where no effect of the "
+            "study needs the wet ones.");
+    }
+    return lines;
+}
+
+}  // namespace
+
+PageTexts page_texts(const PageContent& content) {
+    const StudyDiagnosis& d = content.diagnosis;
+    const std::string answer = verdict_line(d.diagnosis, *d.models, content.checks);
+    Answer said{headline(d, answer), ""};
+    if (d.diagnosis.verdict == Verdict::inconclusive) {
+        said = answer_of_inconclusive(d.diagnosis, answer);
+    } else if (answer.starts_with(said.headline)) {
+        said.rest = trimmed(answer.substr(said.headline.size()));
+    } else {
+        said.rest = answer;
+    }
+    PageTexts texts{
+        .study = content.study,
+        .version = content.version,
+        .headline = said.headline,
+        .details = {},
+        .measure = first_step(content.steps),
+        .warnings = warnings_of(content),
+        .ladder = ladder_section(content),
+        .story = {where_section(content), effects_section(content), next_section(content)},
+        .folded = {},
+        .recordings = !content.recordings.empty()};
+    if (!said.rest.empty()) texts.details.push_back(said.rest);
+    if (std::string friction = friction_line(d); !friction.empty()) {
+        texts.details.push_back(std::move(friction));
+    }
+    texts.folded.push_back(paste_section(content));
+    if (content.impacts) texts.folded.push_back(impact_section(content));
+    texts.folded.push_back(provenance_section(content));
+    std::ranges::move(evidence_of(content), std::back_inserter(texts.folded.back().lines));
+    return texts;
+}
+
+}  // namespace pendular
