@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "data/formula_variant.h"
 
@@ -21,6 +22,8 @@ struct AnnularCell {
     /// Distance from the axis at which a load cell holds the lid [m]: its force times this arm is
     /// the torque. 0: the instrument gives torques.
     double lever_arm = 0;
+    /// Friction coefficient between grains and side walls [1]; empty: not stated.
+    std::optional<double> wall_friction = {};
 
     /// Returns the area [m^2] of the annulus: pi (Re^2 - Ri^2).
     double area() const;

@@ -29,6 +29,10 @@ struct Condition {
     /// Whether an ideal instrument shows the state: values predicted for it are those of the
     /// grains, without what effects of the instrument add.
     bool ideal_instrument = false;
+    /// Relative change of the gap per unit of shear strain [1] while the torque was steady: the bed
+    /// was not sheared throughout, so that its mean solid fraction is not that of the flow. 0: the
+    /// gap became steady.
+    double gap_creep = 0;
 
     bool dry() const { return liquid_content == 0; }
     bool operator==(const Condition&) const = default;

@@ -115,7 +115,14 @@ bool StudyModelSpace::has_runs(const Effect& effect) const {
     return !effect.of_grains() || simulation_->emulator().knows(effect.name);
 }
 
+bool StudyModelSpace::bed_may_be_uneven() const {
+    const auto& cell = study_.study().cell;
+    return (cell && cell->wall_friction.value_or(0) > 0) ||
+           std::ranges::any_of(conditions_, [](const Condition& c) { return c.gap_creep != 0; });
+}
+
 void StudyModelSpace::add_candidate(const Effect& effect) {
+    if (effect.of_uneven_shear && !bed_may_be_uneven()) return;
     if (const auto why = why_not(effect, study_)) {
         untestable_effects_.push_back({effect.name, *why});
     } else if (!has_runs(effect)) {

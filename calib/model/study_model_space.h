@@ -98,6 +98,8 @@ class StudyModelSpace : public ModelSpace {
     bool has_runs(const Effect& effect) const;
     /// Adds an effect to the candidates or, with the reason, to `untestable_effects_`.
     void add_candidate(const Effect& effect);
+    /// Whether side walls or a creeping gap suggest that the bed is not sheared throughout.
+    bool bed_may_be_uneven() const;
 
     ResolvedStudy study_;
     std::vector<Condition> conditions_;

@@ -71,6 +71,14 @@ std::vector<Remark> merging_bridges(const std::vector<Reading>& readings);
 /// Finds a cell in which few beads fit side by side, or on one another.
 std::vector<Remark> few_beads(const Study& study, const std::vector<Reading>& readings);
 
+/// Finds readings whose gap crept while the torque was steady (`Condition::gap_creep`).
+std::vector<Remark> creeping_gaps(const std::vector<Reading>& readings);
+
+/// Finds readings at which side walls of the friction that the study states, and the weight of the
+/// grains, gather the shear under the lid (`sheared_layer`). None in a study that states no
+/// wall_friction in [cell], and if the model has the effect shear-localisation.
+std::vector<Remark> uneven_shear(const Study& study, const std::vector<Reading>& readings);
+
 /// Finds readings that are points of failure.
 std::vector<Remark> points_of_failure(const std::vector<Reading>& readings);
 

@@ -11,6 +11,7 @@
 #include "data/files/sheet_path.h"
 #include "data/recordings/checks.h"
 #include "data/recordings/copies.h"
+#include "data/recordings/findings/creep.h"
 #include "data/recordings/findings/detectors.h"
 #include "data/recordings/findings/look_inside.h"
 #include "data/recordings/plausibility.h"
@@ -88,6 +89,7 @@ Measurements measure(const std::filesystem::path& file, const Source& source, co
         recording_without_faulty_rows(file, source, cell, keep, before.rows, result.remarks);
     if (recording.size() == 0) return result;
     std::vector<RecordedStep> steps = recorded_steps(recording);
+    find_creep(recording.file, steps);
     const std::vector<Remark> saturated = decide(saturations(recording, steps), keep);
     say(separate_from_spikes(saturated, recording.file, steps));
     say(saturated_steps(saturated, recording, steps));
@@ -138,6 +140,8 @@ constexpr StudyCheck checks_before_pooling[] = {
 constexpr StudyCheck checks_after_pooling[] = {
     [](const Study&, const Measurements& all) { return merging_bridges(all.readings); },
     [](const Study& study, const Measurements& all) { return few_beads(study, all.readings); },
+    [](const Study&, const Measurements& all) { return creeping_gaps(all.readings); },
+    [](const Study& study, const Measurements& all) { return uneven_shear(study, all.readings); },
     [](const Study&, const Measurements& all) { return points_of_failure(all.readings); },
     [](const Study& study, const Measurements& all) { return grain_weight(study, all.readings); }};
 

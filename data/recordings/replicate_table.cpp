@@ -85,7 +85,10 @@ double unshared_variance(const Reading& reading, Eigen::Index observable) {
 
 void add_values(const std::vector<Reading>& readings, std::size_t condition,
                 Eigen::Index observable, ReplicateTable& table) {
-    const auto& group = table.groups[condition];
+    std::vector<std::size_t> group = table.groups[condition];
+    // The solid fraction of a bed that creeps is no measurement of the flow.
+    if (observable == 1)
+        std::erase_if(group, [&](std::size_t k) { return readings[k].condition.gap_creep != 0; });
     const auto usable = [&](std::size_t k) { return compared(readings[k], observable) > 0; };
     if (group.size() < 2 || !std::ranges::all_of(group, usable)) return;
     double mean = 0;

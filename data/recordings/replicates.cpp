@@ -447,6 +447,7 @@ void Pooling::note_few_replicates() {
 /// Its digits do not: they only limit how small the error can be. Replicates that agree in all
 /// their digits do tell that the error is no larger than the rounding.
 bool Pooling::is_unknown(std::size_t k, Eigen::Index o) const {
+    if (o == 1 && readings_[k].condition.gap_creep != 0) return false;
     if (!known(o) && !(stated_[k](o) > 0)) return true;
     const bool rounded = readings_[k].resolution(o) > 0;
     return relative_variance(readings_[k], o) <= no_error && !rounded;

@@ -192,6 +192,20 @@ std::vector<Remark> rows_before(const RecordedStep& step, const Setting& setting
     return found;
 }
 
+/// Standard error [1] of a solid fraction that is not known: twice the distance from random loose
+/// to random close packing, 0.55 to 0.64, so that it determines nothing.
+constexpr double unknown_fraction_error = 0.1;
+
+/// Marks a reading whose gap creeps, by `creep` over the steady part. The fraction at the mean gap
+/// stays as its value.
+void doubt_fraction(Reading& reading, double creep, const StepSeries& steady,
+                    const Setting& setting) {
+    const double strain = strain_of(steady, setting.cell);
+    reading.condition.gap_creep = creep / strain;
+    reading.covariance(0, 1) = reading.covariance(1, 0) = 0;
+    reading.covariance(1, 1) = unknown_fraction_error * unknown_fraction_error;
+}
+
 /// Adds the reading of one step to `result`, or a remark on why there is none. Adds the number of
 /// the step to `coarse` if the resolution of a column limits the reading's error.
 void reduce_step(const RecordedStep& step, const Setting& setting, std::vector<int>& coarse,
@@ -204,6 +218,8 @@ void reduce_step(const RecordedStep& step, const Setting& setting, std::vector<i
     append(result.remarks, rows_before(step, setting));
     if (means.coarse) coarse.push_back(step.number);
     result.readings.push_back(reading_of(means, steady, step.number, setting));
+    if (step.gap_creeps)
+        doubt_fraction(result.readings.back(), creep_of(step.series)->change, steady, setting);
 }
 
 /// Remarks on rows with spikes in torque, normal force or gap.

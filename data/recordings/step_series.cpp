@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "data/quantities/statistics.h"
@@ -152,6 +153,29 @@ std::optional<std::size_t> end_of_transient(const StepSeries& series, std::strin
     if (torque && height) return std::max(*torque, *height);
     unsteady = torque ? "height" : height ? "torque" : "";
     return std::nullopt;
+}
+
+namespace {
+
+/// Means of the first and last quarter of the gaps of a step; their centres are three quarters of
+/// the step apart.
+std::pair<Mean, Mean> end_quarters(const StepSeries& series) {
+    const std::span<const double> height = series.height;
+    return {mean_of_correlated(height.first(height.size() / 4)),
+            mean_of_correlated(height.last(height.size() / 4))};
+}
+
+}  // namespace
+
+std::optional<Creep> creep_of(const StepSeries& series) {
+    const auto begin = end_of_transient_or_drift(series.torque);
+    if (!begin || series.size() - *begin < shortest_step) return std::nullopt;
+    const auto [before, after] = end_quarters(series.from(*begin));
+    const double scale = 1 / (0.75 * 0.5 * (after.value + before.value));
+    const Creep creep{*begin, scale * (after.value - before.value),
+                      scale * std::hypot(before.standard_error, after.standard_error)};
+    if (std::abs(creep.change) > most_creep) return std::nullopt;
+    return creep;
 }
 
 namespace {

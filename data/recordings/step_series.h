@@ -42,6 +42,25 @@ bool turns(const Mean& angular_velocity);
 /// quarters differ by less than 0.1 %.
 std::optional<std::size_t> end_of_transient(const StepSeries& series, std::string& unsteady);
 
+/// Change of the gap in the part of a step whose torque is steady.
+struct Creep {
+    std::size_t begin = 0;  ///< data points before the part
+    /// Change from the first to the last data point of the part over the mean [1], by a straight
+    /// line through the means of the first and the last quarter.
+    double change = 0;
+    double error = 0;  ///< standard error of `change` [1]
+};
+
+/// Returns the creep of a step; empty if the torque is not steady, or the gap changes by more than
+/// `most_creep`, as in consolidation.
+std::optional<Creep> creep_of(const StepSeries& series);
+
+/// Largest `Creep::change` [1] at which the torque counts as that of steady shear. A bed that is
+/// sheared only under its lid compacts by less: 1 % of a bed of 12 diameters over a strain of 8,
+/// with the shear in its upper half (bench/real_cell). Twice this allows for more; a filling that
+/// consolidates, from random loose to close packing, changes by 15 %.
+constexpr double most_creep = 0.02;
+
 /// Speeds at the beginning and end of a step in which the speed never settles, in their unit.
 struct SpeedRamp {
     double first = 0;

@@ -9,6 +9,7 @@
 #include "data/files/formats/sheets.h"
 #include "data/files/sheet_path.h"
 #include "data/grains.h"
+#include "data/sheared_layer.h"
 
 namespace pendular {
 namespace {
@@ -22,6 +23,41 @@ constexpr double merging_content = 1.02 * 0.063;
 /// Smallest weight of the grains to report, over the normal stress [1]. The stress at half of the
 /// height, which counts for the mean flow, is then 5 % larger than the shown one.
 constexpr double heavy = 0.1;
+
+/// Least share of the height of a bed that is sheared, where the bed counts as sheared evenly [1]:
+/// 0.94 and more in the cells without wall friction of bench/real_cell, 0.91 and less in those of
+/// wall friction 0.15. The stress ratio at the lid then is less than 8 % above that of even shear.
+constexpr double evenly_sheared = 0.92;
+
+/// Friction stress over normal stress at the walls of a sheared layer [1], for a friction
+/// coefficient of the walls. Beads also roll along a wall and slide across the flow: 0.08 to 0.12
+/// at a coefficient of 0.15, 0.12 to 0.14 at 0.3 in bench/real_cell, for beads of friction 0.12.
+double mobilised(double wall_friction) {
+    return 0.9 * wall_friction / (1 + 3.6 * wall_friction);
+}
+
+bool lists(const Study& study, const char* effect) {
+    return std::ranges::find(study.model.effects, effect, &ListedEffect::name) !=
+           study.model.effects.end();
+}
+
+/// Bed of a dry reading of a study that states the friction of its walls; empty if its height or
+/// its grains are not known.
+std::optional<WalledBed> walled_bed(const Reading& reading, const Study& study) {
+    const Condition& condition = reading.condition;
+    // Of wet grains the strength is not in proportion to the normal stress.
+    const bool judged = condition.dry() && !condition.at_failure;
+    if (!judged || !condition.height || !condition.bead_volume) return std::nullopt;
+    const AnnularCell& cell = *study.cell;
+    const double diameter = study.grains.diameter;
+    const double weight = *condition.bead_volume * study.grains.density * gravity / cell.area();
+    return WalledBed{.height = *condition.height / diameter,
+                     .width = (cell.outer_radius - cell.inner_radius) / diameter,
+                     .wall_friction = mobilised(*cell.wall_friction),
+                     .weight = weight / condition.normal_stress,
+                     .inertial_number = condition.inertial_number,
+                     .stress_ratio = reading.stress_ratio()};
+}
 
 }  // namespace
 
@@ -84,6 +120,44 @@ std::vector<Remark> few_beads(const Study& study, const std::vector<Reading>& re
     return {found};
 }
 
+std::vector<Remark> creeping_gaps(const std::vector<Reading>& readings) {
+    Remark found{
+        .kind = Kind::creeping_gap, .quantity = "height", .count = 0, .of = readings.size()};
+    for (const Reading& reading : readings) {
+        if (reading.condition.gap_creep == 0) continue;
+        const double creep = reading.condition.gap_creep;
+        found.size = found.count == 0 ? creep : std::min(found.size, creep);
+        found.size_to = found.count == 0 ? creep : std::max(found.size_to, creep);
+        ++found.count;
+        found.add(reading.origin);
+    }
+    if (found.count == 0) return {};
+    return {found};
+}
+
+std::vector<Remark> uneven_shear(const Study& study, const std::vector<Reading>& readings) {
+    if (!study.cell || !study.cell->wall_friction || lists(study, "shear-localisation")) return {};
+    Remark found{.kind = Kind::uneven_shear, .count = 0, .of = 0, .limit = INFINITY};
+    for (const Reading& reading : readings) {
+        const auto bed = walled_bed(reading, study);
+        if (!bed) continue;
+        ++found.of;
+        const ShearedLayer layer = sheared_layer(*bed);
+        const double share = layer.height / bed->height;
+        if (share >= evenly_sheared) continue;
+        if (share < found.limit) {  // the reading with the thinnest layer
+            found.limit = share;
+            found.size = layer.height * study.grains.diameter;
+            found.size_to = *reading.condition.height;
+            found.relative = layer.stress_ratio / bed->stress_ratio - 1;
+        }
+        ++found.count;
+        found.add(reading.origin);
+    }
+    if (found.count == 0) return {};
+    return {found};
+}
+
 std::vector<Remark> points_of_failure(const std::vector<Reading>& readings) {
     const auto count = std::ranges::count_if(
         readings, [](const Reading& reading) { return reading.condition.at_failure; });
@@ -94,9 +168,7 @@ std::vector<Remark> points_of_failure(const std::vector<Reading>& readings) {
 }
 
 std::vector<Remark> grain_weight(const Study& study, const std::vector<Reading>& readings) {
-    const bool listed = std::ranges::find(study.model.effects, "grain-weight",
-                                          &ListedEffect::name) != study.model.effects.end();
-    if (listed || !study.cell) return {};
+    if (lists(study, "grain-weight") || !study.cell) return {};
     Remark found{.kind = Kind::grain_weight, .count = 0, .of = readings.size(), .limit = INFINITY};
     for (const Reading& reading : readings) {
         const double own = reading.condition.bead_volume.value_or(0) * study.grains.density *

@@ -168,6 +168,30 @@ std::string far_files_text(const Remark& doubt) {
         one ? "this file" : "these files");
 }
 
+std::string creeping_text(const Remark& doubt) {
+    const std::string from = fmt::format("{:.2g}", 100 * doubt.size),
+                      to = fmt::format("{:.2g}", 100 * doubt.size_to);
+    return fmt::format(
+        "In {} of {} readings, first in {}, the gap still changes, by {} % per unit "
+        "of strain, while the torque is steady: a part of the bed is not sheared, or the step "
+        "was too short for the whole bed. The torque is used; the solid fraction of these "
+        "readings counts as unknown. Shear gathers under the lid where side walls drag on the "
+        "bed or where it is heavy: fill the cell lower, or use smoother walls.",
+        doubt.count, doubt.of, to_string(Position{doubt.file(), doubt.first_line(), 0}),
+        from == to ? from : from + " to " + to);
+}
+
+std::string uneven_text(const Remark& doubt) {
+    return fmt::format(
+        "In {} of {} dry readings, first in {}, side walls of the stated friction and the "
+        "weight of the beads gather the shear under the lid, down to a layer of {:.2g} mm of a "
+        "bed of {:.2g} mm. This raises the stress ratio at the lid, there by about {:.0f} %, "
+        "and the solid fraction is in part that of beads at rest. The effect shear-localisation "
+        "describes the torque; a lower filling avoids it.",
+        doubt.count, doubt.of, to_string(Position{doubt.file(), doubt.first_line(), 0}),
+        1e3 * doubt.size, 1e3 * doubt.size_to, 100 * doubt.relative);
+}
+
 }  // namespace
 
 std::string impossible_text(const Remark& doubt) {
@@ -236,6 +260,10 @@ std::string doubt_text(const Remark& doubt) {
                 "The replicates {} differ in {} far beyond the scatter of the others; look for a "
                 "disturbance in these steps. The fit takes larger errors for these readings.",
                 fmt::join(doubt.names, " and "), words_for_quantity(doubt.quantity));
+        case Kind::creeping_gap:
+            return creeping_text(doubt);
+        case Kind::uneven_shear:
+            return uneven_text(doubt);
         default:
             throw std::logic_error("a doubt has no words");
     }

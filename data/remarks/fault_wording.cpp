@@ -149,9 +149,12 @@ std::string drift_text(const Group& group) {
     const Remark& first = *group.front();
     return fmt::format(
         "Drift: the {} {} by {:.2g} +- {:.1g} % within a step, after its transient, on average "
-        "over {} ({}). Look for wear, or for a loss of liquid or beads.",
+        "over {} ({}). Look for wear, or for a loss of liquid or beads{}.",
         words_for_quantity(first.quantity), first.relative > 0 ? "rises" : "falls",
-        100 * std::abs(first.relative), 100 * first.relative_error, places(group), p_text(group));
+        100 * std::abs(first.relative), 100 * first.relative_error, places(group), p_text(group),
+        first.quantity == "height" && first.relative < 0
+            ? ", or for a part of the bed that is not sheared and compacts"
+            : "");
 }
 
 std::string run_in_text(const Group& group) {

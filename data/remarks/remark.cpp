@@ -55,12 +55,14 @@ constexpr std::array rules = {found(Kind::saturation, "saturation"),
                               Rule{Kind::mixed_conditions, Outcome::kept, Outcome::kept},
                               Rule{Kind::far_files, Outcome::kept, Outcome::kept},
                               Rule{Kind::far_condition, Outcome::kept, Outcome::kept},
+                              Rule{Kind::creeping_gap, Outcome::kept, Outcome::kept},
+                              Rule{Kind::uneven_shear, Outcome::kept, Outcome::kept},
                               Rule{Kind::contradicting_row, Outcome::left_out, std::nullopt},
                               Rule{Kind::impossible_reading, Outcome::left_out, std::nullopt}};
 
 /// Whether each kind of doubt has a rule: without one, its readings would be left out silently.
 constexpr bool all_doubts_have_rules() {
-    for (Kind kind = Kind::repaired_torques; kind <= Kind::far_condition;
+    for (Kind kind = Kind::repaired_torques; kind <= Kind::uneven_shear;
          kind = static_cast<Kind>(static_cast<int>(kind) + 1))
         if (std::ranges::find(rules, kind, &Rule::kind) == rules.end()) return false;
     return true;

@@ -58,6 +58,8 @@ struct Remark {
         mixed_conditions,  ///< repetitions differ as readings at different speeds do
         far_files,
         far_condition,
+        creeping_gap,  ///< the gap changes while the torque is steady
+        uneven_shear,  ///< side walls and weight gather the shear under the lid
         // Rows that are not averaged.
         after_interval,
         without_point_number,

@@ -25,8 +25,8 @@ const Keys top_keys = {"grains",  "liquid",     "cell",         "recording", "re
                        "scatter", "instrument", "allow_outside"};
 const Keys grains_keys = {"diameter", "density", "youngs_modulus", "poisson_ratio"};
 const Keys liquid_keys = {"surface_tension", "contact_angle", "viscosity"};
-const Keys cell_keys = {"inner_radius", "outer_radius",   "bead_mass",
-                        "bead_volume",  "torque_formula", "lever_arm"};
+const Keys cell_keys = {"inner_radius",   "outer_radius", "bead_mass",    "bead_volume",
+                        "torque_formula", "lever_arm",    "wall_friction"};
 const Keys readings_keys = {"file",    "liquid_content", "bead_mass", "bead_volume", "encoding",
                             "decimal", "state",          "sheet",     "missing",     "columns"};
 const Keys recording_keys = {"file",      "liquid_content", "bead_mass", "bead_volume",
@@ -41,6 +41,10 @@ const Keys scatter_keys = {"shear_stress", "solid_fraction", "shear_stress_of_fi
 /// describes nothing.
 constexpr double largest_scatter = 0.5;
 constexpr double largest_discrepancy = 0.2;
+
+/// Largest friction coefficient [1] of side walls that a study may state: an angle of 56 deg.
+/// Larger numbers are angles in degrees.
+constexpr double largest_wall_friction = 1.5;
 
 constexpr double right_angle = 1.5707963267948966;
 
@@ -191,6 +195,14 @@ std::optional<AnnularCell> read_cell(const StudyTable& root, const GrainProperti
         table->refuse("inner_radius", "must be smaller than 'outer_radius'");
     cell.bead_volume = bead_volume(*table, grains).value_or(0);
     cell.torque_formula = form(*table, "torque_formula");
+    cell.wall_friction = table->quantity("wall_friction", "1");
+    if (cell.wall_friction.value_or(0) < 0 ||
+        cell.wall_friction.value_or(0) > largest_wall_friction)
+        table->refuse(
+            "wall_friction",
+            fmt::format("must lie between 0 and {}; it is the tangent of the angle of wall "
+                        "friction",
+                        largest_wall_friction));
     if (table->has("lever_arm")) cell.lever_arm = table->positive_quantity("lever_arm", "m");
     return cell;
 }

@@ -118,6 +118,11 @@ struct Effect {
     /// Property of the liquid that is the effect's parameter, such as the surface tension. If set,
     /// the effect acts in every study with a liquid, with the liquid's value, without being listed.
     double Liquid::*given_by_liquid = nullptr;
+    /// Whether a diagnosis tries the effect only where the bed may not be sheared throughout: if
+    /// the study states a friction of the side walls, or the gap creeps in a reading. Elsewhere it
+    /// would explain what wall friction of an evenly sheared bed explains. A study may list it
+    /// anyway.
+    bool of_uneven_shear = false;
     /// Quantities on which the change of the readings depends, such as "time", or "1/normal_stress"
     /// for a change that is largest at small normal stress.
     std::vector<std::string> acts_through;

@@ -1,5 +1,7 @@
 #include "data/recordings/steady_state.h"
 
+#include "data/recordings/findings/creep.h"
+
 #include <cmath>
 
 #include "tests/support/golden.h"
@@ -48,7 +50,9 @@ Recording record(const Truth& truth, std::uint64_t seed = 1) {
 
 Measurements reduce(const Recording& recording, const ImportSettings& choice = {}) {
     RunClock clock;
-    return reduce_steps(recorded_steps(recording), recording, cell, grains, 0.03, clock, choice);
+    std::vector<RecordedStep> steps = recorded_steps(recording);
+    find_creep(recording.file, steps);
+    return reduce_steps(steps, recording, cell, grains, 0.03, clock, choice);
 }
 
 TEST(ReduceRecording, GivesTheStateOfASteadyRecording) {
@@ -181,6 +185,46 @@ TEST(ReduceRecording, KeepsAStepWhoseGapCreepsByLessThanATenthOfAPercent) {
     for (std::size_t i = 0; i < recording.size(); ++i)
         recording.height[i] *= 1 - 1e-6 * static_cast<double>(i);
     EXPECT_EQ(reduce(recording).readings.size(), 1u);
+}
+
+/// A recording whose gap changes by `change` of its value, in proportion to time.
+Recording creeping(double change, double torque_drift = 0) {
+    Recording recording = record({});
+    for (std::size_t i = 0; i < recording.size(); ++i) {
+        const double t = static_cast<double>(i) / 299;
+        recording.height[i] *= 1 + change * t;
+        recording.torque[i] *= 1 + torque_drift * t;
+    }
+    return recording;
+}
+
+TEST(ReduceRecording, UsesTheTorqueOfABedThatCreeps) {
+    // Strain 30 s x 0.1 rad/s x 33 mm/4 mm = 25.
+    const Measurements found = reduce(creeping(-0.01));
+    ASSERT_EQ(found.readings.size(), 1u);
+    const Reading& reading = found.readings[0];
+    EXPECT_NEAR(reading.value(0), shear_stress(0.03, cell),
+                4 * std::sqrt(reading.covariance(0, 0)));
+    EXPECT_NEAR(reading.condition.gap_creep, -0.01 / 24.7, 1e-4);
+    EXPECT_DOUBLE_EQ(reading.covariance(1, 1), 0.01);  // the solid fraction counts as unknown
+    EXPECT_EQ(reading.covariance(0, 1), 0);
+    EXPECT_EQ(reduce(record({})).readings.at(0).condition.gap_creep, 0);
+}
+
+TEST(ReduceRecording, HardlyEverTakesNoiseOfTheGapForCreep) {
+    // Correlated over some twenty rows, so that one in a hundred steps never counts as steady.
+    int creeping = 0;
+    for (std::uint64_t seed = 0; seed < 500; ++seed)
+        for (const Reading& each : reduce(record({.rho = 0.9}, seed)).readings)
+            creeping += each.condition.gap_creep != 0;
+    EXPECT_LE(creeping, 1);
+}
+
+TEST(ReduceRecording, LeavesOutABedThatConsolidatesOrWhoseTorqueChangesToo) {
+    const Measurements fast = reduce(creeping(-0.04)), both = reduce(creeping(-0.01, 0.3));
+    EXPECT_THAT(fast.readings, IsEmpty());
+    EXPECT_THAT(both.readings, IsEmpty());
+    expect_told({text_of(fast.left_out().at(0)), text_of(both.left_out().at(0))});
 }
 
 TEST(ReduceRecording, LeavesOutStepsOfTooFewRows) {

@@ -125,9 +125,12 @@ std::vector<StepTrend> step_trends(const std::string& file,
     std::vector<StepTrend> result;
     for (const RecordedStep& step : steps) {
         if (!examined(step)) continue;
-        for (const LevelColumn& column : level_columns)
+        for (const LevelColumn& column : level_columns) {
+            // A gap that creeps is a doubt of its own (Remark::Kind::creeping_gap).
+            if (step.gap_creeps && column.values == &StepSeries::height) continue;
             if (const auto course = course_of(second_half(step.series.*column.values)))
                 result.push_back({column.quantity, file, step.number, *course});
+        }
     }
     return result;
 }

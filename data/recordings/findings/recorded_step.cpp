@@ -5,6 +5,13 @@
 
 namespace pendular {
 
+void find_periods(RecordedStep& step) {
+    const auto part = level_part(step);
+    if (!part) return;
+    step.periodic = periodic_columns(*part);
+    if (step.steady) step.beyond_whole_turns = whole_turns_begin(*part, step.periodic);
+}
+
 std::vector<RecordedStep> recorded_steps(const Recording& recording) {
     std::vector<RecordedStep> result;
     for (const Step& rows : split_steps(recording)) {
@@ -15,10 +22,7 @@ std::vector<RecordedStep> recorded_steps(const Recording& recording) {
         step.lid_turns = turns(mean_of_correlated(step.series.angular_velocity));
         if (step.series.size() >= shortest_step && step.lid_turns)
             step.steady = end_of_transient(step.series, step.unsteady);
-        if (const auto part = level_part(step)) {
-            step.periodic = periodic_columns(*part);
-            if (step.steady) step.beyond_whole_turns = whole_turns_begin(*part, step.periodic);
-        }
+        find_periods(step);
         result.push_back(std::move(step));
     }
     return result;

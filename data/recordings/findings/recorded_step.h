@@ -21,6 +21,8 @@ struct RecordedStep {
     /// or if no transient was searched for.
     std::optional<std::size_t> steady;
     std::string unsteady = {};  ///< column that never becomes steady; empty: torque and height
+    /// Whether only the torque is steady from `steady` on, and the gap creeps (`find_creep`).
+    bool gap_creeps = false;
     std::vector<PeriodicColumn> periodic = {};  ///< of `level_part`, significant or not
     /// Number of data points at the beginning of the steady part that are not averaged, so that the
     /// mean covers whole turns of the lid and a wobble does not bias it.
@@ -31,6 +33,9 @@ struct RecordedStep {
 /// has at least `shortest_step` rows and the lid turns.
 /// @throws InputError if the torque has both signs within a step
 std::vector<RecordedStep> recorded_steps(const Recording& recording);
+
+/// Finds the periodic parts of a step, and what of a turn its mean leaves out.
+void find_periods(RecordedStep& step);
 
 /// Returns the data points of a step in which torque, force and gap should be constant: those after
 /// the transient or, if the step never becomes steady, its second half. Empty if the lid does not

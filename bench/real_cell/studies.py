@@ -1,0 +1,246 @@
+#!/usr/bin/env python3
+"""Makes a study of each cell, with recordings as an instrument would write them, from the tables that
+ship, and asks Pendular what is missing. Neither LAMMPS nor a new simulation is needed.
+
+    studies.py PROGRAM [--work FOLDER] [--out FILE] [--state-walls] [--only TEXT] [--fillings]
+
+--state-walls: study.toml states the friction of the side walls, and what they mobilise.
+--fillings: cells of the same walls and several heights are one study of several fillings.
+"""
+import argparse
+import csv
+import json
+import math
+import subprocess
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE)]
+sys.dont_write_bytecode = True
+import cells  # noqa: E402
+
+INNER_RADIUS = 0.1  # [m]: an annulus as flat as the simulated cells
+BEAD_MASS = math.pi / 6 * cells.DENSITY * cells.DIAMETER**3
+ROW = 0.04  # strain from row to row of series.csv
+
+STUDY = """\
+[grains]
+diameter = "{diameter:g} um"
+density = "{density:g} kg/m^3"
+
+[cell]
+inner_radius = "{inner:g} mm"
+outer_radius = "{outer:g} mm"
+{walls}
+# Between simulated samples of one state, as long as these; the samples are smaller than a real cell.
+[scatter]
+shear_stress = 0.012
+solid_fraction = 0.003
+
+{recordings}"""
+# What walls of a measured friction mobilise (docs/explanation/cell.md), and how far cells differ.
+DIRECT = """\
+[[direct]]
+effect = "shear-localisation"
+value = "{value:.3f}"
+error = "0.02"
+"""
+RECORDING = """\
+[[recording]]
+file = "{pattern}"
+bead_mass = "{mass:.6g} g"
+
+"""
+
+
+def rows_of(name):
+    with open(HERE / name, encoding="ascii") as file:
+        yield from csv.DictReader(line for line in file if not line.startswith("#"))
+
+
+def tables():
+    """States and series by cell, set point and replicate."""
+    states, series = {}, defaultdict(list)
+    for row in rows_of("states.csv"):
+        states[key_of(row)] = row
+    for row in rows_of("series.csv"):
+        series[key_of(row)].append(
+            [float(row[name]) for name in ("shear_stress [s22]", "normal_stress [s22]", "gap [a]")]
+        )
+    return states, series
+
+
+def key_of(row):
+    return (
+        row["cell"],
+        float(row["normal_stress [Pa]"]),
+        float(row["inertial_number [1]"]),
+        int(row["replicate"]),
+    )
+
+
+def radii(cell):
+    return INNER_RADIUS, INNER_RADIUS + cell.width * cells.DIAMETER
+
+
+def area(cell):
+    inner, outer = radii(cell)
+    return math.pi * (outer**2 - inner**2)
+
+
+def recording(cell, steps, series):
+    """CSV of the steps of one filling, one after the other."""
+    inner, outer = radii(cell)
+    lever = 2 * math.pi * (outer**3 - inner**3) / 3
+    lines = ["Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s],Interval [1]"]
+    time = 0.0
+    for interval, (stress, inertial_number, key) in enumerate(steps, 1):
+        second = math.sqrt(BEAD_MASS / (cells.DIAMETER * stress))  # unit of time of the simulation
+        speed = inertial_number * cell.height  # [diameters per unit of time]
+        omega = speed * cells.DIAMETER / second / ((inner + outer) / 2)
+        interval_of_rows = ROW * cell.height / speed * second
+        for shear, normal, gap in series[key]:
+            values = (shear * stress * lever * 1e3, normal * stress * area(cell))
+            lines.append(
+                f"{time:.5f},{values[0]:.5g},{values[1]:.6g},{gap * cells.DIAMETER * 1e3:.5f},"
+                f"{omega:.6g},{interval}"
+            )
+            time += interval_of_rows
+    return "\n".join(lines) + "\n"
+
+
+def write_study(folder, members, states, series, state_walls):
+    folder.mkdir(parents=True, exist_ok=True)
+    entries = ""
+    for cell in members:
+        keys = sorted(key for key in states if key[0] == cell.name)
+        columns = float(states[keys[0]]["grain_volume [a]"]) * cells.DIAMETER
+        mass = columns * area(cell) * cells.DENSITY * 1e3
+        stem = f"height_{cell.height}"
+        for replicate in sorted({key[3] for key in keys}):
+            steps = [(key[1], key[2], key) for key in keys if key[3] == replicate]
+            text = recording(cell, steps, series)
+            (folder / f"{stem}_{replicate}.csv").write_text(text, encoding="ascii")
+        entries += RECORDING.format(pattern=f"{stem}_*.csv", mass=mass)
+    first = members[0]
+    if state_walls and first.wall_friction:
+        mobilised = 0.9 * first.wall_friction / (1 + 3.6 * first.wall_friction)
+        entries += DIRECT.format(value=mobilised)
+    stated = f"wall_friction = {first.wall_friction:g}\n" if state_walls and first.walls else ""
+    inner, outer = radii(first)
+    (folder / "study.toml").write_text(
+        STUDY.format(
+            diameter=cells.DIAMETER * 1e6,
+            density=cells.DENSITY,
+            inner=inner * 1e3,
+            outer=outer * 1e3,
+            walls=stated,
+            recordings=entries,
+        ),
+        encoding="ascii",
+    )
+
+
+def asked(program, work, command, folder, *more):
+    """JSON of a command; a dictionary with what it said where there is none."""
+    words = [program, command, folder, *more, "--quiet", "--json", "-"]
+    if command != "import":
+        words += ["--store", work / "runs.sqlite"]
+    said = subprocess.run([str(w) for w in words], capture_output=True, text=True, check=False)
+    try:
+        return json.loads(said.stdout)
+    except json.JSONDecodeError:
+        return {"error": (said.stderr.strip().splitlines() or ["no JSON"])[-1]}
+
+
+def friction_of(fit):
+    """Friction, its standard error, and that with the typical errors of an instrument."""
+    if "parameters" not in fit:
+        return "", "", ""
+    friction = fit["parameters"]["friction"]
+    total = math.hypot(friction["stderr"], friction["stderr_typical_instrument"])
+    return tuple(f"{x:.4f}" for x in (friction["value"], friction["stderr"], total))
+
+
+def chosen(diagnosis):
+    """Effect that a user would add: the one that is named, or, of several that cannot be told apart,
+    the one that the warnings suggest."""
+    effects = diagnosis.get("effects", [])
+    if "shear-localisation" in effects:
+        return "shear-localisation"
+    if diagnosis.get("verdict") == "missing" and len(effects) == 1:
+        return effects[0]
+    return ""
+
+
+def judged(program, work, folder):
+    """Row of results of one study."""
+    found = asked(program, work, "import", folder)
+    said = " ".join(doubt["what"] for doubt in found.get("doubts", []))
+    fit = asked(program, work, "calibrate", folder, "--no-confirm")
+    diagnosis = asked(program, work, "diagnose", folder)
+    row = {
+        "readings": len(found.get("readings", [])),
+        "creep": int("gap still changes" in said),
+        "uneven": int("gather the shear" in said),
+        "believable": int(bool(fit.get("believable"))),
+    }
+    row |= dict(zip(("friction", "stderr", "with instrument"), friction_of(fit)))
+    # Where there are too few readings, the program says so in place of a verdict.
+    row["verdict"] = diagnosis.get("verdict", "none")
+    row["effects"] = " ".join(diagnosis.get("effects", []))
+    row["added"] = chosen(diagnosis)
+    after = {}
+    if row["added"]:
+        words = [program, "add", folder, row["added"]]
+        subprocess.run([str(w) for w in words], capture_output=True, check=False)
+        after = asked(program, work, "calibrate", folder, "--no-confirm")
+    names = ("friction added", "stderr added", "with instrument added")
+    row |= dict(zip(names, friction_of(after)))
+    coefficient = after.get("parameters", {}).get("shear-localisation.coefficient")
+    row["coefficient"] = f"{coefficient['value']:.3f}" if coefficient else ""
+    return row
+
+
+def groups(states, fillings):
+    """Cells that are one study, by its name."""
+    known = {key[0] for key in states}
+    result = defaultdict(list)
+    for cell in cells.CELLS:
+        if cell.name in known:
+            name = cell.name.rsplit(", height", 1)[0] if fillings else cell.name
+            result[name].append(cell)
+    return {k: v for k, v in result.items() if not fillings or len(v) > 1}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("program", type=Path)
+    parser.add_argument("--work", type=Path, default=HERE.parents[1] / "build/real-cell-studies")
+    parser.add_argument("--out", type=Path, help="CSV of the results")
+    parser.add_argument("--state-walls", action="store_true")
+    parser.add_argument("--fillings", action="store_true")
+    parser.add_argument("--only", default="")
+    given = parser.parse_args()
+    states, series = tables()
+    rows = []
+    for name, members in groups(states, given.fillings).items():
+        if given.only not in name:
+            continue
+        folder = given.work / name.replace(",", "").replace(" ", "-")
+        write_study(folder, members, states, series, given.state_walls)
+        cell = members[0]
+        row = {"study": name, "wall friction": cell.wall_friction, "true friction": cell.friction}
+        rows.append(row | judged(given.program, given.work, folder))
+        print(rows[-1], file=sys.stderr, flush=True)
+    if given.out and rows:
+        with open(given.out, "w", encoding="utf-8", newline="") as file:
+            table = csv.DictWriter(file, rows[0], lineterminator="\n")
+            table.writeheader()
+            table.writerows(rows)
+
+
+if __name__ == "__main__":
+    main()
