@@ -89,13 +89,17 @@ EarlierResults earlier_results(const std::filesystem::path& out) {
     EarlierResults earlier;
     try {
         earlier.ladder = read_ladder(out / "ladder.json");
+    } catch (const InputError&) {
+        earlier.ladder = {};  // none, or none that can be read: a first page has less
+    }
+    try {
         constexpr std::size_t largest_page = 16 << 20;  // pages have about a megabyte
         earlier.page = read_text(out / "report.html", largest_page);
         struct stat status {};
         if (stat((out / "report.html").c_str(), &status) == 0)
             earlier.when = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(status.st_mtime));
     } catch (const InputError&) {
-        return earlier;  // none, or none that can be read: a first page has less
+        return earlier;
     }
     return earlier;
 }

@@ -97,6 +97,8 @@ struct Reading {
         return sum;
     }
     double stress_ratio() const { return value(0) / condition.normal_stress; }
+    /// Whether the solid fraction tells nothing, since the gap crept.
+    bool fraction_unknown() const { return condition.gap_creep != 0; }
     /// Returns a remark on the reading and its rows.
     Remark remark(Remark::Kind kind) const {
         return {.kind = kind,

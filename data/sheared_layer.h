@@ -15,8 +15,8 @@ struct WalledBed {
 
 /// Where a bed is sheared, and what the lid feels.
 struct ShearedLayer {
-    /// Height of a layer of uniform shear rate that dissipates as much [diameters]: the height of
-    /// the bed in uniform shear, less where shear gathers under the lid.
+    /// (int rate dd)^2/int rate^2 dd [diameters]: the height of the bed in uniform shear, less where
+    /// shear gathers under the lid.
     double height = 0;
     double stress_ratio = 0;  ///< shear stress over normal stress at the lid [1]
 };

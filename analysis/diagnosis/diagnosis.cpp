@@ -88,7 +88,7 @@ class Diagnostician {
 
 void Diagnostician::fit_base() {
     const std::shared_ptr<const Model> model = space_.with({});
-    const auto entries = evidence_.measured.value.size();
+    const auto entries = evidence_.measured.informative();
     const auto fitted = std::ssize(model->parameters()) + space_.internally_fitted_values();
     if (entries <= fitted) {
         throw InputError(

@@ -112,10 +112,14 @@ Comparison compare(const std::vector<Reading>& readings, const Prediction& predi
     Comparison result;
     const auto split = 2 * static_cast<Eigen::Index>(fitted);
     const std::span all(readings);
-    result.fitted = {terms.head(split).sum(), static_cast<int>(split) - parameters,
+    const auto known = [](std::span<const Reading> of) {
+        return 2 * static_cast<int>(of.size()) -
+               static_cast<int>(std::ranges::count_if(of, &Reading::fraction_unknown));
+    };
+    result.fitted = {terms.head(split).sum(), known(all.first(fitted)) - parameters,
                      freedom_behind(all.first(fitted))};
     result.predicted = {terms.tail(terms.size() - split).sum(),
-                        static_cast<int>(terms.size() - split),
+                        known(all.subspan(fitted)),
                         freedom_behind(all.subspan(fitted))};
     result.total = {result.fitted.chi2 + result.predicted.chi2,
                     result.fitted.dof + result.predicted.dof, freedom_behind(all)};

@@ -81,6 +81,9 @@ NullDraws::NullDraws(const Measured& measured, const ErrorKnowledge& knowledge, 
         correlate(knowledge, random, errors_.col(draw));
     }
     errors_ = root * errors_;
+    // Values that tell nothing scatter in no test.
+    for (const Eigen::Index entry : measured.unknown)
+        errors_.row(entry).setZero();
     for (Eigen::Index draw = 0; draw < count; ++draw) {
         std::vector<double> believed;
         for (const double freedom : knowledge.freedom) {

@@ -71,5 +71,5 @@ def profile(height, width, wall_friction, weight, speed, reach=0.4, slices=120, 
 
 
 def sheared_height(rate, step):
-    """V^2/integral of rate^2: the height of a layer of uniform rate with as much dissipation."""
+    """V^2/integral of rate^2: the height of the bed if the rate is uniform, less where it is not."""
     return sum(rate) ** 2 * step / sum(r * r for r in rate)

@@ -106,7 +106,7 @@ constexpr double unsettled = 0.1;
 Fit fit_with(const Whitening& whitening, const Model& model, const Measured& measured,
              const ParameterBounds& range, const Eigen::VectorXd& from, const FitEffort& effort) {
     Fit result;
-    result.dof = static_cast<int>(measured.value.size() - from.size());
+    result.dof = static_cast<int>(measured.informative() - from.size());
     result.chi2 = std::numeric_limits<double>::infinity();
     // A search may end on a plateau without reaching the minimum, so that others with different
     // settings follow from the same start.

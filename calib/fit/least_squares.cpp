@@ -48,6 +48,7 @@ Measured stack(const std::vector<Reading>& readings, const std::vector<DirectMea
         measured.value.segment<2>(2 * k) = reading.value;
         measured.covariance.block<2, 2>(2 * k, 2 * k) = reading.estimated_covariance();
         measured.widening.block<2, 2>(2 * k, 2 * k) = reading.widened_by;
+        if (reading.fraction_unknown()) measured.unknown.push_back(2 * k + 1);
     }
     add_shared_errors(readings, measured);
     for (std::size_t k = 0; k < direct.size(); ++k) {

@@ -38,6 +38,12 @@ struct Measured {
     Eigen::MatrixXd covariance;
     /// Addition to `covariance` if few replicates determine the scatter; may be empty.
     Eigen::MatrixXd widening = {};
+    /// Entries whose error is so large that they tell nothing, such as the solid fraction of a bed
+    /// that creeps: they are no degrees of freedom.
+    std::vector<Eigen::Index> unknown = {};
+
+    /// Returns the number of values that tell something.
+    Eigen::Index informative() const { return value.size() - std::ssize(unknown); }
 };
 /// Returns the values of readings, followed by direct measurements, with the covariance of all
 /// errors, including those that several readings share, such as the error of a filling.

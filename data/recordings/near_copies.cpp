@@ -43,6 +43,7 @@ using Members = std::vector<std::size_t>;
 struct Pair {
     std::vector<std::pair<std::size_t, std::size_t>> readings;  ///< in the earlier and later file
     Eigen::Matrix2Xd differences;                               ///< d of each [1]
+    bool fractions_known = true;  ///< an unknown solid fraction shows no scatter
 };
 
 Eigen::Vector2d logs(const Reading& reading) {
@@ -62,6 +63,8 @@ Pair steps_in_common(const std::vector<Reading>& readings, const Members& earlie
     for (std::size_t i = 0; i < pair.readings.size(); ++i) {
         const auto [a, b] = pair.readings[i];
         pair.differences.col(static_cast<Eigen::Index>(i)) = logs(readings[a]) - logs(readings[b]);
+        if (readings[a].fraction_unknown() || readings[b].fraction_unknown())
+            pair.fractions_known = false;
     }
     return pair;
 }
@@ -78,6 +81,7 @@ double p_of_rows(const std::vector<Reading>& readings, const Pair& pair) {
             chi2(o) += d(o) * d(o) /
                        (relative_variance(readings[a], o) + relative_variance(readings[b], o));
     }
+    if (!pair.fractions_known) chi2(1) = INFINITY;
     return 1 - chi_squared_tail(overestimate * overestimate * chi2.minCoeff(),
                                 static_cast<double>(pair.readings.size()));
 }
@@ -102,6 +106,7 @@ double p_of_others(const OtherFiles& others, const Pair& pair) {
     const double freedom = static_cast<double>(pair.readings.size()) - 1;
     double p = 1;
     for (const Eigen::Index o : {0, 1}) {
+        if (o == 1 && !pair.fractions_known) continue;
         const ScatterSums& sums = others[static_cast<std::size_t>(o)];
         if (sums.freedom_within < fewest_of_others || freedom < 1 || !(sums.within > 0)) continue;
         const Eigen::ArrayXd d = pair.differences.row(o).transpose().array();

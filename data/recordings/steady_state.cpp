@@ -192,7 +192,7 @@ std::vector<Remark> rows_before(const RecordedStep& step, const Setting& setting
     return found;
 }
 
-/// Standard error [1] of a solid fraction that is not known: twice the distance from random loose
+/// Standard error [1] of a solid fraction that is not known: about the distance from random loose
 /// to random close packing, 0.55 to 0.64, so that it determines nothing.
 constexpr double unknown_fraction_error = 0.1;
 

@@ -136,7 +136,8 @@ std::vector<Remark> creeping_gaps(const std::vector<Reading>& readings) {
 }
 
 std::vector<Remark> uneven_shear(const Study& study, const std::vector<Reading>& readings) {
-    if (!study.cell || !study.cell->wall_friction || lists(study, "shear-localisation")) return {};
+    if (!study.cell || !study.cell->wall_friction) return {};
+    const bool described = lists(study, "shear-localisation");
     Remark found{.kind = Kind::uneven_shear, .count = 0, .of = 0, .limit = INFINITY};
     for (const Reading& reading : readings) {
         const auto bed = walled_bed(reading, study);
@@ -146,6 +147,9 @@ std::vector<Remark> uneven_shear(const Study& study, const std::vector<Reading>&
         const double share = layer.height / bed->height;
         if (share >= evenly_sheared) continue;
         if (share < found.limit) {  // the reading with the thinnest layer
+            WalledBed weightless = *bed;
+            weightless.weight = 0;
+            found.of_weight = sheared_layer(weightless).height >= evenly_sheared * bed->height;
             found.limit = share;
             found.size = layer.height * study.grains.diameter;
             found.size_to = *reading.condition.height;
@@ -154,7 +158,7 @@ std::vector<Remark> uneven_shear(const Study& study, const std::vector<Reading>&
         ++found.count;
         found.add(reading.origin);
     }
-    if (found.count == 0) return {};
+    if (found.count == 0 || (described && !found.of_weight)) return {};
     return {found};
 }
 

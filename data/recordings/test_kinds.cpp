@@ -18,9 +18,32 @@
 
 namespace pendular {
 
+namespace {
+
+/// Whether values are steps of constant load rather than a ramp: a few jumps pass most of the
+/// range.
+bool has_steps(const std::vector<double>& values) {
+    // Chosen: a ramp of so many rows changes by less from one row to the next.
+    constexpr double jump = 0.1, most_of_range = 0.8;
+    constexpr std::size_t rows_of_step = 10;
+    const auto [least, greatest] = std::ranges::minmax_element(values);
+    const double range = *greatest - *least;
+    double passed = 0;
+    std::size_t jumps = 0;
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        const double change = std::abs(values[i] - values[i - 1]);
+        if (change < jump * range) continue;
+        passed += change;
+        ++jumps;
+    }
+    return passed >= most_of_range * range && jumps * rows_of_step <= values.size();
+}
+
+}  // namespace
+
 std::optional<std::string> load_ramp(const IntervalSeries& series) {
     const auto ramp = speed_ramp(series.normal());
-    if (!ramp) return std::nullopt;
+    if (!ramp || has_steps(series.normal())) return std::nullopt;
     return fmt::format("load ramp: the normal {} changes {}",
                        series.normal_stress.empty() ? "force" : "stress", ramp->change());
 }

@@ -171,25 +171,34 @@ std::string far_files_text(const Remark& doubt) {
 std::string creeping_text(const Remark& doubt) {
     const std::string from = fmt::format("{:.2g}", 100 * doubt.size),
                       to = fmt::format("{:.2g}", 100 * doubt.size_to);
+    const char* const cause =
+        doubt.size_to < 0
+            ? "A gap falls where a part of the bed is not sheared and still settles, or where "
+              "beads or liquid are lost or beads wear. Shear gathers under the lid where side "
+              "walls drag on the bed or where it is heavy: fill the cell lower, use smoother "
+              "walls or shear longer, and look for beads outside the cell."
+            : "Check the gap sensor for drift and, where the gap rises, the cell for beads "
+              "between lid and wall.";
     return fmt::format(
         "In {} of {} readings, first in {}, the gap still changes, by {} % per unit "
-        "of strain, while the torque is steady: a part of the bed is not sheared, or the step "
-        "was too short for the whole bed. The torque is used; the solid fraction of these "
-        "readings counts as unknown. Shear gathers under the lid where side walls drag on the "
-        "bed or where it is heavy: fill the cell lower, or use smoother walls.",
+        "of strain, while the torque is steady. The torque is used; the solid fraction of these "
+        "readings counts as unknown. {}",
         doubt.count, doubt.of, to_string(Position{doubt.file(), doubt.first_line(), 0}),
-        from == to ? from : from + " to " + to);
+        from == to ? from : from + " to " + to, cause);
 }
 
 std::string uneven_text(const Remark& doubt) {
     return fmt::format(
-        "In {} of {} dry readings, first in {}, side walls of the stated friction and the "
-        "weight of the beads gather the shear under the lid, down to a layer of {:.2g} mm of a "
-        "bed of {:.2g} mm. This raises the stress ratio at the lid, there by about {:.0f} %, "
-        "and the solid fraction is in part that of beads at rest. The effect shear-localisation "
-        "describes the torque; a lower filling avoids it.",
+        "In {} of {} dry readings, first in {}, {} the shear under the lid, down to a layer of "
+        "{:.2g} mm of a bed of {:.2g} mm. This raises the stress ratio at the lid, there by about "
+        "{:.0f} %, and the solid fraction is in part that of beads at rest. {}",
         doubt.count, doubt.of, to_string(Position{doubt.file(), doubt.first_line(), 0}),
-        1e3 * doubt.size, 1e3 * doubt.size_to, 100 * doubt.relative);
+        doubt.of_weight ? "the weight of the beads gathers"
+                        : "side walls of the stated friction and the weight of the beads gather",
+        1e3 * doubt.size, 1e3 * doubt.size_to, 100 * doubt.relative,
+        doubt.of_weight ? "No effect describes this: fill the cell lower, or raise the load."
+                        : "The effect shear-localisation describes the torque; a lower filling "
+                          "avoids it.");
 }
 
 }  // namespace

@@ -165,6 +165,7 @@ struct Remark {
     double p = 1;
     /// Degrees of freedom [1] of the scatter to which stated errors are compared.
     double freedom = 0;
+    bool of_weight = false;  ///< whether uneven shear is due to the weight of the beads alone
     bool offset = false;     ///< whether a level change is an offset rather than a factor
     bool corrected = false;  ///< whether the readings with the fault were excluded or corrected
     std::vector<std::string> names = {};  ///< names from the file, such as those of its columns

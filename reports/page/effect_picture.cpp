@@ -107,9 +107,9 @@ bool in_the_cell(const Effect& effect) {
     return std::get<ChangeInstrument>(effect.change).where == ChangeInstrument::Where::grains;
 }
 
-/// Friction at the walls is what changes torque and force together.
+/// Whether an effect is of the walls: only friction there changes the torque of the grains.
 bool at_the_walls(const Effect& effect, const Changed& c) {
-    return in_the_cell(effect) && c.torque && c.force;
+    return in_the_cell(effect) && c.torque;
 }
 
 /// Inside of the drawn cell.
@@ -142,9 +142,10 @@ void draw_cell(Sketch& sketch, const Effect& effect) {
     sketch.path(fmt::format("M{0} {2}V{3}H{1}V{2}", cell_left - 1, cell_right + 5, cell_top - 12,
                             cell_bottom + 1));
     if (walls) {
-        sketch.arrow(cell_left - 6, cell_bottom - 10, cell_left - 6, cell_top + 8, Tone::marked);
-        sketch.arrow(cell_right + 10, cell_bottom - 10, cell_right + 10, cell_top + 8,
-                     Tone::marked);
+        // Where shear is uneven, only a layer under the lid rubs.
+        const double lowest = effect.of_uneven_shear ? (cell_top + cell_bottom) / 2 : cell_bottom;
+        for (const double x : {cell_left - 6, cell_right + 10})
+            sketch.arrow(x, lowest - 10, x, cell_top + 8, Tone::marked);
     }
     sketch.path(fmt::format("M{} {}h{}v8h-{}Z", cell_left, cell_top - 9, cell_right + 4 - cell_left,
                             cell_right + 4 - cell_left),

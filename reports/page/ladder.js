@@ -23,10 +23,10 @@ class LadderPicture {
   }
   names() { return [...this.columns.map(c => c.name), "switches below"]; }
 
-  // Relative deviations [%] of the readings from a fitted combination.
+  // Deviations [%] of the readings from a fitted combination, relative to the measured values as their RMS is.
   deviations(index, which) {
     const {page} = this, predicted = index === null ? page.predicted(which) : page.models[index].predict(page.models[index].parameters.map(() => 0), which);
-    return page.data.readings.map((r, id) => 100 * (r.values[which] / predicted[id] - 1));
+    return page.data.readings.map((r, id) => 100 * (1 - predicted[id] / r.values[which]));
   }
   series() {
     const columns = [...this.columns, {index: null, now: true}], roomy = this.page.roomy(), width = roomy ? .56 : .4, half = roomy ? 24 : 12, n = this.page.data.readings.length;

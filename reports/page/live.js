@@ -128,10 +128,13 @@ class Page {
     return r.step ? `${r.file} step ${r.step}` : `${r.file}:${r.line}`;
   }
   // Combinations between which the axes of figures stay: no effect, the study's, each of these and one effect more or
-  // less, and all effects.
+  // less, and all effects; those that fit worse than both the first two would leave the others no room.
   kept() {
     const {current, switches} = this.data, flips = switches.flatMap((_, k) => [current ^ 1 << k, 1 << k]);
-    return [...new Set([0, current, ...flips, this.models.length - 1])].filter(index => this.models[index].why_not === undefined);
+    const chi2Of = index => this.models[index].why_not === undefined ? this.models[index].chi2 : 0;
+    const worst = Math.max(chi2Of(0), chi2Of(current));
+    return [...new Set([0, current, ...flips, this.models.length - 1])].filter(index =>
+      this.models[index].why_not === undefined && (index === 0 || index === current || this.models[index].chi2 <= worst));
   }
   // Relative RMS deviation of a combination, or of the model that is shown (null).
   rmsOf(index, which) {

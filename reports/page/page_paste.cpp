@@ -164,12 +164,12 @@ std::string result_sentence(const PageContent& content, const SwitchedModel& mod
         return fmt::format("For all readings, {}; {}.", misfit_text(total), value);
     }
     return fmt::format(
-        "With {} in the model, chi2 falls from {:.1f} for {} to {:.1f} for {}, and the relative "
+        "With {} in the model, chi2 {} from {:.1f} for {} to {:.1f} for {}, and the relative "
         "RMS error of the shear stress from {:.2f} % to {:.2f} %; {} ({} without).",
-        joined(effects, "and"), bare->comparison.total.chi2,
-        freedom_text(bare->comparison.total.dof), total.chi2, freedom_text(total.dof),
-        bare->comparison.rms_percent[0], model.comparison.rms_percent[0], value,
-        estimate_text(bare->calibration.fit, 0, "1"));
+        joined(effects, "and"), total.chi2 < bare->comparison.total.chi2 ? "falls" : "rises",
+        bare->comparison.total.chi2, freedom_text(bare->comparison.total.dof), total.chi2,
+        freedom_text(total.dof), bare->comparison.rms_percent[0], model.comparison.rms_percent[0],
+        value, estimate_text(bare->calibration.fit, 0, "1"));
 }
 
 std::string method_sentences(const PageContent& content, const SwitchedModel& model) {

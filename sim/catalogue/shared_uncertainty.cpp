@@ -283,6 +283,8 @@ std::vector<SharedUncertainty> without_size(const Study& study,
         if (has_size) continue;
         const std::vector<EffectParameter>& parameters = effects.front()->parameters;
         if (parameters.size() != 1 || !(parameters.front().smallest_of_interest > 0)) continue;
+        // Uneven shear is no error of an instrument that every cell may have.
+        if (effects.front()->of_uneven_shear) continue;
         all.push_back({.name = name,
                        .standard = parameters.front().smallest_of_interest,
                        .unit = parameters.front().unit,

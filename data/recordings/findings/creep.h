@@ -12,8 +12,7 @@ namespace pendular {
 /// steady gaps counts as not steady by chance. A gap that is not steady therefore creeps if it
 /// changes by more than 4 standard errors, if it and the gap of another such step change by more
 /// than 2 in one sense, or if it changes in the sense in which the gaps of the whole recording
-/// drift
-/// (`drift_tests`, p < 0.005).
+/// drift (`drift_tests`, p < 0.005).
 void find_creep(const std::string& file, std::vector<RecordedStep>& steps);
 
 }  // namespace pendular
