@@ -111,6 +111,18 @@ TEST(NearCopiesOfSteps, ThatAreCoarseAgreeByRounding) {
     EXPECT_THAT(near_copies(same, {coarse}), IsEmpty());
 }
 
+TEST(NearCopiesOfSteps, AreNotTakenFromUnknownSolidFractions) {
+    // The error of 0.1 of a gap that crept is no scatter that rows show.
+    std::vector<Reading> creeping = files_with_copy(2, 1);
+    EXPECT_THAT(near_copies(creeping, {}), IsEmpty());
+    for (Reading& reading : creeping)
+        reading.covariance(1, 1) = 0.01;
+    EXPECT_THAT(near_copies(creeping, {}), Not(IsEmpty()));
+    for (Reading& reading : creeping)
+        reading.condition.gap_creep = -1e-3;
+    EXPECT_THAT(near_copies(creeping, {}), IsEmpty());
+}
+
 TEST(NearCopiesOfSteps, AreSeldomSeenInHonestStudies) {
     // Of 40 studies, one false report in a thousand studies would give any with 4 %.
     EXPECT_EQ(honest_studies_with_copies(40, 90000), 0);

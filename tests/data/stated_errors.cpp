@@ -1,4 +1,5 @@
 // Errors that a table of readings states, against the scatter of its replicates.
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -158,6 +159,30 @@ std::vector<Remark> doubts_about_speeds(bool opposed) {
         }
     pool_replicates(all);
     return all.doubts();
+}
+
+TEST(StatedErrors, OfFillingsThatDifferAreNoSpeeds) {
+    // Rows of two or three fillings, each with an error of its own: independent are the fillings.
+    std::mt19937_64 random(8);
+    std::normal_distribution<double> normal;
+    int doubted = 0;
+    for (int study = 0; study < 100; ++study) {
+        Measurements all;
+        std::array<Eigen::Vector2d, 3> filling;
+        for (Eigen::Vector2d& each : filling)
+            each = {0.05 * normal(random), 0.004 * normal(random)};
+        for (int load = 0; load < 8; ++load)
+            for (int k = 0; k < 2 + study % 2; ++k) {
+                const Eigen::Vector2d off = filling[static_cast<std::size_t>(k)];
+                all.readings.push_back(reading(300 * std::pow(1.4, load),
+                                               0.33 * std::exp(off(0) + 0.01 * normal(random)),
+                                               0.6 * std::exp(off(1)), 0.01));
+            }
+        pool_replicates(all);
+        doubted +=
+            std::ranges::count(all.doubts(), Remark::Kind::mixed_conditions, &Remark::kind) > 0;
+    }
+    EXPECT_LE(doubted, 1);
 }
 
 TEST(StatedErrors, DoNotHideRowsOfSeveralSpeeds) {

@@ -32,6 +32,21 @@ std::string recording(const std::string& more_header, const std::string& more_ce
     return text;
 }
 
+TEST(KindsOfTest, StepsOfTheLoadAreNoRamp) {
+    const TemporaryFolder folder;
+    std::string steps =
+        "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+    for (int i = 0; i < 90; ++i) {
+        const double force = 5 * std::pow(3, i / 30);
+        steps += fmt::format("{},{},{},6.2,0.5\n", i, 4 * force, force * (1 + 0.002 * (i % 3)));
+    }
+    const auto role_of = [&](const std::string& text) {
+        return view_of_file(folder.write("t.csv", text)).roles.at(0).role;
+    };
+    EXPECT_EQ(role_of(steps), "steady");
+    EXPECT_NE(role_of(recording("", "", 45)), "steady");
+}
+
 TEST(KindsOfTest, AreShownByColumns) {
     const TemporaryFolder folder;
     const auto told = [&](const std::string& text) {
