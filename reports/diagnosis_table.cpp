@@ -199,7 +199,7 @@ std::vector<std::string> undetected_table(const StudyDiagnosis& study,
         return fmt::format("  {:<24} {:>17} {:>16} {:>16}   {}", name, shift, size, shown, settled);
     };
     std::vector<std::string> lines = {row("could go undetected", "shift of friction",
-                                          "size of interest", "detectable from", "settled by")};
+                                          "size that matters", "detectable from", "settled by")};
     for (const std::string& name : impacts ? by_impact(*impacts, d.effects) : d.effects) {
         const Finding& finding = finding_of(d, *study.models, name);
         const EffectParameter& p = study.models->candidates()[finding.candidate].parameters.front();
@@ -215,7 +215,7 @@ std::vector<std::string> undetected_table(const StudyDiagnosis& study,
     }
     lines.emplace_back(
         "  (sizes: deviation of the effect's parameter from the value without the effect. shift of "
-        "friction: with an effect of the size of interest in the model. detectable from: smallest "
+        "friction: with an effect of the size that matters in the model. detectable from: smallest "
         "size that these readings show in 8 of 10 cases; for a switch, share of cases that show "
         "it.)");
     return lines;

@@ -64,7 +64,7 @@ PageSection ladder_section(const PageContent& content) {
              fmt::format("{:.3f}", step.rms_percent[1])});
     }
     section.lines = {
-        "Deviation of each reading from the model, 100 (measured/model - 1), with the "
+        "Deviation of each reading from the model, 100 (1 - model/measured), with the "
         "RMS of all readings. The last column follows the switches below."};
     section.tables = {table};
     return section;
@@ -231,8 +231,8 @@ PageSection impact_section(const PageContent& content) {
     const ImpactTable& impacts = *content.impacts;
     PageSection section{.id = "impacts",
                         .title = "How effects shift the fitted friction coefficient"};
-    const Cells head = {"effect or error", "group", "at the smallest size of interest",
-                        "at the estimate", "per standard error of the estimate"};
+    const Cells head = {"effect or error", "group", "at the size that matters", "at the estimate",
+                        "per standard error of the estimate"};
     const std::string friction = with_error(impacts.fitted(0), impacts.errors(0));
     PageTable effects{
         .caption = fmt::format("Shift of the friction coefficient {} by each effect", friction),
