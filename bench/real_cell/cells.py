@@ -1,7 +1,10 @@
 """What the cells are: dimensions, grains, walls and set points."""
+import csv
 import math
 from dataclasses import dataclass
+from pathlib import Path
 
+HERE = Path(__file__).resolve().parent
 DIAMETER = 500e-6  # [m]
 DENSITY = 1050  # [kg/m3]
 GRAVITY = 9.81
@@ -64,3 +67,19 @@ CELLS = (
     narrow(0.15),
     narrow(0),
 )
+
+
+def rows_of(name):
+    """Rows of a table that ships."""
+    with open(HERE / name, encoding="ascii") as file:
+        yield from csv.DictReader(line for line in file if not line.startswith("#"))
+
+
+def key_of(row):
+    """Cell, set point and replicate of a row."""
+    return (
+        row["cell"],
+        float(row["normal_stress [Pa]"]),
+        float(row["inertial_number [1]"]),
+        int(row["replicate"]),
+    )

@@ -5,7 +5,6 @@ docs/explanation/cell.md, and its numbers. Needs gnuplot.
     draw.py [--out FILE.png]
 """
 import argparse
-import csv
 import subprocess
 import sys
 import tempfile
@@ -17,13 +16,9 @@ sys.path[:0] = [str(HERE)]
 sys.dont_write_bytecode = True
 import cells  # noqa: E402
 import theory  # noqa: E402
+from cells import key_of, rows_of  # noqa: E402
 
 SHOWN = (0, 0.05, 0.15, 0.3)  # wall frictions
-
-
-def rows_of(name):
-    with open(HERE / name, encoding="ascii") as file:
-        yield from csv.DictReader(line for line in file if not line.startswith("#"))
 
 
 def numbers(row):
@@ -42,15 +37,6 @@ def load():
     for row in rows_of("profiles.csv"):
         profiles[key_of(row)].append(numbers(row))
     return states, profiles
-
-
-def key_of(row):
-    return (
-        row["cell"],
-        float(row["normal_stress [Pa]"]),
-        float(row["inertial_number [1]"]),
-        int(row["replicate"]),
-    )
 
 
 def mobilised(profile, depth, gap):

@@ -20,6 +20,7 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE)]
 sys.dont_write_bytecode = True
 import cells  # noqa: E402
+from cells import key_of, rows_of  # noqa: E402
 
 INNER_RADIUS = 0.1  # [m]: an annulus as flat as the simulated cells
 BEAD_MASS = math.pi / 6 * cells.DENSITY * cells.DIAMETER**3
@@ -55,11 +56,6 @@ bead_mass = "{mass:.6g} g"
 """
 
 
-def rows_of(name):
-    with open(HERE / name, encoding="ascii") as file:
-        yield from csv.DictReader(line for line in file if not line.startswith("#"))
-
-
 def tables():
     """States and series by cell, set point and replicate."""
     states, series = {}, defaultdict(list)
@@ -70,15 +66,6 @@ def tables():
             [float(row[name]) for name in ("shear_stress [s22]", "normal_stress [s22]", "gap [a]")]
         )
     return states, series
-
-
-def key_of(row):
-    return (
-        row["cell"],
-        float(row["normal_stress [Pa]"]),
-        float(row["inertial_number [1]"]),
-        int(row["replicate"]),
-    )
 
 
 def radii(cell):

@@ -10,9 +10,12 @@
 #include "reports/recording_figures.h"
 #include "reports/simulation_figures.h"
 #include "tests/support/figure_faults.h"
+#include "tests/support/made_up_impact.h"
 
 namespace pendular::figures_of_made_up_results_test {
 
+using made_up::impact;
+using made_up::one;
 using testing::IsEmpty;
 
 void expect_no_fault(const std::vector<Figure>& figures) {
@@ -59,24 +62,6 @@ TEST(FiguresOfResults, OfAProposalHaveNoFault) {
     }
     proposal.model.fit.prediction.value = 0.99 * model.value;
     expect_no_fault({proposal_figure(proposal, readings, model)});
-}
-
-Eigen::VectorXd one(double value) {
-    return Eigen::VectorXd::Constant(1, value);
-}
-
-/// Effect of this size and error that lowers the friction by a tenth of its size.
-Impact impact(const std::string& name, double interest, double size, double error) {
-    const auto shift = [](double at) { return Shift{at, one(-0.1 * at), one(-0.1 * at), {}}; };
-    return {.name = name,
-            .quantity = "coefficient",
-            .unit = "1",
-            .group = "instrument",
-            .error = error,
-            .at_interest = shift(interest),
-            .at_estimate = shift(size),
-            .above = shift(size + error),
-            .below = shift(size - error)};
 }
 
 /// The bar of "wobble" is cut at the edge of the axes, where its marker of the size that matters

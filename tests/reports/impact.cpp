@@ -14,29 +14,14 @@
 #include "reports/draw_figure.h"
 #include "reports/with_error.h"
 #include "tests/support/golden.h"
+#include "tests/support/made_up_impact.h"
 #include "workflow/json/diagnosis.h"
 
 namespace pendular::impact_report_test {
 
+using made_up::impact;
+using made_up::one;
 using ::testing::ElementsAre;
-
-Eigen::VectorXd one(double value) {
-    return Eigen::VectorXd::Constant(1, value);
-}
-
-/// Effect that lowers the friction by a tenth of its size. Estimate: `size` with this error.
-Impact impact(const std::string& name, double interest, double size, double error) {
-    const auto shift = [](double at) { return Shift{at, one(-0.1 * at), one(-0.1 * at), {}}; };
-    return {.name = name,
-            .quantity = "coefficient",
-            .unit = "1",
-            .group = "instrument",
-            .error = error,
-            .at_interest = shift(interest),
-            .at_estimate = shift(size),
-            .above = shift(size + error),
-            .below = shift(size - error)};
-}
 
 ImpactTable table() {
     return {.parameters = {{.name = "friction"}},
