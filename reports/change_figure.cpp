@@ -30,7 +30,7 @@ std::string name_of_content(double content) {
     return content == 0 ? "dry" : fmt::format("Φ_L/Φ_S = {:.3g}", content);
 }
 
-/// Measured values less those of a model [%], against the normal stress.
+/// Measured values less those of a model [% of the measured ones], against the normal stress.
 Panel deviation_panel(const Comparison& comparison, std::size_t observable) {
     Panel panel{.x_label = "normal stress σ_{22} [Pa]", .y_label = "", .zero_line = true};
     const std::vector<double> contents = contents_in(comparison);
@@ -42,10 +42,12 @@ Panel deviation_panel(const Comparison& comparison, std::size_t observable) {
         points.in_key = false;
         for (const ReadingMisfit& each : comparison.readings) {
             if (each.reading.condition.liquid_content != contents[n]) continue;
-            const double whole = each.predicted(i) / 100;
+            // Relative to the measured value, as the RMS errors in texts are.
+            const double value = each.reading.value(i), ratio = each.predicted(i) / value;
             points.x.push_back(each.reading.condition.normal_stress);
-            points.y.push_back(each.reading.value(i) / whole - 100);
-            points.y_error.push_back(std::sqrt(each.reading.covariance(i, i)) / whole);
+            points.y.push_back(100 * (1 - ratio));
+            points.y_error.push_back(100 * ratio * std::sqrt(each.reading.covariance(i, i)) /
+                                     value);
             stresses.push_back(points.x.back());
         }
         panel.curves.push_back(points);

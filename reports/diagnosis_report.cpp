@@ -202,8 +202,10 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
             names.size() > 1 ? "any one of " + some_of(names) : names.front());
     }
     if (d.effects.empty() && !d.errors_assumed) {
-        return "Inconclusive: no known effect improves the model, but none would show in these "
-               "readings.";
+        return fmt::format(
+            "The model describes the readings (chi2/dof {:.2f}). No known effect improves it, but "
+            "none would show in these readings.",
+            chi2_per_dof(d.base.fit.chi2, d.dof));
     }
     if (d.effects.empty()) {
         return "Inconclusive: the errors of the readings are assumed, not measured, so that they "
@@ -211,10 +213,10 @@ std::string inconclusive_line(const Diagnosis& d, const ModelSpace& space) {
     }
     const bool one = d.effects.size() == 1;
     return fmt::format(
-        "The model describes the readings (chi2/dof {:.2f}), which are inconclusive about {} "
-        "effect{} "
-        "that could go undetected at the size that matters: {}.",
-        chi2_per_dof(d.base.fit.chi2, d.dof), d.effects.size(), one ? "" : "s", some_of(d.effects));
+        "The model describes the readings{} (chi2/dof {:.2f}). They are inconclusive about {} "
+        "effect{} that could go undetected at the size that matters: {}.",
+        d.errors_assumed ? " within assumed errors" : "", chi2_per_dof(d.base.fit.chi2, d.dof),
+        d.effects.size(), one ? "" : "s", some_of(d.effects));
 }
 
 /// Sentence on how alike the effects of the verdict change the readings, beyond what the calibrated
@@ -358,6 +360,27 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
     return fmt::format("Unknown: something is missing that no known effect explains{}{}",
                        d.outdone() ? " as well as a proposed change does" : "",
                        strongest_trend(checks));
+}
+
+std::string verdict_headline(const Diagnosis& d, const ModelSpace& space, const Checks& checks) {
+    if (d.verdict != Verdict::indistinguishable) {
+        const std::string all = verdict_line(d, space, checks);
+        const auto end = all.find(". ");
+        return end == std::string::npos ? all : all.substr(0, end + 1);
+    }
+    constexpr std::size_t most_named = 4;
+    std::vector<std::string> names;
+    for (const FittedModel& each : d.confidence_set) {
+        names.push_back(joined(names_of(each, space), "with"));
+    }
+    if (names.size() > most_named) {
+        const std::size_t others = names.size() - (most_named - 1);
+        names.resize(most_named - 1);
+        names.push_back(fmt::format("{} more", others));
+    }
+    return fmt::format(
+        "Something {} missing, and these readings do not tell what: {} explain them equally well.",
+        weak_evidence(d).empty() ? "is" : "may be", joined(names, "and"));
 }
 
 std::string undetected_shift_line(const Diagnosis& d, const std::optional<ImpactTable>& impacts) {

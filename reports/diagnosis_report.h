@@ -16,6 +16,11 @@ namespace pendular {
 /// misfit, the text names the strongest significant trend of the residuals.
 std::string verdict_line(const Diagnosis& diagnosis, const ModelSpace& space, const Checks& checks);
 
+/// Returns the verdict in one sentence, for a heading: the first of `verdict_line` or, where models
+/// are indistinguishable, up to four of them by name.
+std::string verdict_headline(const Diagnosis& diagnosis, const ModelSpace& space,
+                             const Checks& checks);
+
 /// Returns chi2 and degrees of freedom of the study's model without further effects, with the p
 /// values of the test for lack of fit and of the test for a known effect or a suspect measurement.
 std::string fit_line(const Diagnosis& diagnosis);

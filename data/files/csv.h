@@ -53,9 +53,8 @@ enum class InnerQuotes { refused, kept };
 /// Splits a line of a table into cells. A quote at the start of a cell opens a quoted cell, in
 /// which two successive quotes stand for one quote. Blanks around a cell are removed.
 /// @param at file and line number
-/// @param of_sheet whether the line is one of a sheet, of which columns are counted, not
-/// characters;
-///        asked once for each table, since the answer is the file system's
+/// @param of_sheet whether the line is one of a sheet, of which columns and not characters are
+///        counted; asked once for each table, since the answer is the file system's
 /// @throws InputError if a quoted cell is not closed, if a quote is inside a cell and `inner`
 ///         refuses it, or for more than `most_cells_of_line` cells
 Row split_cells(std::string_view line, char delimiter, const Position& at, InnerQuotes inner,

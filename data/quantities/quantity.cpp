@@ -120,6 +120,9 @@ const std::vector<Quantity>& table() {
          "part of the standard error of a solid fraction that readings of one filling share"},
         {"failure", "", "1",
          "1 for a point of failure (peak of the shear stress), 0 for steady shear"},
+        {"gap_creep", "", "1",
+         "relative change of the gap per unit of strain while the torque was steady; not 0: the "
+         "solid fraction is unknown"},
         {"line", "", "1", "line of the file from which a reading was made"},
         {"file", "", "", "file a reading was made from"}};
     return all;

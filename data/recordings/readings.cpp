@@ -45,6 +45,7 @@ const std::vector<std::string_view> reading_columns = {"normal_stress",
                                                        "interval",
                                                        "replicates",
                                                        "failure",
+                                                       "gap_creep",
                                                        "preshear_stress",
                                                        "preshear_shear_stress",
                                                        "file",
@@ -238,6 +239,7 @@ Reading reading_of(const Points& points, const Row& row) {
     reading.condition.normal_stress = positive(points, row, "normal_stress");
     reading.condition.liquid_content = liquid_content(points, row);
     reading.condition.at_failure = at_failure(points, row);
+    reading.condition.gap_creep = points.columns.value_if_any(row, "gap_creep").value_or(0);
     if (points.columns.value_if_any(row, "preshear_stress"))
         reading.condition.preshear_stress = positive(points, row, "preshear_stress");
     set_rate(points, row, reading);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -69,12 +68,6 @@ struct FarReplicates {
 /// - A condition is removed if its replicates scatter more than those of all other conditions of
 ///   its cluster (F test, p < 0.001).
 FarReplicates set_far_replicates_apart(ReplicateTable& table, const std::vector<Reading>& readings);
-
-/// Finds rows of a table that count as repetitions of one condition but differ as readings at
-/// different speeds or liquid contents do: where the stress ratio is high, the solid fraction is
-/// low, and both scatter far more than repetitions.
-std::optional<Remark> find_mixed_conditions(const ReplicateTable& table,
-                                            const std::vector<Reading>& readings);
 
 /// Returns the correlation [1] between the rounding errors of two measurements of one quantity,
 /// averaged over all positions of the true value between two rounded values; near 1 if `scatter` is

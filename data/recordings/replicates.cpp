@@ -97,8 +97,6 @@ class Pooling {
     }
 
     void by_replicates() {
-        if (auto mixed = find_mixed_conditions(table_, readings_))
-            all_.remarks.push_back(std::move(*mixed));
         weigh_rounding(table_, readings_);
         apart_ = set_far_replicates_apart(table_, readings_);
         weigh_rounding(table_, readings_);  // again, without far replicates

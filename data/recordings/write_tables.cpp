@@ -54,7 +54,7 @@ class Fillings {
 };
 
 std::string reading_row(const Reading& reading, const std::filesystem::path& path,
-                        const Fillings& fillings, bool with_failure) {
+                        const Fillings& fillings, bool with_failure, bool with_creep) {
     const double stress_error = std::sqrt(reading.covariance(0, 0));
     const double fraction_error = std::sqrt(reading.covariance(1, 1));
     const double errors = stress_error * fraction_error;
@@ -84,6 +84,7 @@ std::string reading_row(const Reading& reading, const std::filesystem::path& pat
         cells.emplace_back(reading.condition.at_failure ? "1" : "0");
         cells.push_back(known(reading.condition.preshear_stress.value_or(0)));
     }
+    if (with_creep) cells.push_back(known(reading.condition.gap_creep));
     return fmt::format("{}\n", fmt::join(cells, ","));
 }
 
@@ -119,9 +120,11 @@ void write_readings(const std::filesystem::path& path, const Measurements& measu
         headers.push_back(header("failure"));
         headers.push_back(header("preshear_stress"));
     }
+    const bool with_creep = std::ranges::any_of(measurements.readings, &Reading::fraction_unknown);
+    if (with_creep) headers.push_back(header("gap_creep"));
     std::string text = fmt::format("{}\n", fmt::join(headers, ","));
     for (const Reading& reading : measurements.readings)
-        text += reading_row(reading, path, fillings, with_failure);
+        text += reading_row(reading, path, fillings, with_failure, with_creep);
     write_whole(path, text);
 }
 

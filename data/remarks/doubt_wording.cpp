@@ -255,13 +255,6 @@ std::string doubt_text(const Remark& doubt) {
             return sentences(doubt.because).front();
         case Kind::other_speed_unit:
             return speed_unit_text(doubt);
-        case Kind::mixed_conditions:
-            return fmt::format(
-                "Rows that count as repetitions differ as readings at different speeds or liquid "
-                "contents do: the stress ratio scatters by {:.2g} % and the solid fraction by "
-                "{:.2g} %, one being high where the other is low (correlation {:.2f}). Check that "
-                "the table states the inertial number and the liquid content of each row.",
-                100 * doubt.relative, 100 * doubt.relative_error, doubt.size);
         case Kind::far_files:
             return far_files_text(doubt);
         case Kind::far_condition:

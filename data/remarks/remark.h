@@ -55,7 +55,6 @@ struct Remark {
         impossible_value,
         saturated_column,
         other_speed_unit,
-        mixed_conditions,  ///< repetitions differ as readings at different speeds do
         far_files,
         far_condition,
         creeping_gap,  ///< the gap changes while the torque is steady

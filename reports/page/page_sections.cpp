@@ -307,19 +307,16 @@ PageSection paste_section(const PageContent& content) {
     return section;
 }
 
-/// The first sentence of a text; sentences end with a full stop and a blank.
-std::string first_sentence(const std::string& text) {
-    const auto end = text.find(". ");
-    return end == std::string::npos ? text : text.substr(0, end + 1);
-}
-
 std::vector<std::string> warnings_of(const PageContent& content) {
     std::vector<std::string> warnings;
     for (const std::string& reason : content.diagnosis.belief.reasons) {
         warnings.push_back("Warning: " + reason);
     }
     for (const Remark& doubt : content.measurements.doubts()) {
-        warnings.push_back("Warning: " + text_of(doubt));
+        std::string warning = "Warning: " + text_of(doubt);
+        // A doubt is also a reason not to believe the fit.
+        if (std::ranges::find(warnings, warning) == warnings.end())
+            warnings.push_back(std::move(warning));
     }
     if (content.resolved.study().model.fit_to == "dry" &&
         std::ranges::none_of(content.diagnosis.readings,
@@ -334,47 +331,6 @@ std::vector<std::string> warnings_of(const PageContent& content) {
             content.study_argument));
     }
     return warnings;
-}
-
-/// The answer, and what limits it.
-struct Answer {
-    std::string headline, rest;
-};
-
-/// The answer of an inconclusive verdict, the good news first where the model describes the
-/// readings; `answer` as it is where it does not.
-Answer answer_of_inconclusive(const Diagnosis& d, const std::string& answer) {
-    if (d.errors_assumed || d.base.lack_of_fit_p < significant_p) return {answer, ""};
-    const std::string good = fmt::format("The model describes the readings (chi2/dof {:.2f}).",
-                                         d.base.fit.chi2 / std::max(1, d.dof));
-    // Where effects are named, the answer has the good news itself, before a comma.
-    const std::string limit = ", which are inconclusive", none = "Inconclusive: no known";
-    if (const auto at = answer.find(limit); at != std::string::npos) {
-        return {good, "The readings are inconclusive" + answer.substr(at + limit.size())};
-    }
-    if (answer.starts_with(none)) return {good, "No known" + answer.substr(none.size())};
-    return {answer, ""};
-}
-
-/// The answer in one sentence. Where many effects are rivals, only three are named: the table of
-/// the models has all with their values.
-std::string headline(const StudyDiagnosis& study, const std::string& answer) {
-    const Diagnosis& d = study.diagnosis;
-    if (d.verdict != Verdict::indistinguishable) return first_sentence(answer);
-    constexpr std::size_t most_named = 4;
-    std::vector<std::string> names;
-    for (const FittedModel& each : d.confidence_set) {
-        names.push_back(joined(names_of(each, *study.models), "with"));
-    }
-    if (names.size() > most_named) {
-        const std::size_t others = names.size() - (most_named - 1);
-        names.resize(most_named - 1);
-        names.push_back(fmt::format("{} more", others));
-    }
-    const bool sure = answer.find("something may be") == std::string::npos;
-    return fmt::format(
-        "Something {} missing, and these readings do not tell what: {} explain them equally well.",
-        sure ? "is" : "may be", joined(names, "and"));
 }
 
 /// Sentences on the fits of the page, for its provenance.
@@ -396,18 +352,11 @@ std::vector<std::string> evidence_of(const PageContent& content) {
 PageTexts page_texts(const PageContent& content) {
     const StudyDiagnosis& d = content.diagnosis;
     const std::string answer = verdict_line(d.diagnosis, *d.models, content.checks);
-    Answer said{headline(d, answer), ""};
-    if (d.diagnosis.verdict == Verdict::inconclusive) {
-        said = answer_of_inconclusive(d.diagnosis, answer);
-    } else if (answer.starts_with(said.headline)) {
-        said.rest = trimmed(answer.substr(said.headline.size()));
-    } else {
-        said.rest = answer;
-    }
+    const std::string headline = verdict_headline(d.diagnosis, *d.models, content.checks);
     PageTexts texts{
         .study = content.study,
         .version = content.version,
-        .headline = said.headline,
+        .headline = headline,
         .details = {},
         .measure = first_step(content.steps),
         .warnings = warnings_of(content),
@@ -415,7 +364,10 @@ PageTexts page_texts(const PageContent& content) {
         .story = {where_section(content), effects_section(content), next_section(content)},
         .folded = {},
         .recordings = !content.recordings.empty()};
-    if (!said.rest.empty()) texts.details.push_back(said.rest);
+    const bool begins_so = answer.starts_with(headline);
+    if (std::string rest = begins_so ? trimmed(answer.substr(headline.size())) : answer;
+        !rest.empty())
+        texts.details.push_back(std::move(rest));
     if (std::string friction = friction_line(d); !friction.empty()) {
         texts.details.push_back(std::move(friction));
     }

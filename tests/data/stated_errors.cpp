@@ -1,5 +1,4 @@
 // Errors that a table of readings states, against the scatter of its replicates.
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -141,56 +140,6 @@ TEST(StatedErrors, AreNotRefutedByReplicatesOfAnotherCluster) {
         EXPECT_TRUE(std::isinf(each.scatter_freedom(0)));
     }
     EXPECT_TRUE(std::isinf(all.scatter.correlation_freedom));
-}
-
-/// Doubts about a table of four normal stresses, each with two rows at each of three speeds, of
-/// which it states none.
-/// @param opposed whether the solid fraction is low where the stress ratio is high
-std::vector<Remark> doubts_about_speeds(bool opposed) {
-    std::mt19937_64 random(6);
-    std::normal_distribution<double> normal;
-    Measurements all;
-    for (const double stress : {400, 1000, 2000, 5000})
-        for (int row = 0; row < 6; ++row) {
-            const double by_speed = 0.08 * (row / 2 - 1), x = 0.01 * normal(random);
-            all.readings.push_back(
-                reading(stress, 0.33 * std::exp(by_speed + x),
-                        0.6 * std::exp((opposed ? -1 : 0) * by_speed / 7 + 0.2 * x), 0.01));
-        }
-    pool_replicates(all);
-    return all.doubts();
-}
-
-TEST(StatedErrors, OfFillingsThatDifferAreNoSpeeds) {
-    // Rows of two or three fillings, each with an error of its own: independent are the fillings.
-    std::mt19937_64 random(8);
-    std::normal_distribution<double> normal;
-    int doubted = 0;
-    for (int study = 0; study < 100; ++study) {
-        Measurements all;
-        std::array<Eigen::Vector2d, 3> filling;
-        for (Eigen::Vector2d& each : filling)
-            each = {0.05 * normal(random), 0.004 * normal(random)};
-        for (int load = 0; load < 8; ++load)
-            for (int k = 0; k < 2 + study % 2; ++k) {
-                const Eigen::Vector2d off = filling[static_cast<std::size_t>(k)];
-                all.readings.push_back(reading(300 * std::pow(1.4, load),
-                                               0.33 * std::exp(off(0) + 0.01 * normal(random)),
-                                               0.6 * std::exp(off(1)), 0.01));
-            }
-        pool_replicates(all);
-        doubted +=
-            std::ranges::count(all.doubts(), Remark::Kind::mixed_conditions, &Remark::kind) > 0;
-    }
-    EXPECT_LE(doubted, 1);
-}
-
-TEST(StatedErrors, DoNotHideRowsOfSeveralSpeeds) {
-    EXPECT_THAT(doubts_about_speeds(false), IsEmpty());
-    const std::vector<Remark> doubts = doubts_about_speeds(true);
-    ASSERT_EQ(doubts.size(), 1u);
-    EXPECT_EQ(doubts.front().kind, Remark::Kind::mixed_conditions);
-    expect_told(texts(doubts));
 }
 
 }  // namespace pendular::data_stated_errors_test

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "data/recordings/checks.h"
 #include "data/recordings/measurements.h"
 #include "data/sheared_layer.h"
 #include "data/study/study.h"
@@ -174,6 +175,18 @@ TEST(CreepingGap, IsADoubtThatKeepsTheTorque) {
     EXPECT_LT(std::sqrt(reading.covariance(0, 0)) / reading.value(0), 0.03);
     EXPECT_GE(reading.covariance(1, 1), 0.01);
     EXPECT_THAT(OneRecording(0).doubts(Remark::Kind::creeping_gap), IsEmpty());
+}
+
+TEST(CreepingGap, IsReadBackFromATableOfReadings) {
+    const OneRecording creeps(-0.01);
+    const Measurements measured = creeps.measured();
+    const auto table = creeps.folder.path() / "readings.csv";
+    write_readings(table, measured);
+    const auto read = read_points(table, {}, read_study(creeps.folder.path())).readings;
+    ASSERT_THAT(read, SizeIs(1));
+    EXPECT_TRUE(read[0].fraction_unknown());
+    EXPECT_EQ(read[0].condition.gap_creep, measured.readings[0].condition.gap_creep);
+    EXPECT_THAT(creeping_gaps(read), SizeIs(1));
 }
 
 TEST(UnevenShear, IsToldWhereTheStatedWallsGatherTheShear) {
