@@ -171,7 +171,7 @@ def judged(program, work, folder):
     row = {
         "readings": len(found.get("readings", [])),
         "creep": int("gap still changes" in said),
-        "uneven": int("gather the shear" in said),
+        "uneven": int("the shear under the lid, down to a layer" in said),
         "believable": int(bool(fit.get("believable"))),
     }
     row |= dict(zip(("friction", "stderr", "with instrument"), friction_of(fit)))

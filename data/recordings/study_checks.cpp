@@ -36,6 +36,10 @@ double mobilised(double wall_friction) {
     return 0.9 * wall_friction / (1 + 3.6 * wall_friction);
 }
 
+bool is_even(const WalledBed& bed) {
+    return sheared_layer(bed).height >= evenly_sheared * bed.height;
+}
+
 bool lists(const Study& study, const char* effect) {
     return std::ranges::find(study.model.effects, effect, &ListedEffect::name) !=
            study.model.effects.end();
@@ -147,9 +151,9 @@ std::vector<Remark> uneven_shear(const Study& study, const std::vector<Reading>&
         const double share = layer.height / bed->height;
         if (share >= evenly_sheared) continue;
         if (share < found.limit) {  // the reading with the thinnest layer
-            WalledBed weightless = *bed;
-            weightless.weight = 0;
-            found.of_weight = sheared_layer(weightless).height >= evenly_sheared * bed->height;
+            WalledBed weightless = *bed, frictionless = *bed;
+            weightless.weight = frictionless.wall_friction = 0;
+            found.of_weight = is_even(weightless) && !is_even(frictionless);
             found.limit = share;
             found.size = layer.height * study.grains.diameter;
             found.size_to = *reading.condition.height;

@@ -199,10 +199,26 @@ TEST(UnevenShear, IsToldWhereTheStatedWallsGatherTheShear) {
     const auto rough = told("wall_friction = 0.3\n");
     ASSERT_THAT(rough, SizeIs(1));
     expect_told({text_of(rough[0])});
+    EXPECT_FALSE(rough[0].of_weight);
     EXPECT_THAT(told("wall_friction = 0.01\n"), IsEmpty());
     EXPECT_THAT(told(""), IsEmpty());  // nobody knows the walls
     EXPECT_THAT(told("wall_friction = 0.3\n", "[model]\neffects = [\"shear-localisation\"]\n"),
                 IsEmpty());
+}
+
+TEST(UnevenShear, IsThatOfTheWeightBetweenSmoothWalls) {
+    const OneRecording light(0, "wall_friction = 0\n");
+    const Study study = read_study(light.folder.path());
+    Reading heavy = light.measured().readings.at(0);
+    EXPECT_THAT(uneven_shear(study, {heavy}), IsEmpty());
+    heavy.condition.normal_stress = 100;
+    heavy.value(0) = 30;
+    heavy.condition.height = 0.02;
+    heavy.condition.bead_volume = 0.6 * study.cell->area() * 0.02;
+    const auto told = uneven_shear(study, {heavy});
+    ASSERT_THAT(told, SizeIs(1));
+    EXPECT_TRUE(told[0].of_weight);
+    expect_told({text_of(told[0])});
 }
 
 TEST(UnevenShear, TakesAWallFrictionThatIsNoAngle) {
