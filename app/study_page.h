@@ -38,8 +38,8 @@ struct StudyPage {
 /// Makes the page of a study: diagnoses it, plans the next measurement, and fits the model with
 /// each combination of its leading effects (`switched_models`). Nothing is simulated, and no file
 /// is written.
-/// @param switches largest number of these effects; empty: 6, or 5 for more than 60 readings, so
-///        that the page of 89 readings takes about as long as that of 60
+/// @param switches largest number of these effects; empty: 6, or 5 for more than 60 readings, whose
+///        pages would be larger than 1 MB
 /// @param version version number of the page, by which a browser finds out that `pendular serve`
 ///        has a newer page; empty: a page that needs no server
 /// @throws InputError if the study cannot be diagnosed, such as with too few readings, or if
