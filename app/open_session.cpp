@@ -69,10 +69,6 @@ Listener shown_on(Console& console, bool quiet) {
     };
 }
 
-}  // namespace
-
-namespace {
-
 /// Lock of the study for commands that change it; null for others.
 std::unique_ptr<StudyLock> lock_of(const CommonOptions& options, OpenSession::Access access,
                                    const std::stop_token& stop) {

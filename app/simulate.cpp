@@ -206,7 +206,7 @@ dem::RunResult shear(const dem::RunParameters& run, const dem::StoredSample* sta
 
 /// Computes, prints and returns the closures for a simulation. They need the stress ratio of dry
 /// grains, which is predicted from earlier simulations; if that is impossible, a sentence says so.
-/// Empty then, and for dry grains.
+/// Empty in that case, and for dry grains.
 /// @param store null: only the atlas is used
 std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& run,
                                                          const CommonOptions& common,

@@ -14,7 +14,7 @@ namespace pendular {
 struct DiagnosisParts {
     const StudyDiagnosis& diagnosis;
     const Checks& checks;                    ///< of the study's model without further effects
-    const std::optional<Checks>& remaining;  ///< of the model with the leading effects
+    const std::optional<Checks>& remaining;  ///< with the leading effects; empty without any
     const std::optional<ImpactTable>& impacts;
     const std::vector<NextStep>& steps;
     const ResolvedStudy& study;

@@ -126,7 +126,7 @@ std::vector<std::string> others_of(const Diagnosis& d, const ModelSpace& space) 
 
 /// Sentence on weak evidence that something is missing; empty where the evidence is strong.
 std::string weak_evidence(const Diagnosis& d) {
-    constexpr double strong = 0.01;  // chosen: one complete study in 25 has p of 1 to 5 %
+    constexpr double strong = 0.01;  // chosen: one complete study in 33 has p of 1 to 2.5 %
     const double p = std::min(d.base.lack_of_fit_p, d.base.further_p);
     return p < strong
                ? ""
@@ -350,6 +350,11 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
         case Verdict::indistinguishable:
             return indistinguishable_line(d, space) + suspects_beside(d);
         case Verdict::suspect_measurement:
+            if (d.overruled && (d.base.accepted || !d.fitting.empty()))
+                return fmt::format(
+                    "Suspect measurement: values of {} are doubtful in themselves, so that no test "
+                    "of an effect counts before they are corrected.",
+                    joined(d.suspects, "and"));
             return fmt::format(
                 "Suspect measurement: an error in {} explains the residuals, and none of the known "
                 "effects does.",

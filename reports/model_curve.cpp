@@ -162,8 +162,8 @@ std::vector<CurveGroup> divided(const CurveGroup& series, Apart apart, const Cal
     return parts;
 }
 
-/// Largest difference of the stress ratio and the solid fraction of each member from those of
-/// `drawn` at `conditions`, in standard errors of the reading.
+/// Largest difference between the predictions of the members and the curve `drawn` at `conditions`,
+/// in standard errors of the readings.
 double largest_difference(const CurveGroup& series, const Eigen::VectorXd& drawn,
                           const std::vector<Condition>& conditions, const Calibration& c) {
     double largest = 0;

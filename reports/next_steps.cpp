@@ -83,10 +83,14 @@ class Steps {
     }
     void repeat_suspects() {
         if (diagnosis_.suspects.empty()) return;
-        say(
-            fmt::format("Repeat {} (readings with a new filling): an error there would explain the "
-                        "residuals as well.",
-                        joined(diagnosis_.suspects, "and")));
+        const bool readings = !std::ranges::all_of(diagnosis_.suspects, [&](const auto& name) {
+            const auto& known = d_.evidence.suspects;
+            const auto it = std::ranges::find(known, name, &SuspectMeasurement::name);
+            return it != known.end() && it->group == "direct measurements";
+        });
+        say(fmt::format("Repeat {}{}: an error there would explain the residuals as well.",
+                        joined(diagnosis_.suspects, "and"),
+                        readings ? " (readings with a new filling)" : ""));
     }
 
     void missing();

@@ -240,7 +240,7 @@ std::vector<CohesionLine> measured_beside_simulated(std::vector<CohesionLine> li
     return lines;
 }
 
-/// Returns whether a cohesion line was fitted to the readings or to the model.
+/// Returns what a cohesion line was fitted to, as a word of the table.
 const char* through(const CohesionLine& line) {
     return line.source == "measured" ? "readings" : "model";
 }

@@ -44,8 +44,7 @@ class Diagnostician {
     Diagnosis run() {
         fit_base();
         scan();
-        result_.base.accepted = std::min(result_.base.lack_of_fit_p, result_.base.further_p) >=
-                                explanations_.half_significance();
+        result_.base.accepted = result_.base.p() >= options_.significance;
         if (!result_.base.accepted) {
             search();
             result_.holds_up_to = largest_rejected();

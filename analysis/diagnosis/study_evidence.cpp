@@ -74,10 +74,6 @@ std::vector<double> run_order(const std::vector<Reading>& readings) {
     return order;
 }
 
-}  // namespace
-
-namespace {
-
 /// Height of the sample [m] that the model predicts for a reading: V/(A Phi_model). The measured
 /// height V/(A Phi) has the error of the measured solid fraction Phi.
 double predicted_height(const Reading& reading, double predicted_fraction) {
@@ -93,10 +89,10 @@ double predicted_inertial_number(const Reading& reading, double predicted_fracti
                : number;
 }
 
-/// Quantity along which residuals are checked. The checks use ranks. If the error of a reading
-/// moved the rank of this reading, its residual would depend on its rank in a right model too. Of
-/// each reading, a quantity must therefore be free of the reading's own errors.
-struct Quantity {
+/// CheckedQuantity along which residuals are checked. The checks use ranks. If the error of a
+/// reading moved the rank of this reading, its residual would depend on its rank in a right model
+/// too. Of each reading, a quantity must therefore be free of the reading's own errors.
+struct CheckedQuantity {
     enum class OwnErrors {
         none,
         /// Small, and averaged over the readings at a condition, which then have one rank.
@@ -107,9 +103,9 @@ struct Quantity {
     std::function<double(std::size_t)> of_reading;
 };
 
-std::vector<Quantity> quantities_of(const std::vector<Reading>& readings,
-                                    const Eigen::VectorXd& predicted) {
-    using enum Quantity::OwnErrors;
+std::vector<CheckedQuantity> quantities_of(const std::vector<Reading>& readings,
+                                           const Eigen::VectorXd& predicted) {
+    using enum CheckedQuantity::OwnErrors;
     const auto fraction = [&predicted](std::size_t k) {
         return predicted(2 * static_cast<Eigen::Index>(k) + 1);
     };
@@ -130,12 +126,12 @@ std::vector<Quantity> quantities_of(const std::vector<Reading>& readings,
 }
 
 /// Values of a quantity for each reading, without the readings' own errors.
-Eigen::VectorXd values_of(const Quantity& quantity, const std::vector<Reading>& readings,
+Eigen::VectorXd values_of(const CheckedQuantity& quantity, const std::vector<Reading>& readings,
                           const std::vector<std::vector<std::size_t>>& conditions) {
     Eigen::VectorXd values(std::ssize(readings));
     for (std::size_t k = 0; k < readings.size(); ++k)
         values(static_cast<Eigen::Index>(k)) = quantity.of_reading(k);
-    if (quantity.errors == Quantity::OwnErrors::none) return values;
+    if (quantity.errors == CheckedQuantity::OwnErrors::none) return values;
     for (const auto& condition : conditions) {
         const std::vector<Eigen::Index> members(condition.begin(), condition.end());
         values(members).setConstant(values(members).mean());
@@ -149,7 +145,7 @@ std::vector<Covariate> covariates_of(const std::vector<Reading>& readings,
                                      const Eigen::VectorXd& predicted, std::size_t direct) {
     const auto conditions = replicate_groups(readings);
     std::vector<Covariate> result;
-    for (const Quantity& quantity : quantities_of(readings, predicted)) {
+    for (const CheckedQuantity& quantity : quantities_of(readings, predicted)) {
         const Eigen::VectorXd of_readings = values_of(quantity, readings, conditions);
         const auto entries = static_cast<Eigen::Index>(2 * readings.size() + direct);
         Covariate covariate{quantity.name, Eigen::VectorXd::Constant(entries, std::nan(""))};

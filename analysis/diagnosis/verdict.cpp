@@ -103,13 +103,13 @@ void Rules::gather_models_that_fit() {
     const auto& all = tests_.fitting.empty() ? tests_.fitting_suspects : tests_.fitting;
     // Of two levels of one ladder that fit, the lower one says what is missing, unless it was kept
     // although it is improbable.
-    std::ranges::copy_if(
-        all, std::back_inserter(result_.confidence_set), [&](const FittedModel& each) {
-            return std::ranges::none_of(all, [&](const FittedModel& other) {
-                return contains(each.chosen, other.chosen) &&
-                       other.p() >= std::min(each.p(), significant_p);
-            });
-        });
+    std::ranges::copy_if(all, std::back_inserter(result_.confidence_set),
+                         [&](const FittedModel& each) {
+                             return std::ranges::none_of(all, [&](const FittedModel& other) {
+                                 return contains(each.chosen, other.chosen) &&
+                                        other.p() >= std::min(each.p(), significant_p);
+                             });
+                         });
     keep_effects_that_explain_most();
 }
 
@@ -156,6 +156,7 @@ bool Rules::contains(const EffectSet& larger, const EffectSet& smaller) const {
     return low > 0 && low < high && others == same;
 }
 
+/// Which models fit was decided before (`Explanations::judge`, `search_explanations`).
 void Rules::some_models_fit() {
     const auto& set = result_.confidence_set;
     if (set.front().suspect) {

@@ -75,8 +75,8 @@ struct Belief {
 };
 
 /// Smallest p value of chi2 [1] at which a model counts as describing the readings: the smallest
-/// that is printed. The p value allows for errors that few replicates determine, so that 1 of 1000
-/// fits of a right model is refused.
+/// that is printed. The p value allows for errors that few replicates determine, so that at most
+/// 1 of 1000 fits of a right model is refused.
 constexpr double incredible_p = 1e-3;
 
 /// Returns the reasons not to believe a fit: a wrong unit, a large misfit of fitted or predicted

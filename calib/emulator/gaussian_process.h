@@ -76,7 +76,7 @@ class GaussianProcess {
     /// Places of the observations with the weights (K + N)^-1 y, for each function, in a form in
     /// which `mean` sums over the places fast.
     std::vector<Kernel::Known> sums_over_;
-    std::vector<Eigen::VectorXd> coefficients_;  ///< posterior means, of the polynomials
+    std::vector<Eigen::VectorXd> coefficients_;  ///< of the polynomials, posterior means
 };
 
 /// Returns the hyperparameters of the Gaussian process of one quantity that maximise the product of

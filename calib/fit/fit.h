@@ -30,7 +30,7 @@ struct Fit {
     Eigen::VectorXd parameters;  ///< in the order of Model::parameters()
     /// Covariance (J' J)^-1 of the parameters, not scaled by chi2/dof. J contains the derivatives
     /// of the predictions with respect to the parameters, whitened (multiplied by the inverse
-    /// Cholesky factor of the covariance of measurement and simulation).
+    /// Cholesky factor of the covariance of measurement and prediction).
     Eigen::MatrixXd covariance;
     /// Addition to `covariance` that follows from Measured::widening; may be empty.
     Eigen::MatrixXd widening;
@@ -78,7 +78,8 @@ struct Fit {
     double instrument_error(Eigen::Index k, bool counts = true) const;
     /// Returns the part of standard_error() due to the model's discrepancy.
     double discrepancy_error(Eigen::Index k) const;
-    /// Returns the part of standard_error() due to the simulations: all else (`run_part`).
+    /// Returns the part of standard_error() that is left: noise of the simulations (`run_part`) and
+    /// corrections of them.
     double simulation_error(Eigen::Index k) const;
 };
 

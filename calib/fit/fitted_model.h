@@ -37,8 +37,8 @@ struct FittedModel {
     /// contain, corrected for the number of tests; 1 if none was tested.
     double further_p = 1;
     /// Whether the model counts as fitting: the fit converged and determined all parameters, and
-    /// p() is at least DiagnosisOptions::significance or, for one effect, `least_p`
-    /// (`search_explanations`).
+    /// p() is at least DiagnosisOptions::significance (`Explanations::judge`) or, for one effect,
+    /// at the lower limit of `search_explanations`.
     bool accepted = false;
 
     /// Returns the p value [1] of both tests together, by Bonferroni's inequality.

@@ -38,8 +38,8 @@ struct Inexactness {
     double criterion() const { return chi2 + log_determinant + prior; }
 };
 
-/// Returns the factor between 1 and `largest` on `Prediction::discrepancy` with the
-/// largest restricted likelihood times prior, or 1 if it is not significantly larger (p > 0.05).
+/// Returns the factor between 1 and `largest` on `Prediction::discrepancy` with the largest
+/// restricted likelihood times prior, or 1 if it is not significantly larger (p > 0.05).
 /// The prior is log-normal: a factor of 2 is one standard deviation. Without a discrepancy, the
 /// factor is 1.
 /// @param prediction at the fitted parameters, with derivatives

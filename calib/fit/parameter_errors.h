@@ -29,8 +29,8 @@ Eigen::VectorXd profile_rise(const Model& model, const Measured& measured, const
 /// uncertainty, the parameters change by (J' W J)^-1 J' W g, where J are the derivatives of the
 /// predictions and W the inverse covariance of measured minus predicted values.
 /// Source: law of propagation, JCGM 100:2008 (GUM), Eq. (13).
-/// @param readings fitted readings, to which the fit's prediction belongs
 /// An error that does not count, but is measured directly, contributes what the measurement leaves.
+/// @param readings fitted readings, to which the fit's prediction belongs
 void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Reading>& readings,
                     const std::vector<DirectMeasurement>& direct);
 

@@ -79,7 +79,7 @@ RunChoice sharpening_choice(const EmulatedSimulation& simulation,
                     std::max(simulated.inertial_number, lowest_inertial_number);
                 FlowState state = simulation.flow_state_at(parameters(0), simulated);
                 targets.add(state, weight_of(readings[k]));
-                state.stiffness_number = 0;  // that of simulations
+                state.stiffness_number = 0;  // that of the training runs
                 from.add(state, Eigen::Vector2d::Zero());
                 state.effects.clear();
                 from.add(state, Eigen::Vector2d::Zero());

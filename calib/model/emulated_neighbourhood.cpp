@@ -54,7 +54,7 @@ void EmulatedNeighbourhood::expand() {
     for (const Place& place : places_) {
         const std::size_t count = place.state.dry() ? dry_inputs : inputs.size();
         FlowState plain = place.state;
-        plain.stiffness_number = 0;  // that of the emulator
+        plain.stiffness_number = 0;  // that of the training runs
         each_quantity(place.state, [&](Eigen::Index, Observable which) {
             queries.push_back({place.state, which});
             for (std::size_t c = 0; c < count; ++c) {

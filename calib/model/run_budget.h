@@ -38,8 +38,8 @@ class RunBudget {
                       const std::vector<dem::RunResult>& measured, int threads,
                       double reserved = 0) const;
 
-    /// Carries out `runs` (`run_all`) and returns their results in this order or, if only
-    /// `reserved` is left before, the results that are in the store of `workers`.
+    /// Carries out `runs` (`run_all`) and returns their results in this order. Once only `reserved`
+    /// [s] is left, stops them, and returns those that the store of `workers` has.
     /// @throws dem::Interrupted if the user stops the work, and all other exceptions of `run_all`
     std::vector<dem::RunResult> run(const std::vector<dem::RunParameters>& runs,
                                     const Workers& workers, double reserved = 0) const;

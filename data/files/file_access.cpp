@@ -13,7 +13,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
+#include <charconv>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -174,6 +177,28 @@ std::vector<std::filesystem::path> search(const std::string& pattern) {
     return result;
 }
 
+/// Parts of a path in turn: a number, such as 10 or 0.03, or another character.
+std::vector<std::pair<double, char>> parts_of(const std::string& path) {
+    std::vector<std::pair<double, char>> parts;
+    const char* const end = path.data() + path.size();
+    for (const char* at = path.data(); at != end;) {
+        if (std::isdigit(static_cast<unsigned char>(*at)) == 0) {
+            parts.emplace_back(INFINITY, *at++);  // after all numbers
+            continue;
+        }
+        double number = 0;
+        at = std::from_chars(at, end, number, std::chars_format::fixed).ptr;
+        parts.emplace_back(number, '\0');
+    }
+    return parts;
+}
+
+/// Whether a path comes before another: "run_2.csv" before "run_10.csv", as they were measured.
+bool comes_before(const std::filesystem::path& one, const std::filesystem::path& other) {
+    const auto a = parts_of(one.string()), b = parts_of(other.string());
+    return a != b ? a < b : one < other;
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> matching_files(const std::filesystem::path& folder,
@@ -184,7 +209,7 @@ std::vector<std::filesystem::path> matching_files(const std::filesystem::path& f
     for (const std::filesystem::path& path : search(whole))
         if (std::filesystem::is_regular_file(path, error))
             result.push_back(path.lexically_normal());
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result, comes_before);
     return result;
 }
 

@@ -35,7 +35,7 @@ class OldWorkbook {
     OldWorkbook(const OldWorkbook&) = delete;  // it has views of itself
     OldWorkbook& operator=(const OldWorkbook&) = delete;
 
-    /// Sheets with cells, in the order of the workbook.
+    /// Worksheets, without charts and macros, in the order of the workbook.
     const std::vector<SheetName>& sheets() const { return names_; }
 
     /// Work of reading a sheet alone, as the size of texts that would take as long [bytes]: the

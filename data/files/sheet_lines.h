@@ -68,7 +68,7 @@ class SheetLines {
     SheetText take() { return std::move(result_); }
 
   private:
-    /// Number in a merged cell, which stands in the rows up to `last`.
+    /// Text that stands in the rows up to `last`.
     struct Held {
         std::string text;
         std::size_t last;

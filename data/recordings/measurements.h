@@ -23,8 +23,7 @@ Measurements read_measurements(const Study& study);
 /// - Optional, among others: height, time, and the errors (`Columns::standard_error`). Without one,
 ///   the variance of a value is 0 until `pool_replicates` estimates or assumes it.
 /// - Optional: filling, with shear_stress_of_filling and solid_fraction_of_filling, the parts of
-/// the
-///   standard errors that the readings of a filling share (`Reading::shared`).
+///   the standard errors that the readings of a filling share (`Reading::shared`).
 /// - Optional: bead_volume, otherwise from `source` or else from the table [cell].
 ///
 /// If the table lacks heights and the study has a cell, they follow from the volume of grains and

@@ -22,7 +22,8 @@ namespace pendular {
 /// and each further row is the mean of twice as many rows of the file (`averaged_rows`).
 class RecordingRows {
   public:
-    /// Takes the columns that the table has; stresses may stand in for torque and normal force.
+    /// Takes the columns that the table has, or those from which `fill_from_stresses` computes
+    /// them.
     /// @param columns must outlive this object
     /// @param most at least 2
     /// @throws InputError at the header if a column is missing, and at a header cell of a needed

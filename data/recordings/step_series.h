@@ -37,9 +37,8 @@ bool turns(const Mean& angular_velocity);
 
 /// Returns the number of data points at the beginning of a step that are not steady in torque or
 /// gap; if one never becomes steady, empty, with its name in `unsteady`, which is empty for both. A
-/// torque or gap without a
-/// steady part still counts as steady in the second half of the step if its means over the last two
-/// quarters differ by less than 0.1 %.
+/// torque or gap without a steady part still counts as steady in the second half of the step if its
+/// means over the last two quarters differ by less than 0.1 %.
 std::optional<std::size_t> end_of_transient(const StepSeries& series, std::string& unsteady);
 
 /// Change of the gap in the part of a step whose torque is steady.

@@ -96,6 +96,7 @@ std::vector<Remark> decide(std::vector<Remark> remarks, bool keep_implausible) {
         const Rule rule = rule_of(remark.kind);
         const auto outcome = keep_implausible ? rule.if_kept : rule.outcome;
         remark.outcome = outcome.value_or(Outcome::found);
+        // A saturation is told in any study; `corrected` says whether its readings are removed.
         if (remark.kind == Kind::saturation) remark.corrected = !keep_implausible;
         return !outcome;
     });

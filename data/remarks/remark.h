@@ -20,8 +20,8 @@ struct Lines {
 
 /// Something that a check noticed in the data of a study: a value. A check returns what it notices,
 /// `decide` says what follows from it, and only `data/remarks/wording.h` has words for it. Whoever
-/// adds a check adds a function that returns remarks, a kind with its row in `remark.cpp`, and its
-/// words.
+/// adds a check adds a function that returns remarks, a kind, in the group that decides what
+/// follows unless `remark.cpp` has a row for it, and its words.
 struct Remark {
     enum class Kind {
         // Faults inside recordings, the most serious first.
@@ -47,7 +47,7 @@ struct Remark {
         // Values that are probably wrong.
         repaired_torques,
         restated_copy,  ///< study.toml states other contents for a copy than for the original
-        wrong_factor,   ///< two columns of one quantity differ by a common factor
+        wrong_factor,   ///< columns that measure the same, as torque and stress, differ by a factor
         contradicting_rows,
         constant_torque,
         constant_gap,

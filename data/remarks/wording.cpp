@@ -149,6 +149,11 @@ std::string rows_text(const Remark& rows) {
     }
 }
 
+/// Factor by which repeated readings scatter more than their stated errors, above which their
+/// conditions may differ. Chosen: fillings that repeat each other scatter two or three times as
+/// much as one of them fluctuates.
+constexpr double far_above_errors = 4;
+
 /// Reason with the number of the step, for rows of a step.
 std::string rows_text_with_step(const Remark& rows) {
     const std::string reason = rows_text(rows);
@@ -333,9 +338,12 @@ std::string note_on_readings(const Remark& note) {
         case Kind::errors_below_scatter:
             return fmt::format(
                 "Repeated readings scatter {:.2g} times as much as the standard errors given for "
-                "{} "
-                "allow (p = {:.2g}): the scatter is used in their place.",
-                note.relative, words_for_quantity(note.quantity), note.p);
+                "{} allow (p = {:.2g}): the scatter is used in their place.{}",
+                note.relative, words_for_quantity(note.quantity), note.p,
+                note.relative < far_above_errors || note.quantity == "solid_fraction"
+                    ? ""
+                    : " Check that readings which are stated at one condition were taken at one "
+                      "speed, load and liquid content.");
         case Kind::errors_above_scatter:
             return above_scatter_text(note);
         case Kind::few_replicates:

@@ -212,8 +212,8 @@ std::optional<AnnularCell> read_cell(const StudyTable& root, const GrainProperti
 ///         filling
 void check_bead_size(const StudyTable& root, const Study& study) {
     if (!study.cell) return;
-    // Random loose packing has a solid fraction of 0.55; a
-    // filling under load is denser than 0.4, even one that bridges hold open.
+    // Random loose packing has a solid fraction of 0.55; a filling under load is denser than 0.4,
+    // even one that bridges hold open.
     constexpr double too_loose = 0.4;
     const double diameter = study.grains.diameter,
                  width = study.cell->outer_radius - study.cell->inner_radius,

@@ -330,7 +330,7 @@ class ShownValues {
     Touches touches() const { return touches_; }
 
     /// Returns the variables in the formulas other than the parameter and each formula's own
-    /// target.
+    /// target; the normal force counts as `normal_stress`.
     std::vector<std::string> covariates(const std::string& parameter) const {
         std::vector<std::string> names;
         for (const auto& formula : formulas_) {

@@ -20,12 +20,10 @@
 
 namespace pendular::closures {
 
-/// Averages [1] of a state of steady shear, from which the closures compute stresses. A distant
-/// pair is joined by a bridge without contact; n is the unit vector along a pair's line of centres,
-/// 1 the flow and 2 the velocity gradient; a is the grain diameter, s22 the normal stress, F0 the
-/// pull-off force. The anisotropy 12 of a quantity q(n) is the integral of q n1 n2 over all
-/// directions, divided by 4 pi and the mean of q. A dry state has an infinite reduced pressure and
-/// no distant pairs.
+/// Averages [1] of a state of steady shear, from which the closures compute stresses. The
+/// anisotropy 12 of a quantity q(n) is the integral of q n1 n2 over all directions, divided by 4 pi
+/// and the mean of q; 1 is the flow and 2 the velocity gradient. A dry state has an infinite
+/// reduced pressure and no distant pairs.
 struct State {
     double reduced_pressure = std::numeric_limits<double>::infinity();  ///< a^2 s22/F0
     double solid_fraction = 0;
@@ -41,8 +39,7 @@ struct State {
     double length_anisotropy_12_distant = 0;  ///< of the distance of the centres
 };
 
-/// Stresses of the bridge forces in units of F0/a^2 [1], with pull-off force F0 and grain diameter
-/// a. Compression is positive.
+/// Stresses of the bridge forces [F0/a^2].
 struct CapillaryStress {
     double normal = 0;  ///< along the velocity gradient; negative, since bridges attract
     double shear = 0;   ///< positive: lowers the magnitude of the total, negative shear stress

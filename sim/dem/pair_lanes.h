@@ -97,7 +97,7 @@ inline Shifts image_shifts(const Cell& cell) {
     out[3] = __builtin_shufflevector(odd01, odd23, 2, 3, 6, 7);
 }
 
-/// Writes four vectors to elements k to k + 3 of `to`.
+/// Writes four vectors to elements k to k + 3 of `to`; k is a multiple of 4.
 [[gnu::always_inline]] inline void to_lanes(const Vector::Lanes (&in)[4], std::size_t k,
                                             XyzLanes& to) {
     Vector::Lanes out[4];

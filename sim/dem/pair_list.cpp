@@ -66,7 +66,7 @@ double largest_squared(const std::vector<Vector>& vectors) {
 
 /// Whether two grains that were further apart than `left_out` when a list was made may now be
 /// closer than `within`, given the largest displacement of a grain and the affine strain since
-/// then.
+/// then (criterion of `PairList`).
 bool outdated(double displacement, double strain, double left_out, double within) {
     const double g = strain + strain * strain;
     return (left_out - 2 * displacement * (1 + g)) * (1 - g) <= within;

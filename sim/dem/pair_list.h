@@ -44,7 +44,7 @@ struct Pairs : Neighbours {
     void clear();
     void reserve(std::size_t count);
     void add(std::int32_t i, std::int32_t j, std::uint8_t code);
-    /// Adds placeholder pairs, whose grains never touch, up to a multiple of `batch`.
+    /// Adds placeholder pairs up to a multiple of `batch`.
     void fill_up(std::size_t batch);
     /// Copies the contact history of pair `from` in the list `other` to pair `to` in this list.
     void remember(std::size_t to, const Pairs& other, std::size_t from);

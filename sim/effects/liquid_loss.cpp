@@ -6,7 +6,7 @@
 namespace pendular {
 namespace {
 
-/// Largest exponent, at which e^-100 of the liquid is left; larger exponents would overflow.
+/// Largest exponent. It leaves e^-100 of the liquid, that is none; far larger ones would overflow.
 constexpr double gone = 100;
 
 }  // namespace

@@ -15,9 +15,10 @@
 
 namespace pendular {
 
-/// Relative standard deviation [1] of a step's mean torque about its true value, at a noise of 1.
+/// Relative standard deviation [1] of a step's mean torque about its true value, where
+/// `Instrument::noise` is 1.
 constexpr double torque_scatter = 0.01;
-/// Relative standard deviation [1] of a step's mean solid fraction, at a noise of 1.
+/// Relative standard deviation [1] of a step's mean solid fraction, likewise.
 constexpr double solid_fraction_scatter = 0.002;
 
 /// True steady state of the grains in one step, with the standard errors of the simulated averages.
@@ -36,7 +37,6 @@ struct Instrument {
     double noise = 1;         ///< 0: only the statistical errors of the simulations
     int rows = 400;           ///< data points of each step
     double step_strain = 20;  ///< shear strain of each step [1]
-    /// Standard deviations of a step's mean torque and mean solid fraction about their true values.
     double torque_error = torque_scatter, solid_fraction_error = solid_fraction_scatter;
     /// Share [1] of these standard deviations that is noise from row to row; the rest is equal in
     /// all rows of a step.

@@ -70,8 +70,8 @@ bridge_force = "as_printed"
     EXPECT_EQ(*study.sources[0].liquid_content, 0);
     EXPECT_DOUBLE_EQ(*study.sources[0].bead_volume, 57e-6);
     EXPECT_EQ(study.sources[0].files,
-              (std::vector{folder_.path() / "dry_1.csv", folder_.path() / "dry_10.csv",
-                           folder_.path() / "dry_2.csv"}));
+              (std::vector{folder_.path() / "dry_1.csv", folder_.path() / "dry_2.csv",
+                           folder_.path() / "dry_10.csv"}));
     EXPECT_EQ(study.sources[1].kind, Source::Kind::readings);
     EXPECT_DOUBLE_EQ(*study.sources[1].liquid_content, 0.03);
     EXPECT_EQ(study.model.base, "rumpf");

@@ -153,4 +153,17 @@ TEST(WriteWholeFolder, IsThereWholeOrNotAtAll) {
     EXPECT_EQ(names(folder.path()), (std::vector<std::string>{"deep", "empty", "new", "slash"}));
 }
 
+TEST(MatchingFiles, FollowEachOtherByTheValueOfTheirNumbers) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> in_order = {"dry_0.03.csv", "dry_0.2.csv", "dry_2.csv",
+                                               "dry_10.csv", "dry_a.csv"};
+    for (const std::string& name : in_order)
+        write_whole(folder.path() / name, "1");
+    std::vector<std::string> found;
+    for (const auto& file : matching_files(folder.path(), "dry_*.csv"))
+        found.push_back(file.filename());
+    // In the order of their bytes, 10 would come before 2.
+    EXPECT_EQ(found, in_order);
+}
+
 }  // namespace pendular::data_write_whole_test

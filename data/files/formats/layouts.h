@@ -53,8 +53,8 @@ Layout headerless_layout();
 Layout tidy_layout();
 Layout plain_layout();
 
-/// First characters of every table that `import --tidy` writes, by which the program recognises an
-/// earlier table before a new one replaces it, and reads it.
+/// First characters of a table that `import --tidy` wrote. By them it is recognised when it is
+/// read, and before a new one replaces it.
 constexpr const char* tidy_table_begin = "test,interval,role,line";
 
 /// Returns the role that the user states for an interval by its number, its name or the name of its

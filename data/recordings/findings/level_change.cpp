@@ -20,7 +20,7 @@ constexpr double least_freedom = 3;
 constexpr Eigen::Index least_side = 2;
 /// Ratio of the squared deviations with an offset to those with a factor, below which a change is
 /// called an offset [1]. Chosen: in doubt, a change is a factor.
-constexpr double clearly_better = 0.8;
+constexpr double share_left = 0.8;
 
 /// Paths of the files of readings, in the order of their first reading in time.
 std::vector<std::string> files_in_order(const std::vector<Reading>& readings) {
@@ -196,7 +196,7 @@ bool is_offset(const FileComparison& files, const Eigen::VectorXd& change,
     const auto squares = [&](const Eigen::VectorXd& regressor) {
         return origin_line(files.centred(regressor), files.centred(values), 1).squares;
     };
-    return squares(change.cwiseQuotient(scale)) < clearly_better * squares(change);
+    return squares(change.cwiseQuotient(scale)) < share_left * squares(change);
 }
 
 /// Most significant step between the recordings in one column; p 1 for none.

@@ -12,8 +12,9 @@
 namespace pendular {
 
 /// Searches the rows of all recordings of a study for faults that the means of steady shear do not
-/// reveal. All recordings must be tested before the findings are requested, since the number of
-/// tests determines which findings are significant.
+/// reveal, other than saturation, which decides what is averaged (`saturations`). All recordings
+/// must be tested before the findings are requested, since the number of tests determines which
+/// findings are significant.
 class InsideRecordings {
   public:
     /// Tests the steps of one recording for wobble, stick-slip and an unfinished run-in, and keeps

@@ -13,10 +13,12 @@ namespace {
 
 using Kind = Remark::Kind;
 
-/// Limit of the p value, below `finding_significance`, since saturated readings are set aside. Band
-/// below the largest value, over it, whose rows count as at the limit, and depth of the rows beside
-/// it, in bands, at which the edge is sharp: chosen.
-constexpr double certain_saturation = 1e-4, band_share = 2e-4, clear_edge = 5;
+/// Limit of the p value, below `finding_significance`, since saturated readings are set aside.
+constexpr double certain_saturation = 1e-4;
+/// Band below the largest value, over it, whose rows count as at the limit: chosen.
+constexpr double band_share = 2e-4;
+/// Depth of the rows beside the limit, in bands, at which its edge is sharp: chosen.
+constexpr double clear_edge = 5;
 /// Rows below the band with which its crowding is compared, and rows at the limit. Chosen: of
 /// fewer, no share is known, and one or two rows may be a spike.
 constexpr std::size_t least_below = 20, least_rows = 3;
