@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 
 namespace pendular {
 namespace {
@@ -85,25 +87,16 @@ Slices SlicedBed::rates(double at_lid) const {
     return rate;
 }
 
-/// Stress ratio at the lid at which the lid has a speed, by regula falsi (Illinois), which stays in
-/// the interval: the speed rises with the stress ratio.
+/// Stress ratio at the lid at which the lid has a speed, which rises with the ratio.
 double ratio_at_speed(const SlicedBed& bed, double speed, double low, double high) {
-    double below = bed.speed(low) - speed, above = bed.speed(high) - speed;
-    for (int k = 0; k < 100 && high - low > 1e-15; ++k) {
-        const double next = (low * above - high * below) / (above - below);
-        const double found = bed.speed(next) - speed;
-        if (found == 0 || next <= low || next >= high) return next;
-        if (found < 0) {
-            low = next;
-            below = found;
-            above /= 2;
-        } else {
-            high = next;
-            above = found;
-            below /= 2;
-        }
-    }
-    return high;
+    if (bed.speed(low) >= speed) return low;
+    if (bed.speed(high) <= speed) return high;
+    // To 1e-13 of the ratio, since fits take differences of it over 1e-5.
+    const boost::math::tools::eps_tolerance<double> close(44);
+    std::uintmax_t most_steps = 100;
+    const auto [below, above] = boost::math::tools::toms748_solve(
+        [&](double ratio) { return bed.speed(ratio) - speed; }, low, high, close, most_steps);
+    return (below + above) / 2;
 }
 
 }  // namespace

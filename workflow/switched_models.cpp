@@ -80,10 +80,12 @@ Eigen::VectorXd start_from(const Calibration& fewer, const std::vector<Parameter
 Fit fit_first(std::size_t count, const SwitchedModel& model, const ResolvedStudy& study,
               const Eigen::VectorXd& start, const Calibration* fewer = nullptr) {
     const auto readings = part(model.calibration.readings, 0, count);
-    return nearby_fit(
-        ModelOfReadings(model.predictor, conditions_of(readings), study.direct()),
-        stack(readings, study.direct()), start,
-        fewer && fewer->fitted == count ? &fewer->fit.prediction.covariance : nullptr);
+    const ModelOfReadings of_readings(model.predictor, conditions_of(readings), study.direct());
+    const Measured measured = stack(readings, study.direct());
+    // The usual start may be far from the minimum, and a search nearby end at another one.
+    if (!fewer) return fit(of_readings, measured, start);
+    return nearby_fit(of_readings, measured, start,
+                      fewer->fitted == count ? &fewer->fit.prediction.covariance : nullptr);
 }
 
 /// Fits the model of a calibration as `calibrate_study` does without new simulations: a joint fit

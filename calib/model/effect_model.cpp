@@ -100,20 +100,23 @@ AnnularCell EffectModel::cell() const {
 }
 
 EffectModel::Truths EffectModel::truths_with(std::vector<ActiveEffect> effects,
-                                             const std::vector<Condition>& conditions) const {
+                                             const std::vector<Condition>& conditions,
+                                             const Truths* near) const {
     Truths truths{.effects = std::move(effects),
                   .maps = {},
                   .states = {},
                   .shown = conditions,
                   .imposed = {}};
-    for (const Condition& condition : conditions) {
+    for (std::size_t k = 0; k < conditions.size(); ++k) {
+        const Condition& condition = conditions[k];
         Condition imposed = condition;
         InstrumentMap map;
         if (!condition.ideal_instrument) map = InstrumentMap(touching(truths.effects, condition));
         CellState state;
         if (!map.empty()) {
             state = map.truth(shown_state(condition, typical_stress_ratio * condition.normal_stress,
-                                          typical_solid_fraction, cell(), study_.grains));
+                                          typical_solid_fraction, cell(), study_.grains),
+                              near && !near->maps[k].empty() ? &near->states[k] : nullptr);
             imposed = true_condition(condition, state, map);
         }
         truths.imposed.push_back(changed_condition(imposed, truths.effects, study_.liquid));
@@ -124,8 +127,9 @@ EffectModel::Truths EffectModel::truths_with(std::vector<ActiveEffect> effects,
 }
 
 EffectModel::Truths EffectModel::truths_at(const Eigen::VectorXd& parameters,
-                                           const std::vector<Condition>& conditions) const {
-    return truths_with(effects_at(parameters), conditions);
+                                           const std::vector<Condition>& conditions,
+                                           const Truths* near) const {
+    return truths_with(effects_at(parameters), conditions, near);
 }
 
 std::vector<EffectiveCondition> EffectModel::imposed(
@@ -239,8 +243,9 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
         return there;
     };
     const auto values_at = [&](const Eigen::VectorXd& at, bool of_instrument) {
-        return nearby.shown(of_instrument ? truths_at(at, conditions) : with_same_instrument(at),
-                            inside_parameters(at));
+        return nearby.shown(
+            of_instrument ? truths_at(at, conditions, &truths) : with_same_instrument(at),
+            inside_parameters(at));
     };
     const auto quotient = [&](Eigen::Index k, double step, bool of_instrument) {
         const Parameter& p = parameters_[static_cast<std::size_t>(k)];
@@ -279,7 +284,7 @@ Eigen::MatrixXd EffectModel::changes_by(bool all, const std::vector<Condition>& 
             std::vector<ActiveEffect> effects = truths.effects;
             std::ranges::move(each.error(below), std::back_inserter(effects));
             try {
-                return nearby.shown(truths_with(std::move(effects), conditions)) - here;
+                return nearby.shown(truths_with(std::move(effects), conditions, &truths)) - here;
             } catch (const std::domain_error&) {
             } catch (const InputError&) {
             }

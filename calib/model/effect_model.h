@@ -59,10 +59,11 @@ class EffectModel : public Predictor {
 
   private:
     struct Truths;
-    Truths truths_at(const Eigen::VectorXd& parameters,
-                     const std::vector<Condition>& conditions) const;
-    Truths truths_with(std::vector<ActiveEffect> effects,
-                       const std::vector<Condition>& conditions) const;
+    /// @param near truths from which to search, at nearby parameters or effects; null: none
+    Truths truths_at(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
+                     const Truths* near = nullptr) const;
+    Truths truths_with(std::vector<ActiveEffect> effects, const std::vector<Condition>& conditions,
+                       const Truths* near = nullptr) const;
     /// Returns the study's cell, or one of typical size where only ratios of stresses matter,
     /// because the study has none.
     AnnularCell cell() const;

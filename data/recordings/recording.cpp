@@ -287,7 +287,13 @@ Recording recording_of_table(const Block& block, const FileFormat& format) {
 }  // namespace
 
 Recording recording_of(const BlockFile& file, const FileFormat& format) {
-    if (file.layout == "plain") return recording_of_table(file.blocks.front(), format);
+    // A table with a column of intervals is one block, whatever lines stand above it.
+    const bool column = file.blocks.size() == 1 && file.blocks.front().has_column("interval");
+    if (file.layout == "plain" || column) {
+        Recording table = recording_of_table(file.blocks.front(), format);
+        if (file.layout != "plain") append(table.left_out, file.skipped);
+        return table;
+    }
     Recording whole;
     whole.file = file.file;
     const bool own_numbers = numbers_tell_apart(file.blocks);

@@ -39,14 +39,24 @@ CellState scales_of(const CellState& shown) {
     return scales;
 }
 
+/// Relative size of residuals at which a state is found, if no step comes closer: far below 1e-8,
+/// as derivatives by differences of fits need.
+constexpr double close_enough = 1e-13;
+
 /// The equations show(x) = shown, with each unknown divided by its scale.
 class Equations {
   public:
     Equations(const InstrumentMap& map, const CellState& shown)
         : map_(map), shown_(shown), scales_(scales_of(shown)) {}
 
-    Vector first_guess() const { return scaled(shown_); }
-
+    /// Returns the unknowns of a state, each divided by its scale.
+    Vector scaled(const CellState& state) const {
+        Vector x;
+        for (std::size_t k = 0; k < unknowns.size(); ++k) {
+            x[static_cast<Eigen::Index>(k)] = state.*unknowns[k] / (scales_.*unknowns[k]);
+        }
+        return x;
+    }
     CellState state(const Vector& x) const {
         CellState state = shown_;
         for (std::size_t k = 0; k < unknowns.size(); ++k) {
@@ -71,14 +81,6 @@ class Equations {
     }
 
   private:
-    Vector scaled(const CellState& state) const {
-        Vector x;
-        for (std::size_t k = 0; k < unknowns.size(); ++k) {
-            x[static_cast<Eigen::Index>(k)] = state.*unknowns[k] / (scales_.*unknowns[k]);
-        }
-        return x;
-    }
-
     const InstrumentMap& map_;
     const CellState& shown_;
     CellState scales_;
@@ -89,24 +91,36 @@ double size_of(const Vector& residual) {
                                 : std::numeric_limits<double>::infinity();
 }
 
-/// Solves by Newton's method, shortening steps that increase the residual. Stops where rounding
-/// prevents further progress.
-Vector solve(const Equations& equations) {
-    // Chosen: Newton's method needs a few of both. The limits end the search for a state that the
+/// Solves by Broyden's method, which begins with the derivatives of an instrument without effects,
+/// those of the unit matrix. Where a step comes no closer, derivatives are computed anew, which
+/// takes as long as twelve steps, and steps are shortened. Stops where rounding prevents further
+/// progress. Source: Broyden, Math. Comput. 19 (1965) 577.
+Vector solve(const Equations& equations, Vector x) {
+    // Chosen: the method needs a few of both. The limits end the search for a state that the
     // instrument cannot show.
-    constexpr int most_steps = 50, most_halvings = 12;
+    constexpr int most_steps = 100, most_halvings = 12;
     // Residuals of a few roundings: a further step finds nothing closer, or by luck only.
     constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-    Vector x = equations.first_guess(), residual = equations.residual(x);
+    Vector residual = equations.residual(x);
+    Matrix inverse = Matrix::Identity();  // of the derivatives
+    bool exact = false;                   // whether they are those at x
     for (int step = 0; step < most_steps && size_of(residual) > rounding; ++step) {
-        Vector change = -equations.slopes(x).fullPivLu().solve(residual);
+        Vector change = -inverse * residual;
         bool closer = false;
-        for (int halving = 0; halving <= most_halvings && !closer; ++halving, change /= 2) {
-            const Vector next = x + change, left = equations.residual(next);
+        for (int halving = 0; halving <= (exact ? most_halvings : 0) && !closer; ++halving) {
+            if (halving > 0) change /= 2;
+            const Vector left = equations.residual(x + change);
             closer = size_of(left) < size_of(residual);
-            if (closer) std::tie(x, residual) = std::make_tuple(next, left);
+            if (!closer) continue;
+            const Vector expected = inverse * (left - residual);
+            if (const double along = change.dot(expected); along != 0)
+                inverse += (change - expected) * (change.transpose() * inverse) / along;
+            x += change;
+            residual = left;
         }
-        if (!closer) break;
+        if (!closer && (exact || size_of(residual) < close_enough)) break;
+        exact = !closer;
+        if (exact) inverse = equations.slopes(x).fullPivLu().inverse();
     }
     return x;
 }
@@ -152,13 +166,13 @@ CellState InstrumentMap::show(CellState state) const {
     return state;
 }
 
-CellState InstrumentMap::truth(const CellState& shown) const {
+CellState InstrumentMap::truth(const CellState& shown, const CellState* near) const {
     if (empty()) {
         return shown;
     }
     constexpr double tolerance = 1e-11;  // relative: above rounding, below all that matters
     const Equations equations(*this, shown);
-    const Vector x = solve(equations);
+    const Vector x = solve(equations, equations.scaled(near ? *near : shown));
     const CellState truth = equations.state(x);
     if (!(size_of(equations.residual(x)) <= tolerance)) {
         throw std::domain_error(

@@ -29,7 +29,8 @@ class InstrumentMap {
     /// accuracy of 1e-11. Radii, grain properties and time do not change.
     /// @throws std::domain_error if the instrument shows `shown` for no true state with positive
     ///         normal force, height and volume of grains; the message names the effects
-    CellState truth(const CellState& shown) const;
+    /// @param near state from which to search, close to the true one; null: `shown`
+    CellState truth(const CellState& shown, const CellState* near = nullptr) const;
 
   private:
     std::vector<ActiveEffect> effects_;

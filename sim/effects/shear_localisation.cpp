@@ -56,7 +56,10 @@ Effect shear_localisation() {
         .change = ChangeInstrument{.show =
                                        [](CellState shown, const Values& v) {
                                            const double coefficient = v["coefficient"];
-                                           if (coefficient == 0) return shown;
+                                           // A search for the true state may ask for a torque of no
+                                           // flow.
+                                           if (coefficient == 0 || !(shown.torque > 0))
+                                               return shown;
                                            const WalledBed bed =
                                                evenly_sheared_bed(shown, coefficient);
                                            shown.torque *=

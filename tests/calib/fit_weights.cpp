@@ -67,12 +67,14 @@ TEST(FitWeights, AreThoseOfTheResultWhateverTheStart) {
 }
 
 /// f = (theta, theta), whose simulation errors move the weight to the value 0 as theta rises,
-/// so strongly that the fits with the weights of the result before alternate between 0.02 and 0.98.
+/// so strongly that fits with the weights of the result before alternate between two values: at a
+/// steepness of 4 between 0.02 and 0.98.
 class Alternating : public Model {
   public:
+    explicit Alternating(double steepness) : steepness_(steepness) {}
     const std::vector<Parameter>& parameters() const override { return parameters_; }
     Prediction predict(const Eigen::VectorXd& p, PredictionPart /*what*/) const override {
-        const double steep = 4 * (p(0) - 0.5);
+        const double steep = steepness_ * (p(0) - 0.5);
         const Eigen::MatrixXd covariance =
             Eigen::Vector2d(std::exp(steep), std::exp(-steep)).asDiagonal();
         return {Eigen::Vector2d::Constant(p(0)), Eigen::Vector2d::Ones(), covariance, covariance};
@@ -82,13 +84,22 @@ class Alternating : public Model {
     }
 
   private:
+    double steepness_;
     std::vector<Parameter> parameters_ = {
         {.name = "friction", .lower = 0, .upper = 1, .start = 0.1}};
 };
 
+TEST(FitWeights, SettleBetweenTwoResultsThatTakeTurns) {
+    // By symmetry the fit with the weights of its own result is 0.5.
+    const Measured measured{Eigen::Vector2d(1, 0), 1e-9 * Eigen::Matrix2d::Identity()};
+    const Fit result = fit_from(Alternating(2.4), measured, 0.1);
+    EXPECT_TRUE(result.converged) << result.message;
+    EXPECT_NEAR(result.parameters(0), 0.5, 1e-3);
+}
+
 TEST(FitWeights, AreNotCalledConvergedWhereTheyDoNotSettle) {
     const Measured measured{Eigen::Vector2d(1, 0), 1e-9 * Eigen::Matrix2d::Identity()};
-    const Fit result = fit_from(Alternating(), measured, 0.1);
+    const Fit result = fit_from(Alternating(4), measured, 0.1);
     EXPECT_FALSE(result.converged);
     EXPECT_NE(result.message.find("do not settle"), std::string::npos) << result.message;
 }

@@ -48,6 +48,17 @@ TEST_F(Preamble, StandsAboveNamesAndUnits) {
         expect_rows(std::string(title) + plain, 4);
 }
 
+TEST_F(Preamble, LeavesTheColumnOfIntervals) {
+    const std::string rows =
+        "1\t0\t20.1\t5.0\t6.20\t2\n1\t1\t20.2\t5.0\t6.21\t2\n"
+        "2\t2\t40.3\t9.0\t6.20\t2\n2\t3\t40.2\t9.0\t6.20\t2\n";
+    const std::string names = "Interval\tTime\tTorque\tNormal Force\tGap\tSpeed\n",
+                      units = "[1]\t[s]\t[mNm]\t[N]\t[mm]\t[1/min]\n";
+    // All rows would be one step, whose speed and load change.
+    EXPECT_THAT(read_recording(write("run 12\n\n" + names + units + rows)).interval,
+                ElementsAre(1, 1, 2, 2));
+}
+
 TEST_F(Preamble, StatesFacts) {
     const BlockFile file = read_blocks(
         write(std::string("run 12\nInner radius: 21 mm\nOuter radius [mm]\t45\n\n") + unit_row));
