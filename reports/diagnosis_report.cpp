@@ -411,7 +411,8 @@ std::string granted_line(const StudyDiagnosis& study, const Study& stated) {
     return line +
            fmt::format(
                ", and every chi2 of this diagnosis contains this error. With the {} that 'pendular "
-               "calibrate', 'compare' and the ladder count, chi2/dof of the same fit is {:.2f}.",
+               "calibrate', 'compare', the ladder and the page's switches count, chi2/dof of the "
+               "same fit is {:.2f}.",
                discrepancy_text(stated.model.discrepancy),
                chi2_per_dof(expected.chi2, expected.dof));
 }
