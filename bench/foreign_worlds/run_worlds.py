@@ -4,7 +4,7 @@ same command goes on where it was stopped. README.md says what is simulated.
 
     run_worlds.py [--work FOLDER] [--only WORLD,...] [--table FILE] [--list]
 
---table FILE: write the table of all finished runs, simulate nothing.
+--table FILE: write the states of all finished runs into the table, simulate nothing.
 """
 import argparse
 import math
@@ -213,20 +213,29 @@ def row(run, averages, normal_stress):
 
 HEADER = """\
 # Steady states that LAMMPS found (29 Sep 2021, update 2; Debian lammps 20220106.git7586adbb6a) and,
-# where the world's name ends in -yade, YADE (2023.02a; Debian yade 2023.02a-1: one run for all normal
-# stresses of an inertial number and replicate), a row for each recorded step; README.md says what is simulated. Units in brackets, a = m = s22 = 1
-# where a symbol stands. seed: of the random gas. stderr: standard error of the mean, from blocks of
-# strain 0.25 and their correlation."""
+# in worlds whose names end in -yade, YADE (2023.02a; Debian yade 2023.02a-1; one run for all normal
+# stresses of an inertial number and replicate); a row for each recorded step. README.md says what is
+# simulated. Units in brackets, a = m = s22 = 1 where a symbol stands. seed: of the random gas.
+# stderr: standard error of the mean, from blocks of strain 0.25 and their correlation."""
 
 
 def write_table(work, file):
+    """Rows of runs that are not in the work folder stay as they are in the file."""
+    file = Path(file)
+    lines = file.read_text(encoding="ascii").splitlines() if file.exists() else []
+    earlier = {tuple(line.split(",")[:5]): line for line in lines}
     rows = [HEADER, ",".join(COLUMNS)]
     for run in all_runs():
         averages = work / f"{run.name}.averages"
-        if averages.exists():
-            stresses = states.DRY_STRESSES if run.world.code == "yade" else (run.normal_stress,)
-            rows += [row(run, averages, stress) for stress in stresses]
-    Path(file).write_text("\n".join(rows) + "\n", encoding="ascii")
+        stresses = states.DRY_STRESSES if run.world.code == "yade" else (run.normal_stress,)
+        for stress in stresses:
+            key = (run.world.name, f"{stress:g}", f"{run.liquid_content:g}")
+            key += (f"{run.inertial_number:g}", str(run.replicate))
+            if averages.exists():
+                rows.append(row(run, averages, stress))
+            elif key in earlier:
+                rows.append(earlier[key])
+    file.write_text("\n".join(rows) + "\n", encoding="ascii")
     print(f"{len(rows) - 2} rows", file=sys.stderr)
 
 

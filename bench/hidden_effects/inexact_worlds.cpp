@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <random>
 
 #include "analysis/diagnosis/side_by_side.h"
@@ -20,7 +21,6 @@
 #include "bench/hidden_effects/rig.h"
 #include "calib/model/discrepancy.h"
 #include "data/files/write_whole.h"
-#include "data/input_error.h"
 #include "data/quantities/statistics.h"
 #include "data/recordings/measurements.h"
 #include "sim/lab/virtual_recording.h"
@@ -102,16 +102,15 @@ class Rig {
     std::shared_ptr<const EmulatedSimulation> simulation_;
 };
 
-/// @throws InputError if states of the world are missing in the table
-ForeignErrors foreign_errors(const World& world, const std::filesystem::path& states) {
-    if (world.foreign.empty()) return {};
+/// None if states of the world are missing in the table.
+std::optional<ForeignErrors> foreign_errors(const World& world,
+                                            const std::filesystem::path& states) {
+    if (world.foreign.empty()) return ForeignErrors{};
     const std::vector<ForeignWorld> all = read_foreign_worlds(states);
     const auto plain = std::ranges::find(all, world.foreign, [](const ForeignWorld& each) {
         return std::string_view(each.truth.name);
     });
-    if (plain == all.end())
-        throw InputError({states.string()},
-                         fmt::format("states of the world '{}' are missing", world.foreign));
+    if (plain == all.end()) return {};
     const LabPlan& plan = plain->laboratory.plan;
     const Study study = study_of(plan);
     KnownRuns known =
@@ -364,7 +363,12 @@ void inexact_worlds(const InexactWorldsOptions& options) {
         if (!options.only.empty() &&
             std::ranges::find(options.only, world.name) == options.only.end())
             continue;
-        const ForeignErrors foreign = foreign_errors(world, options.states);
+        const std::optional<ForeignErrors> foreign = foreign_errors(world, options.states);
+        if (!foreign) {
+            fmt::print(stderr, "{} is left out: {} lacks its states\n", world.name,
+                       options.states.string());
+            continue;
+        }
         struct Task {
             const Truth* truth;
             int study;
@@ -382,7 +386,7 @@ void inexact_worlds(const InexactWorldsOptions& options) {
         side_by_side(
             tasks.size(), static_cast<std::size_t>(options.threads), [](std::size_t) {},
             [&](std::size_t k) {
-                Outcome outcome = outcome_of(rigs.of(*tasks[k].truth), world, foreign,
+                Outcome outcome = outcome_of(rigs.of(*tasks[k].truth), world, *foreign,
                                              *tasks[k].truth, tasks[k].study);
                 const std::lock_guard lock(guard);
                 fmt::print(stderr, "{} of {}: {}, study {}: {} {} ({:.1f} s)\n", k, tasks.size(),
