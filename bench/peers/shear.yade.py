@@ -106,7 +106,7 @@ class Flow:
         if self.wet:
             stress += getCapillaryStress(0, True)
         if self.kinetic:
-            stress += getTotalDynamicStress()
+            stress -= getTotalDynamicStress()  # of which YADE 2023.02a returns the negative
         normal = -stress[1, 1]
         if self.closing:
             if normal > 1:
