@@ -405,15 +405,27 @@ std::string undetected_shift_line(const Diagnosis& d, const std::optional<Impact
                        with_unit(shift, friction.unit));
 }
 
+std::string granted_line(const StudyDiagnosis& study, const Study& stated) {
+    if (study.discrepancy == stated.model.discrepancy) return "";
+    std::string line =
+        "The best explanation leaves differences between conditions: the model counts as inexact "
+        "by " +
+        discrepancy_text(study.discrepancy);
+    const Misfit& expected = study.belief.fitted.misfit;
+    if (expected.dof == 0) return line + ".";
+    return line +
+           fmt::format(
+               ", and every chi2 of this diagnosis contains this error. With the {} that 'pendular "
+               "calibrate', 'compare', the ladder and the page's switches count, chi2/dof of the "
+               "same fit is {:.2f}.",
+               discrepancy_text(stated.model.discrepancy),
+               chi2_per_dof(expected.chi2, expected.dof));
+}
+
 std::string inexactness_line(const StudyDiagnosis& study, const Study& stated) {
     const Diagnosis& d = study.diagnosis;
     const double ratio = study.discrepancy[0];
-    std::string line;
-    if (study.discrepancy != stated.model.discrepancy)
-        line =
-            "The best explanation leaves differences between conditions: the model counts as "
-            "inexact by " +
-            discrepancy_text(study.discrepancy) + ".";
+    std::string line = granted_line(study, stated);
     const bool named = d.verdict == Verdict::missing || d.verdict == Verdict::indistinguishable ||
                        d.verdict == Verdict::unknown;
     if (named && d.holds_up_to > 0 && ratio > 0)

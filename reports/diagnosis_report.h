@@ -41,8 +41,13 @@ std::vector<std::string> incomplete_lines(const Diagnosis& diagnosis,
 std::string undetected_shift_line(const Diagnosis& diagnosis,
                                   const std::optional<ImpactTable>& impacts);
 
-/// Returns sentences on a model that counts as more inexact than expected, and up to what
-/// inexactness something is missing. Empty if neither is to be said.
+/// Returns sentences on a model that counts as more inexact than expected, with chi2/dof [1] of the
+/// study's model as it is with the expected error of the model. Empty if the model counts as
+/// inexact as expected.
+std::string granted_line(const StudyDiagnosis& diagnosis, const Study& stated);
+
+/// Returns `granted_line`, and a sentence on up to what inexactness something is missing. Empty if
+/// neither is to be said.
 std::string inexactness_line(const StudyDiagnosis& diagnosis, const Study& stated);
 
 /// Returns a sentence on the error of the model that would explain a misfit without a known cause,

@@ -184,11 +184,11 @@ std::string agreement_text(const Calibration& c, const Belief& belief) {
     if (nearly)
         text = fmt::format(
             "The model describes the fitted readings only with an error of {}, more than "
-            "independent "
-            "codes differ by, which the standard error contains; it misses the shear stress by "
-            "{:.2g} "
+            "independent codes differ by, which the standard error contains; chi2 is {:.1f} with "
+            "it, {:.1f} with the {} that are expected. The model misses the shear stress by {:.2g} "
             "% and the solid fraction by {:.2g} %.",
-            discrepancy_text(fitted.discrepancy), fitted.rms_percent[0], fitted.rms_percent[1]);
+            discrepancy_text(fitted.discrepancy), fitted.as_inexact.chi2, fitted.misfit.chi2,
+            discrepancy_text(c.model.discrepancy), fitted.rms_percent[0], fitted.rms_percent[1]);
     else if (fitted.discrepancy != std::array{0.0, 0.0})
         text = fmt::format(
             "The model describes the fitted readings within their errors and an error of the "
@@ -252,11 +252,14 @@ Output calibration_output(const FittedStudy& result, const Measurements& measure
     }
     const double p = comparison.fitted.p();
     if (belief.misfit_reason != 0) {  // else the answer states it
-        output.line(fmt::format("The fit has {}{}.", misfit_text(comparison.fitted),
-                                p < significant_p && p >= incredible_p
-                                    ? ": more than the errors explain; 'pendular diagnose' tests "
-                                      "what is missing"
-                                    : ""));
+        const bool nearly = belief.fitted.degree() == Agreement::Degree::nearly;
+        output.line(fmt::format(
+            "The fit has {}{}.", misfit_text(comparison.fitted),
+            p < significant_p && (p >= incredible_p || nearly)
+                ? fmt::format(": more than the {}errors explain; 'pendular diagnose' tests what is "
+                              "missing",
+                              nearly ? "expected " : "")
+                : ""));
     }
     output.line(error_basis(measurements));
     add_limits(output, c.runs, c.readings, c.fit.parameters(0));

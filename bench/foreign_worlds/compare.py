@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares states.csv with Pendular's simulations of the same set points, those of the benchmark
 (bench/hidden_effects/runs.csv, stiffness number 1500). Prints, for each set of states, the mean of
-LAMMPS minus Pendular in per cent, with its standard error, and chi2 of the set points.
+LAMMPS (or YADE) minus Pendular in per cent, with its standard error, and chi2 of the set points.
 
 Solid fractions are corrected to stiffness number 1000 by 4.1/stiffness number, times (contact
 stress/normal stress)^(2/3); the capillary stress is Rumpf's, 0.6 Z 0.9 F0/(pi a^2), Z bridges a
@@ -16,6 +16,7 @@ HERE = Path(__file__).resolve().parent
 EFFECTS = {
     "plain": "",
     "wet": "",
+    "plain-yade": "",
     "wet-reversible": "reversible-bridges.on=1",
     "polydispersity": "polydispersity.deviation=0.114",
 }
@@ -42,10 +43,13 @@ def pendular_runs():
     return runs
 
 
-def lammps_states():
+def foreign_states():
     """Runs by set point; rigid dry grains know no normal stress."""
-    states = defaultdict(list)
+    states, seen = defaultdict(list), set()
     for row in rows_of(HERE / "states.csv"):
+        if row["seed"] in seen:  # one run of YADE serves several rows
+            continue
+        seen.add(row["seed"])
         attraction, volume = number(row, "attraction [a2 s22]"), number(row, "bridge_volume [a3]")
         states[row["world"], number(row, "inertial_number [1]"), attraction, volume].append(row)
     return states
@@ -87,7 +91,7 @@ def mean_of(values, errors):
 
 def main():
     runs, differences = pendular_runs(), defaultdict(list)
-    for (world, inertial_number, attraction, volume), rows in lammps_states().items():
+    for (world, inertial_number, attraction, volume), rows in foreign_states().items():
         of_effect = runs_of(runs, world, inertial_number, attraction)
         known = [run for run in of_effect if alike(run, attraction, volume)]
         if not known:

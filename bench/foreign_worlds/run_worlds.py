@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Simulates the foreign worlds of the benchmark with LAMMPS; finished runs are kept, so that the
+"""Simulates the foreign worlds of the benchmark with LAMMPS and YADE; finished runs are kept, so that the
 same command goes on where it was stopped. README.md says what is simulated.
 
     run_worlds.py [--work FOLDER] [--only WORLD,...] [--table FILE] [--list]
 
---table FILE: write the table of all finished runs, simulate nothing.
+--table FILE: write the states of all finished runs into the table, simulate nothing.
 """
 import argparse
 import math
@@ -76,7 +76,18 @@ class Run:
 
 
 def all_runs():
+    yield from runs_of_lammps()
+    # Dry grains with one stiffness number flow alike at every normal stress: one run serves all.
+    plain = next(world for world in states.WORLDS if world.code == "yade")
+    for replicate in (1, 2):
+        for inertial_number in states.INERTIAL_NUMBERS:
+            yield Run(plain, states.DRY_STRESSES[0], 0, inertial_number, replicate)
+
+
+def runs_of_lammps():
     for world in states.WORLDS:
+        if world.code == "yade":
+            continue
         for inertial_number in states.INERTIAL_NUMBERS:
             for content in world.contents:
                 stresses = states.WET_STRESSES if content else states.DRY_STRESSES
@@ -102,12 +113,38 @@ def variables(run, folder):
         "time_step": 0.0053 if run.law or world.rolling else 0.0057,
         "closed": world.closed,
         "grain_volume": grain_volume,
-        "transient": 1.5 if run.wet else 1,
-        "strain": 4 if run.wet else 6,
+        # YADE's height follows more slowly to the normal stress after the fast shear.
+        "transient": 1.5 if run.wet or world.code == "yade" else 1,
+        "strain": 4 if run.wet or world.code == "yade" else 6,
         "block": BLOCK,
         "averages": folder / "averages",
         "bridges": 1 if run.law else 0,
     }
+
+
+def lammps_command(run, folder, work):
+    words = [
+        word for name, value in variables(run, folder).items() for word in ("-var", name, value)
+    ]
+    if run.law:
+        program = [work / "cohesion", run.law, repr(run.force), repr(run.bridge_volume), HERE]
+    else:
+        program = ["lmp", "-log", "none", "-in", HERE / "dry.lmp"]
+    return [program + words]
+
+
+def yade_commands(run, folder, _):
+    """The state, then its averages."""
+    given = variables(run, folder)
+    command = ["yade", "-j1", "-n", "-x", HERE.parent / "peers/shear.yade.py"]
+    common = [f"rate={run.inertial_number}", "wet=0", f"state={folder / 'state.yade.bz2'}"]
+    prepare = [f"{key}={given[key]}" for key in ("gas", "modulus", "friction", "time_step")]
+    prepare += ["reduced_pressure=1", "bridge_volume=0"]
+    blocks = [f"{key}={given[key]}" for key in ("averages", "transient", "strain", "block")]
+    return [
+        [*command, "prepare", *common, *prepare],
+        [*command, "blocks", *common, *blocks, "skin=0.05"],
+    ]
 
 
 def simulate(run, work):
@@ -119,21 +156,16 @@ def simulate(run, work):
     folder.mkdir(parents=True)
     gas = [sys.executable, HERE.parent / "peers/gas.py", GRAINS, run.seed, folder / "gas"]
     subprocess.run([str(word) for word in gas + [run.world.deviation]], check=True)
-    words = [
-        word for name, value in variables(run, folder).items() for word in ("-var", name, value)
-    ]
-    if run.law:
-        program = [work / "cohesion", run.law, repr(run.force), repr(run.bridge_volume), HERE]
-    else:
-        program = ["lmp", "-log", "none", "-in", HERE / "dry.lmp"]
+    commands = yade_commands if run.world.code == "yade" else lammps_command
     with open(folder / "said", "w", encoding="utf-8") as said:
-        subprocess.run(
-            [str(word) for word in program + words],
-            check=True,
-            stdout=said,
-            stderr=subprocess.STDOUT,
-            env={**os.environ, "OMP_NUM_THREADS": "1"},
-        )
+        for command in commands(run, folder, work):
+            subprocess.run(
+                [str(word) for word in command],
+                check=True,
+                stdout=said,
+                stderr=subprocess.STDOUT,
+                env={**os.environ, "OMP_NUM_THREADS": "1"},
+            )
     (folder / "averages").rename(done)
     shutil.rmtree(folder)
 
@@ -159,7 +191,7 @@ COLUMNS = (
 )
 
 
-def row(run, averages):
+def row(run, averages, normal_stress):
     lines = [line.split() for line in averages.read_text().splitlines() if not line.startswith("#")]
     normal, shear, solid, rate, bridges = zip(*([float(x) for x in line[1:]] for line in lines))
 
@@ -172,7 +204,7 @@ def row(run, averages):
     ratio = of_means, error
     fraction = mean_and_error(solid)
     content = mean(bridges) * run.bridge_volume / (math.pi / 6 * GRAINS)
-    cells = [run.world.name, f"{run.normal_stress:g}", f"{run.liquid_content:g}"]
+    cells = [run.world.name, f"{normal_stress:g}", f"{run.liquid_content:g}"]
     cells += [f"{run.inertial_number:g}", run.replicate, run.seed, GRAINS]
     cells += [f"{BLOCK * len(normal):g}", f"{run.force:.5g}", f"{run.bridge_volume:.5g}"]
     cells += [f"{value:.5f}" for value in (*ratio, *fraction)]
@@ -181,20 +213,31 @@ def row(run, averages):
 
 
 HEADER = """\
-# Steady states that LAMMPS found (29 Sep 2021, update 2; Debian lammps 20220106.git7586adbb6a),
-# a row for each recorded step; README.md says what is simulated. Units in brackets, a = m = s22 = 1
-# where a symbol stands. seed: of the random gas. stderr: standard error of the mean, from blocks of
-# strain 0.25 and their correlation."""
+# Steady states that LAMMPS found (29 Sep 2021, update 2; Debian lammps 20220106.git7586adbb6a) and,
+# in worlds whose names end in -yade, YADE (2023.02a; Debian yade 2023.02a-1; one run for all normal
+# stresses of an inertial number and replicate); a row for each recorded step. README.md says what is
+# simulated. Units in brackets, a = m = s22 = 1 where a symbol stands. seed: of the random gas.
+# stderr: standard error of the mean, from blocks of strain 0.25 and their correlation."""
 
 
 def write_table(work, file):
+    """Rows of runs that are not in the work folder stay as they are in the file."""
+    file = Path(file)
+    lines = file.read_text(encoding="ascii").splitlines() if file.exists() else []
+    earlier = {tuple(line.split(",")[:5]): line for line in lines}
     rows = [HEADER, ",".join(COLUMNS)]
     for run in all_runs():
         averages = work / f"{run.name}.averages"
-        if averages.exists():
-            rows.append(row(run, averages))
-    Path(file).write_text("\n".join(rows) + "\n", encoding="ascii")
-    print(f"{len(rows) - 2} runs", file=sys.stderr)
+        stresses = states.DRY_STRESSES if run.world.code == "yade" else (run.normal_stress,)
+        for stress in stresses:
+            key = (run.world.name, f"{stress:g}", f"{run.liquid_content:g}")
+            key += (f"{run.inertial_number:g}", str(run.replicate))
+            if averages.exists():
+                rows.append(row(run, averages, stress))
+            elif key in earlier:
+                rows.append(earlier[key])
+    file.write_text("\n".join(rows) + "\n", encoding="ascii")
+    print(f"{len(rows) - 2} rows", file=sys.stderr)
 
 
 def build_cohesion(work):
@@ -225,7 +268,8 @@ def main():
         for run in runs:
             print(run.name, "done" if (work / f"{run.name}.averages").exists() else "")
         return
-    build_cohesion(work)
+    if any(run.law for run in runs):
+        build_cohesion(work)
     for k, run in enumerate(runs, 1):
         print(f"{k} of {len(runs)}: {run.name}", file=sys.stderr, flush=True)
         try:

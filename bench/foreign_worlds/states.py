@@ -35,6 +35,7 @@ class World:
     deviation: float = 0  # of diameters
     bridges: str = ""  # a law of cohesion.cpp: wet readings; none: dry readings
     closed: float = 0.6  # solid fraction at which shear begins
+    code: str = "lammps"  # "yade": dry grains without adhesion, rolling resistance or deviation
 
     @property
     def contents(self):
@@ -54,4 +55,5 @@ WORLDS = (
     World("wet", bridges="capillary", closed=0.58),
     World("wet-reversible", bridges="reversible", closed=0.58),
     World("wet-constant", bridges="constant", closed=0.58),
+    World("plain-yade", code="yade"),
 )

@@ -35,7 +35,8 @@ constexpr std::array compositions = {
     Composition{"wet adhesion", Truth::Kind::effect, "dry-adhesion", 0.11, "adhesion", "wet"},
     Composition{"reversible bridges", Truth::Kind::effect, "reversible-bridges", 0.11, "plain",
                 "wet-reversible"},
-    Composition{"constant bridge force", Truth::Kind::outside, "", 0.11, "plain", "wet-constant"}};
+    Composition{"constant bridge force", Truth::Kind::outside, "", 0.11, "plain", "wet-constant"},
+    Composition{"wet plain, dry of YADE", Truth::Kind::complete, "", 0.11, "plain-yade", "wet"}};
 
 /// Stands for a difference that the catalogue does not have.
 const Effect& effect_outside_catalogue() {

@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <random>
 
 #include "analysis/diagnosis/side_by_side.h"
@@ -39,21 +40,24 @@ constexpr std::array scatter = {0.015, 0.001};
 struct World {
     std::string_view name;
     std::array<double, 2> independent, smooth;
-    bool of_lammps = false;  ///< errors are those of LAMMPS' states about the emulator
+    /// `ForeignWorld` whose states' errors about the emulator these are; empty: none.
+    std::string_view foreign = "";
 };
 /// The solid fraction errs less in the ratio of the errors that independent codes have.
-constexpr std::array worlds = {
-    World{"exact", {0, 0}, {0, 0}}, World{"independent", {0.004, 0.0006}, {0, 0}},
-    World{"smooth", {0, 0}, {0.005, 0.00075}}, World{"both", {0.007, 0.001}, {0.007, 0.001}},
-    World{"lammps", {0, 0}, {0, 0}, true}};
+constexpr std::array worlds = {World{"exact", {0, 0}, {0, 0}},
+                               World{"independent", {0.004, 0.0006}, {0, 0}},
+                               World{"smooth", {0, 0}, {0.005, 0.00075}},
+                               World{"both", {0.007, 0.001}, {0.007, 0.001}},
+                               World{"lammps", {0, 0}, {0, 0}, "wet plain"},
+                               World{"yade", {0, 0}, {0, 0}, "wet plain, dry of YADE"}};
 
 using StatePoint = std::array<double, 3>;  ///< normal stress, inertial number, liquid content
 StatePoint point_of(const Condition& c) {
     return {c.normal_stress, c.inertial_number, c.liquid_content};
 }
 
-/// Relative errors [1] of the model, the states of LAMMPS over the emulator's minus 1, of the
-/// replicates at each condition.
+/// Relative errors [1] of the model, the states of another code over the emulator's minus 1, of the
+/// replicates at each condition; empty where the world has none.
 using ForeignErrors = std::map<StatePoint, std::vector<Eigen::Vector2d>>;
 
 /// Models of one friction, with which truths are predicted and studies diagnosed.
@@ -98,11 +102,15 @@ class Rig {
     std::shared_ptr<const EmulatedSimulation> simulation_;
 };
 
-ForeignErrors errors_of_lammps(const std::filesystem::path& states) {
+/// None if states of the world are missing in the table.
+std::optional<ForeignErrors> foreign_errors(const World& world,
+                                            const std::filesystem::path& states) {
+    if (world.foreign.empty()) return ForeignErrors{};
     const std::vector<ForeignWorld> all = read_foreign_worlds(states);
-    const auto plain = std::ranges::find(all, "wet plain", [](const ForeignWorld& world) {
-        return std::string_view(world.truth.name);
+    const auto plain = std::ranges::find(all, world.foreign, [](const ForeignWorld& each) {
+        return std::string_view(each.truth.name);
     });
+    if (plain == all.end()) return {};
     const LabPlan& plan = plain->laboratory.plan;
     const Study study = study_of(plan);
     KnownRuns known =
@@ -171,7 +179,7 @@ class Laboratory {
         for (Eigen::Index k = 0; k < std::ssize(distinct); ++k) {
             for (const Eigen::Index o : {0, 1})
                 errors(2 * k + o) += world_.independent[static_cast<std::size_t>(o)] * normal();
-            if (world_.of_lammps) {
+            if (!foreign_.empty()) {
                 // Another mean of the replicates in each study, so that studies differ.
                 const auto& of = foreign_.at(point_of(distinct[static_cast<std::size_t>(k)]));
                 const double weight = std::uniform_real_distribution(0.25, 0.75)(random_);
@@ -345,7 +353,6 @@ std::string text_of(const World& world, const Studies& studies) {
 
 void inexact_worlds(const InexactWorldsOptions& options) {
     const std::vector<Truth> truths = truths_of(options);
-    const ForeignErrors foreign = errors_of_lammps(options.states);
     const Rigs rigs;
     const std::filesystem::path file = options.work / "outcomes.csv";
     std::filesystem::create_directories(options.work);
@@ -356,6 +363,12 @@ void inexact_worlds(const InexactWorldsOptions& options) {
         if (!options.only.empty() &&
             std::ranges::find(options.only, world.name) == options.only.end())
             continue;
+        const std::optional<ForeignErrors> foreign = foreign_errors(world, options.states);
+        if (!foreign) {
+            fmt::print(stderr, "{} is left out: {} lacks its states\n", world.name,
+                       options.states.string());
+            continue;
+        }
         struct Task {
             const Truth* truth;
             int study;
@@ -373,7 +386,7 @@ void inexact_worlds(const InexactWorldsOptions& options) {
         side_by_side(
             tasks.size(), static_cast<std::size_t>(options.threads), [](std::size_t) {},
             [&](std::size_t k) {
-                Outcome outcome = outcome_of(rigs.of(*tasks[k].truth), world, foreign,
+                Outcome outcome = outcome_of(rigs.of(*tasks[k].truth), world, *foreign,
                                              *tasks[k].truth, tasks[k].study);
                 const std::lock_guard lock(guard);
                 fmt::print(stderr, "{} of {}: {}, study {}: {} {} ({:.1f} s)\n", k, tasks.size(),

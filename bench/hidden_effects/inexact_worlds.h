@@ -25,8 +25,9 @@ struct InexactWorldsOptions {
 };
 
 /// Diagnoses studies whose grains differ from the model by an error of each condition that the
-/// replicates share: in five worlds that differ in its size and kind: none, independent from
-/// condition to condition, smooth, both, and as the states of LAMMPS differ from the emulator.
+/// replicates share: in six worlds that differ in its size and kind: none, independent from
+/// condition to condition, smooth, both, as the states of LAMMPS differ from the emulator, and as
+/// those of YADE (dry) and LAMMPS (wet) do. A world is left out if its states are missing.
 /// study.toml states no discrepancy. Writes inexact_worlds.txt (rates) and
 /// inexact_worlds_studies.csv (one row for each study).
 /// @throws InputError if a table cannot be read

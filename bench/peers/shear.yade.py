@@ -3,9 +3,11 @@
     yade -j1 -n -x shear.yade.py prepare gas=FILE state=FILE wet=0 ...
     yade -j1 -n -x shear.yade.py measure state=FILE end_state=FILE steps=N ...
     yade -j1 -n -x shear.yade.py sample state=FILE end_state=FILE strain=S ...
+    yade -j1 -n -x shear.yade.py blocks state=FILE averages=FILE transient=S strain=S block=S ...
 
 prepare makes a state from a gas of gas.py; measure goes on with it and prints time and means;
-sample prints means of intervals of the strain S, of contacts and bridges too.
+sample prints means of intervals of the strain S, of contacts and bridges too; blocks writes means
+of blocks of strain, with the stress of velocity fluctuations (a few per mille where I > 0.01).
 Lengths are in diameters, masses in bead masses, stresses in imposed normal stresses. Bridges need
 the tables of bridge_tables() in the working directory.
 """
@@ -93,7 +95,7 @@ class Flow:
     """What the servo imposes, and sums of what it sees."""
 
     def __init__(self, rate, wet):
-        self.rate, self.wet, self.closing = rate, wet, False
+        self.rate, self.wet, self.closing, self.kinetic = rate, wet, False, False
         self.restart()
 
     def restart(self):
@@ -103,6 +105,8 @@ class Flow:
         stress = getStress()
         if self.wet:
             stress += getCapillaryStress(0, True)
+        if self.kinetic:
+            stress -= getTotalDynamicStress()  # of which YADE 2023.02a returns the negative
         normal = -stress[1, 1]
         if self.closing:
             if normal > 1:
@@ -185,6 +189,20 @@ def sample(state, end_state, strain, skin):
     O.save(end_state)
 
 
+def blocks(state, averages, transient, strain, block, skin):
+    """Writes a line for each block: number, s22, s12, solid fraction, shear rate, 0 (bridges)."""
+    O.load(state)
+    O.engines[1].verletDist = skin
+    FLOW.kinetic = True
+    if transient > 0:  # run(0) runs for ever
+        O.run(math.ceil(transient / FLOW.rate / O.dt), True)
+    with open(averages, "w", encoding="ascii") as out:
+        for number in range(round(strain / block)):
+            FLOW.restart()
+            O.run(round(block / FLOW.rate / O.dt), True)
+            print(number, *FLOW.means(), FLOW.rate, 0, file=out, flush=True)
+
+
 def capillary_stress():
     """s22 and s12 of the bridges' forces, compression positive, sheared as in the paper: s12 of
     the whole is negative."""
@@ -207,4 +225,4 @@ if sys.argv[1] == "prepare":
     prepare(**options)
 else:
     FLOW = Flow(options.pop("rate"), options.pop("wet"))
-    {"measure": measure, "sample": sample}[sys.argv[1]](**options)
+    {"measure": measure, "sample": sample, "blocks": blocks}[sys.argv[1]](**options)

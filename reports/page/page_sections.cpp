@@ -371,6 +371,10 @@ PageTexts page_texts(const PageContent& content) {
     if (std::string friction = friction_line(d); !friction.empty()) {
         texts.details.push_back(std::move(friction));
     }
+    // Else the page shows chi2/dof of the readings' figures and of the verdict without saying why
+    // they differ.
+    if (std::string granted = granted_line(d, content.resolved.study()); !granted.empty())
+        texts.details.push_back(std::move(granted));
     texts.folded.push_back(paste_section(content));
     if (content.impacts) texts.folded.push_back(impact_section(content));
     texts.folded.push_back(provenance_section(content));

@@ -105,6 +105,18 @@ TEST(VerdictLine, SaysHowWellEachOfSeveralEffectsExplainsTheReadings) {
     expect_told({line()});
 }
 
+TEST(GrantedInexactness, SaysChi2WithTheExpectedOne) {
+    Study stated;
+    stated.model.discrepancy = usual_discrepancy;
+    StudyDiagnosis study{.discrepancy = usual_discrepancy};
+    study.belief.fitted.misfit = {.chi2 = 49.35, .dof = 35};
+    EXPECT_EQ(granted_line(study, stated), "");
+    study.discrepancy = {0.01, 0.0015};
+    const std::string said = granted_line(study, stated);
+    EXPECT_NE(said.find("inexact by 1 % of the stress ratio"), std::string::npos) << said;
+    EXPECT_NE(said.find("chi2/dof of the same fit is 1.41"), std::string::npos) << said;
+}
+
 TEST(DiagnosisTable, SaysWhatEachEffectLeaves) {
     const LinearSpace space = drag_and_slip();
     Diagnosis diagnosis;
