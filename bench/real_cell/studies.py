@@ -68,6 +68,11 @@ def tables():
     return states, series
 
 
+def sheared_share(state):
+    """Height of the sheared layer over the gap."""
+    return float(state["sheared_height [a]"]) / float(state["gap [a]"])
+
+
 def radii(cell):
     return INNER_RADIUS, INNER_RADIUS + cell.width * cells.DIAMETER
 
@@ -162,7 +167,22 @@ def chosen(diagnosis):
     return ""
 
 
-def judged(program, work, folder):
+def added(program, work, folder, names):
+    """Fit of a study to which effects are added."""
+    for name in names:
+        words = [program, "add", folder, name]
+        subprocess.run([str(w) for w in words], capture_output=True, check=False)
+    return asked(program, work, "calibrate", folder, "--no-confirm")
+
+
+def within(fit, friction):
+    """Whether the true friction is within two errors, those of the instrument included: 1, 0, or
+    nothing where there is no fit."""
+    value, _, error = friction_of(fit)
+    return int(abs(float(value) - friction) <= 2 * float(error)) if value else ""
+
+
+def judged(program, work, folder, friction):
     """Row of results of one study."""
     found = asked(program, work, "import", folder)
     said = " ".join(doubt["what"] for doubt in found.get("doubts", []))
@@ -179,15 +199,17 @@ def judged(program, work, folder):
     row["verdict"] = diagnosis.get("verdict", "none")
     row["effects"] = " ".join(diagnosis.get("effects", []))
     row["added"] = chosen(diagnosis)
-    after = {}
-    if row["added"]:
-        words = [program, "add", folder, row["added"]]
-        subprocess.run([str(w) for w in words], capture_output=True, check=False)
-        after = asked(program, work, "calibrate", folder, "--no-confirm")
+    after = added(program, work, folder, [row["added"]]) if row["added"] else {}
     names = ("friction added", "stderr added", "with instrument added")
     row |= dict(zip(names, friction_of(after)))
     coefficient = after.get("parameters", {}).get("shear-localisation.coefficient")
     row["coefficient"] = f"{coefficient['value']:.3f}" if coefficient else ""
+    # What import names of the cell itself, beside what the readings show.
+    layers = any("wall-layers" in note for note in found.get("notes", []))
+    last = added(program, work, folder, ["wall-layers"]) if layers else after or fit
+    row["layers"] = int(layers)
+    row |= dict(zip(("friction all", "stderr all", "with instrument all"), friction_of(last)))
+    row |= {"within before": within(fit, friction), "within all": within(last, friction)}
     return row
 
 
@@ -220,7 +242,9 @@ def main():
         write_study(folder, members, states, series, given.state_walls)
         cell = members[0]
         row = {"study": name, "wall friction": cell.wall_friction, "true friction": cell.friction}
-        rows.append(row | judged(given.program, given.work, folder))
+        shares = [sheared_share(states[key]) for each in members for key in states if key[0] == each.name]
+        row["least sheared"] = f"{min(shares):.2f}"
+        rows.append(row | judged(given.program, given.work, folder, cell.friction))
         print(rows[-1], file=sys.stderr, flush=True)
     if given.out and rows:
         with open(given.out, "w", encoding="utf-8", newline="") as file:
