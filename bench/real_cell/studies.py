@@ -156,11 +156,11 @@ def friction_of(fit):
     return tuple(f"{x:.4f}" for x in (friction["value"], friction["stderr"], total))
 
 
-def chosen(diagnosis):
-    """Effect that a user would add: the one that is named, or, of several that cannot be told apart,
-    the one that the warnings suggest."""
+def chosen(diagnosis, said):
+    """Effect that a user would add: the one that a warning of import or the diagnosis names, or, of
+    several that cannot be told apart, the one that the warnings suggest."""
     effects = diagnosis.get("effects", [])
-    if "shear-localisation" in effects:
+    if "shear-localisation" in effects or "The effect shear-localisation describes" in said:
         return "shear-localisation"
     if diagnosis.get("verdict") == "missing" and len(effects) == 1:
         return effects[0]
@@ -168,11 +168,14 @@ def chosen(diagnosis):
 
 
 def added(program, work, folder, names):
-    """Fit of a study to which effects are added."""
-    for name in names:
-        words = [program, "add", folder, name]
-        subprocess.run([str(w) for w in words], capture_output=True, check=False)
-    return asked(program, work, "calibrate", folder, "--no-confirm")
+    """Fit of a study whose model has these effects, which had none."""
+    study = folder / "study.toml"
+    text = study.read_text(encoding="ascii")
+    listed = ", ".join(f'"{name}"' for name in names)
+    study.write_text(f"{text}\n[model]\neffects = [{listed}]\n", encoding="ascii")
+    fit = asked(program, work, "calibrate", folder, "--no-confirm")
+    study.write_text(text, encoding="ascii")
+    return fit
 
 
 def within(fit, friction):
@@ -198,7 +201,7 @@ def judged(program, work, folder, friction):
     # Where there are too few readings, the program says so in place of a verdict.
     row["verdict"] = diagnosis.get("verdict", "none")
     row["effects"] = " ".join(diagnosis.get("effects", []))
-    row["added"] = chosen(diagnosis)
+    row["added"] = chosen(diagnosis, said)
     after = added(program, work, folder, [row["added"]]) if row["added"] else {}
     names = ("friction added", "stderr added", "with instrument added")
     row |= dict(zip(names, friction_of(after)))
@@ -206,7 +209,8 @@ def judged(program, work, folder, friction):
     row["coefficient"] = f"{coefficient['value']:.3f}" if coefficient else ""
     # What import names of the cell itself, beside what the readings show.
     layers = any("wall-layers" in note for note in found.get("notes", []))
-    last = added(program, work, folder, ["wall-layers"]) if layers else after or fit
+    everything = [name for name in (row["added"], "wall-layers" if layers else "") if name]
+    last = added(program, work, folder, everything) if layers else after or fit
     row["layers"] = int(layers)
     row |= dict(zip(("friction all", "stderr all", "with instrument all"), friction_of(last)))
     row |= {"within before": within(fit, friction), "within all": within(last, friction)}
