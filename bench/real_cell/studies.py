@@ -68,9 +68,18 @@ def tables():
     return states, series
 
 
-def sheared_share(state):
-    """Height of the sheared layer over the gap."""
-    return float(state["sheared_height [a]"]) / float(state["gap [a]"])
+def least_sheared(found, members, states):
+    """Smallest height of the sheared layer over the gap, in the steps that gave readings."""
+    keys = [key for key in states if key[0] in {cell.name for cell in members}]
+    shares = []
+    for reading in found.get("readings", []):
+        key = min(
+            keys,
+            key=lambda k: abs(math.log(reading["normal_stress"] / k[1]))
+            + abs(math.log(reading["inertial_number"] / k[2])),
+        )
+        shares.append(float(states[key]["sheared_height [a]"]) / float(states[key]["gap [a]"]))
+    return f"{min(shares):.2f}" if shares else ""
 
 
 def radii(cell):
@@ -185,9 +194,8 @@ def within(fit, friction):
     return int(abs(float(value) - friction) <= 2 * float(error)) if value else ""
 
 
-def judged(program, work, folder, friction):
-    """Row of results of one study."""
-    found = asked(program, work, "import", folder)
+def judged(program, work, folder, friction, found):
+    """Row of results of one study; `found`: what import says of it."""
     said = " ".join(doubt["what"] for doubt in found.get("doubts", []))
     fit = asked(program, work, "calibrate", folder, "--no-confirm")
     diagnosis = asked(program, work, "diagnose", folder)
@@ -246,9 +254,9 @@ def main():
         write_study(folder, members, states, series, given.state_walls)
         cell = members[0]
         row = {"study": name, "wall friction": cell.wall_friction, "true friction": cell.friction}
-        shares = [sheared_share(states[key]) for each in members for key in states if key[0] == each.name]
-        row["least sheared"] = f"{min(shares):.2f}"
-        rows.append(row | judged(given.program, given.work, folder, cell.friction))
+        found = asked(given.program, given.work, "import", folder)
+        row["least sheared"] = least_sheared(found, members, states)
+        rows.append(row | judged(given.program, given.work, folder, cell.friction, found))
         print(rows[-1], file=sys.stderr, flush=True)
     if given.out and rows:
         with open(given.out, "w", encoding="utf-8", newline="") as file:
