@@ -12,8 +12,9 @@ namespace pendular {
 /// of it is an offset of the gap (`height-offset`).
 Effect wall_layers() {
     return {
-        .summary = "grains beside the side walls lie in layers that shear easily, which lowers the "
-                   "torque",
+        .summary =
+            "grains beside the side walls lie in layers that shear easily, which lowers the "
+            "torque",
         .equation =
             "T_shown = T (1 - 2 x 0.57 a/w)      w = Re - Ri, from 10 a on; a: grain diameter\n"
             "(docs/explanation/cell.md). A diagnosis tries it only where shear-localisation is "

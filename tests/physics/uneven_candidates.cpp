@@ -18,7 +18,8 @@ std::vector<std::string> tried(std::optional<double> wall_friction, double gap_c
     std::vector<Condition> all = conditions();
     all.front().gap_creep = gap_creep;
     std::vector<std::string> names;
-    for (const Candidate& candidate : models_of(all, study).candidates())
+    const StudyModelSpace models = models_of(all, study);
+    for (const Candidate& candidate : models.candidates())
         names.push_back(candidate.name);
     return names;
 }
