@@ -3,13 +3,13 @@
 
 namespace pendular {
 
-/// Grains beside a flat wall lie in layers, which slide over each other more easily than grains
-/// without order do. Of the torque, the shear stress times lever over the area of the lid, a strip
-/// beside each wall adds nothing; its width is about half a diameter, whatever the load, the height
-/// and the friction of the wall. In one cell with beads of one size this is a constant factor, as
-/// `torque-gain` is: no reading tells the two apart, but the width of the cell and the diameter of
-/// the beads say how large this one is. The solid fraction is not changed: what lid and base take
-/// of it is an offset of the gap (`height-offset`).
+/// Grains beside a flat wall lie in layers, which should slide over each other more easily than
+/// grains without order do. Of the torque, the shear stress times lever over the area of the lid, a
+/// strip beside each wall adds nothing; its width is about half a diameter in cells of two widths
+/// and several heights, loads and wall frictions. In one cell with beads of one size this is a
+/// constant factor, as `torque-gain` is: no reading tells the two apart, but the width of the cell
+/// and the diameter of the beads say how large this one is. The solid fraction is not changed: what
+/// lid and base take of it is an offset of the gap (`height-offset`).
 Effect wall_layers() {
     return {
         .summary =
