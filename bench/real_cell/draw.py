@@ -69,6 +69,25 @@ def strip(cell, state, at_lid):
     return (1 - state["stress_ratio [1]"] / at_lid) * cell.width / 2
 
 
+def across():
+    """Prints stress ratio and solid fraction over the distance from the side walls, by diameters, and
+    the strip that the first four lack in strength against the rest."""
+    runs = defaultdict(lambda: defaultdict(list))
+    for row in rows_of("across.csv"):
+        runs[key_of(row)][int(float(row["distance [a]"]))].append(numbers(row))
+    for key, places in runs.items():
+        ratios, fractions = [], []
+        for _, strips in sorted(places.items()):
+            shear = sum(s["shear_stress [s22]"] for s in strips)
+            ratios.append(shear / sum(s["normal_stress [s22]"] for s in strips))
+            fractions.append(sum(s["solid_fraction [1]"] for s in strips) / len(strips))
+        middle = sum(ratios[4:]) / len(ratios[4:])
+        lost = sum(1 - ratio / middle for ratio in ratios[:4])
+        print(f"{key}: stress ratio", *(f"{x:.3f}" for x in ratios))
+        print("   solid fraction", *(f"{x:.3f}" for x in fractions))
+        print(f"   strip {lost:.2f}")
+
+
 def summary(states, profiles):
     print(
         "cell, stress, I: sheared height, mobilised wall friction, stress ratio, and by theory;\n"
@@ -147,6 +166,7 @@ def main():
     given = parser.parse_args()
     states, profiles = load()
     summary(states, profiles)
+    across()
     draw(states, profiles, given.stress, given.inertial_number, given.height, given.out)
 
 
