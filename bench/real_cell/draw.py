@@ -5,6 +5,7 @@ docs/explanation/cell.md, and its numbers. Needs gnuplot.
     draw.py [--out FILE.png]
 """
 import argparse
+import math
 import subprocess
 import sys
 import tempfile
@@ -63,8 +64,36 @@ def velocity(rate, step, speed):
     return result
 
 
+def strip(cell, state, at_lid):
+    """Width of the strip beside each wall that adds nothing to the stress ratio at the lid [a]."""
+    return (1 - state["stress_ratio [1]"] / at_lid) * cell.width / 2
+
+
+def across():
+    """Prints stress ratio and solid fraction over the distance from the side walls, by diameters, and
+    the strip that the first four lack in strength against the rest."""
+    runs = defaultdict(lambda: defaultdict(list))
+    for row in rows_of("across.csv"):
+        runs[key_of(row)][int(float(row["distance [a]"]))].append(numbers(row))
+    for key, places in runs.items():
+        ratios, fractions = [], []
+        for _, strips in sorted(places.items()):
+            shear = sum(s["shear_stress [s22]"] for s in strips)
+            ratios.append(shear / sum(s["normal_stress [s22]"] for s in strips))
+            fractions.append(sum(s["solid_fraction [1]"] for s in strips) / len(strips))
+        middle = sum(ratios[4:]) / len(ratios[4:])
+        lost = sum(1 - ratio / middle for ratio in ratios[:4])
+        print(f"{key}: stress ratio", *(f"{x:.3f}" for x in ratios))
+        print("   solid fraction", *(f"{x:.3f}" for x in fractions))
+        print(f"   strip {lost:.2f}")
+
+
 def summary(states, profiles):
-    print("cell, stress, I: sheared height, mobilised wall friction, stress ratio, and by theory")
+    print(
+        "cell, stress, I: sheared height, mobilised wall friction, stress ratio, and by theory;\n"
+        "strip beside each wall that adds nothing to the strength, with its error"
+    )
+    strips = defaultdict(list)
     for key, state in sorted(states.items()):
         cell = cell_named(key[0])
         gap, height = state["gap [a]"], state["sheared_height [a]"]
@@ -73,8 +102,14 @@ def summary(states, profiles):
         print(
             f"{key[0]:32} {key[1]:5.0f} {key[2]:.2f} {key[3]}: {height:5.1f} {walls:.3f} "
             f"{state['stress_ratio [1]']:.3f}   {theory.sheared_height(rate, cell.height / 120):5.1f} "
-            f"{at_lid:.3f}"
+            f"{at_lid:.3f}   {strip(cell, state, at_lid):5.2f} "
+            f"{state['stress_ratio_stderr [1]'] / at_lid * cell.width / 2:.2f}"
         )
+        strips[key[0]].append(strip(cell, state, at_lid))
+    for name, all_of_it in strips.items():
+        mean = sum(all_of_it) / len(all_of_it)
+        spread = math.sqrt(sum((x - mean) ** 2 for x in all_of_it) / max(1, len(all_of_it) - 1))
+        print(f"{name:32} strip {mean:.2f} +- {spread / math.sqrt(len(all_of_it)):.2f}")
 
 
 def points(file, rows):
@@ -131,6 +166,7 @@ def main():
     given = parser.parse_args()
     states, profiles = load()
     summary(states, profiles)
+    across()
     draw(states, profiles, given.stress, given.inertial_number, given.height, given.out)
 
 

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Gathers finished runs of run_cells.py into the tables that ship: states.csv (a row for each run),
-profiles.csv (a row for each layer of a run) and series.csv (what an instrument records).
+profiles.csv (a row for each layer of a run), across.csv (a row for each strip along the walls, of runs
+that recorded them) and series.csv (what an instrument records).
 
     gather.py [--work FOLDER] [--out FOLDER]
 """
 import argparse
 import sys
+from collections import defaultdict
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -40,15 +42,39 @@ def series_of(run, folder):
     return [(t / area, n / area, gap - 1) for _, t, n, gap in rows_of(folder / "series")]
 
 
+def last_average(file):
+    """Rows of the last of the averages in a file, each of which is over all that went before."""
+    rows = []
+    for row in rows_of(file):
+        if len(row) == 3:  # begins a newer one
+            rows = []
+            continue
+        rows.append(row[1:])
+    return rows
+
+
+def strips_of(run, folder, gap):
+    """Strips along both side walls, half a diameter wide, without two diameters at base and lid:
+    distance from the wall, velocity, stresses, solid fraction of the centres in it."""
+    file = folder / "across"
+    if not file.exists():
+        return
+    sums = defaultdict(lambda: [0.0] * 7)
+    for y, z, count, vx, _, yy, zz, xz, *_ in last_average(file):
+        if 2 < z < gap - 1.5:  # boxes two diameters high, by their middle
+            box = run.cell.length * 0.5 * 2
+            found = (box, count, vx, xz, zz, yy, count * 0.5235988)
+            place = min(y, run.cell.width - y)
+            sums[place] = [a + b for a, b in zip(sums[place], found)]
+    for place in sorted(sums):
+        volume, count, vx, *densities = sums[place]
+        yield (place, vx / count, *(each / volume for each in densities))
+
+
 def layers_of(run, folder):
     """Layers of one diameter from the base up: height, velocity, stresses, solid fraction, friction
     stress and normal stress at both walls."""
-    layers = []
-    for row in rows_of(folder / "profile"):
-        if len(row) == 3:  # begins a newer average over all that went before
-            layers = []
-            continue
-        layers.append(row[1:])
+    layers = last_average(folder / "profile")
     volume = run.cell.length * run.cell.width
     for height, count, vx, xx, yy, zz, xz, wall_x, wall_y, wall_z in layers:
         if count < 0.2 * volume:
@@ -126,6 +152,10 @@ LAYER = (
     "lateral_stress [s22],flow_stress [s22],solid_fraction [1],wall_drag [s22],"
     "wall_pressure [s22],wall_lift [s22]"
 )
+STRIP = (
+    "distance [a],velocity [sqrt(a s22 a/m)],shear_stress [s22],normal_stress [s22],"
+    "lateral_stress [s22],solid_fraction [1]"
+)
 
 
 def main():
@@ -134,6 +164,7 @@ def main():
     parser.add_argument("--out", type=Path, default=HERE)
     given = parser.parse_args()
     states, profiles, recorded = [f"{KEYS},{STATE}"], [f"{KEYS},{LAYER}"], []
+    across = [f"{KEYS},{STRIP}"]
     recorded.append(f"{KEYS},shear_stress [s22],normal_stress [s22],gap [a]")
     for run in run_cells.all_runs():
         folder = given.work / run.name
@@ -143,10 +174,14 @@ def main():
         keys = f"{cell},{run.stress:g},{run.inertial_number:g},{run.replicate}"
         series, layers = series_of(run, folder), list(layers_of(run, folder))
         volume = float((folder / "volume").read_text(encoding="ascii"))
-        states.append(",".join(map(str, (keys, *state_of(run, series, layers, volume)))))
+        state = state_of(run, series, layers, volume)
+        states.append(",".join(map(str, (keys, *state))))
+        strips = strips_of(run, folder, gap=series[-1][2])
+        across += [f"{keys}," + ",".join(f"{x:.4g}" for x in strip) for strip in strips]
         profiles += [f"{keys}," + ",".join(f"{x:.4g}" for x in layer) for layer in layers]
         recorded += [f"{keys},{t:.4f},{n:.4f},{gap:.4f}" for t, n, gap in series[SETTLING:]]
-    for name, lines in (("states", states), ("profiles", profiles), ("series", recorded)):
+    tables = {"states": states, "profiles": profiles, "across": across, "series": recorded}
+    for name, lines in tables.items():
         text = HEADER + "\n".join(lines) + "\n"
         (given.out / f"{name}.csv").write_text(text, encoding="ascii")
     print(f"{len(states) - 1} runs", file=sys.stderr)

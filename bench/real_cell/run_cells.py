@@ -73,6 +73,7 @@ def variables(run, folder, glued):
         "area": cell.length * cell.width,
         "series": folder / "series",
         "profile": folder / "profile",
+        "across": folder / "across",
     }
 
 

@@ -68,6 +68,20 @@ def tables():
     return states, series
 
 
+def least_sheared(found, members, states):
+    """Smallest height of the sheared layer over the gap, in the steps that gave readings."""
+    keys = [key for key in states if key[0] in {cell.name for cell in members}]
+    shares = []
+    for reading in found.get("readings", []):
+        key = min(
+            keys,
+            key=lambda k: abs(math.log(reading["normal_stress"] / k[1]))
+            + abs(math.log(reading["inertial_number"] / k[2])),
+        )
+        shares.append(float(states[key]["sheared_height [a]"]) / float(states[key]["gap [a]"]))
+    return f"{min(shares):.2f}" if shares else ""
+
+
 def radii(cell):
     return INNER_RADIUS, INNER_RADIUS + cell.width * cells.DIAMETER
 
@@ -151,20 +165,37 @@ def friction_of(fit):
     return tuple(f"{x:.4f}" for x in (friction["value"], friction["stderr"], total))
 
 
-def chosen(diagnosis):
-    """Effect that a user would add: the one that is named, or, of several that cannot be told apart,
-    the one that the warnings suggest."""
+def chosen(diagnosis, said):
+    """Effect that a user would add: the one that a warning of import or the diagnosis names, or, of
+    several that cannot be told apart, the one that the warnings suggest."""
     effects = diagnosis.get("effects", [])
-    if "shear-localisation" in effects:
+    if "shear-localisation" in effects or "The effect shear-localisation describes" in said:
         return "shear-localisation"
     if diagnosis.get("verdict") == "missing" and len(effects) == 1:
         return effects[0]
     return ""
 
 
-def judged(program, work, folder):
-    """Row of results of one study."""
-    found = asked(program, work, "import", folder)
+def added(program, work, folder, names):
+    """Fit of a study whose model has these effects, which had none."""
+    study = folder / "study.toml"
+    text = study.read_text(encoding="ascii")
+    listed = ", ".join(f'"{name}"' for name in names)
+    study.write_text(f"{text}\n[model]\neffects = [{listed}]\n", encoding="ascii")
+    fit = asked(program, work, "calibrate", folder, "--no-confirm")
+    study.write_text(text, encoding="ascii")
+    return fit
+
+
+def within(fit, friction):
+    """Whether the true friction is within two errors, those of the instrument included: 1, 0, or
+    nothing where there is no fit."""
+    value, _, error = friction_of(fit)
+    return int(abs(float(value) - friction) <= 2 * float(error)) if value else ""
+
+
+def judged(program, work, folder, friction, found):
+    """Row of results of one study; `found`: what import says of it."""
     said = " ".join(doubt["what"] for doubt in found.get("doubts", []))
     fit = asked(program, work, "calibrate", folder, "--no-confirm")
     diagnosis = asked(program, work, "diagnose", folder)
@@ -178,16 +209,19 @@ def judged(program, work, folder):
     # Where there are too few readings, the program says so in place of a verdict.
     row["verdict"] = diagnosis.get("verdict", "none")
     row["effects"] = " ".join(diagnosis.get("effects", []))
-    row["added"] = chosen(diagnosis)
-    after = {}
-    if row["added"]:
-        words = [program, "add", folder, row["added"]]
-        subprocess.run([str(w) for w in words], capture_output=True, check=False)
-        after = asked(program, work, "calibrate", folder, "--no-confirm")
+    row["added"] = chosen(diagnosis, said)
+    after = added(program, work, folder, [row["added"]]) if row["added"] else {}
     names = ("friction added", "stderr added", "with instrument added")
     row |= dict(zip(names, friction_of(after)))
     coefficient = after.get("parameters", {}).get("shear-localisation.coefficient")
     row["coefficient"] = f"{coefficient['value']:.3f}" if coefficient else ""
+    # What import names of the cell itself, beside what the readings show.
+    layers = any("wall-layers" in note for note in found.get("notes", []))
+    everything = [name for name in (row["added"], "wall-layers" if layers else "") if name]
+    last = added(program, work, folder, everything) if layers else after or fit
+    row["layers"] = int(layers)
+    row |= dict(zip(("friction all", "stderr all", "with instrument all"), friction_of(last)))
+    row |= {"within before": within(fit, friction), "within all": within(last, friction)}
     return row
 
 
@@ -220,7 +254,9 @@ def main():
         write_study(folder, members, states, series, given.state_walls)
         cell = members[0]
         row = {"study": name, "wall friction": cell.wall_friction, "true friction": cell.friction}
-        rows.append(row | judged(given.program, given.work, folder))
+        found = asked(given.program, given.work, "import", folder)
+        row["least sheared"] = least_sheared(found, members, states)
+        rows.append(row | judged(given.program, given.work, folder, cell.friction, found))
         print(rows[-1], file=sys.stderr, flush=True)
     if given.out and rows:
         with open(given.out, "w", encoding="utf-8", newline="") as file:

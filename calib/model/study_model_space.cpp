@@ -117,8 +117,9 @@ bool StudyModelSpace::has_runs(const Effect& effect) const {
 
 bool StudyModelSpace::bed_may_be_uneven() const {
     const auto& cell = study_.study().cell;
-    return (cell && cell->wall_friction.value_or(0) > 0) ||
-           std::ranges::any_of(conditions_, [](const Condition& c) { return c.gap_creep != 0; });
+    // Between walls without friction, a gap creeps for another reason.
+    if (cell && cell->wall_friction) return *cell->wall_friction > 0;
+    return std::ranges::any_of(conditions_, [](const Condition& c) { return c.gap_creep != 0; });
 }
 
 void StudyModelSpace::add_candidate(const Effect& effect) {

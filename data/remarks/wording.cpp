@@ -181,10 +181,19 @@ std::string few_beads_text(const Remark& note) {
     for (const Remark& side : note.because)
         sides.push_back(fmt::format("the {} of the sample, {:.3g} mm, is {:.2g} bead diameters",
                                     side.quantity, 1e3 * side.size, side.relative));
-    return fmt::format(
-        "{}: below ten, the walls order the beads, and the model, a flow without walls, may not "
-        "hold",
-        fmt::join(sides, "; "));
+    std::vector<std::string> said;
+    if (!sides.empty())
+        said.push_back(fmt::format(
+            "{}: below ten, the walls order the beads, and the model, a flow without walls, may "
+            "not hold",
+            fmt::join(sides, "; ")));
+    if (note.relative > 0)
+        said.push_back(fmt::format(
+            "the side walls are {:.2g} bead diameters apart: beads beside a flat wall lie in "
+            "layers that shear easily, so that the torque is about {:.1f} % smaller than in the "
+            "model, and the fitted friction too small; the effect wall-layers describes this",
+            note.size, 100 * note.relative));
+    return fmt::format("{}", fmt::join(said, ". Also, "));
 }
 
 std::string weight_text(const Remark& note) {

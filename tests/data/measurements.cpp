@@ -309,6 +309,11 @@ TEST(FewBeads, AreNotedOnce) {
     };
     const auto few = notes_of("2 mm");  // 3 beads high
     EXPECT_EQ(std::ranges::count(few, Remark::Kind::few_beads, &Remark::kind), 1);
+    // 24 mm between walls: the layers along them take 3 % of the torque from beads of 0.63 mm on.
+    const auto in_layers = notes_of("1 mm");
+    ASSERT_EQ(std::ranges::count(in_layers, Remark::Kind::few_beads, &Remark::kind), 1);
+    EXPECT_THAT(texts(in_layers),
+                testing::Contains(testing::HasSubstr("4.8 % smaller than in the model")));
     EXPECT_EQ(std::ranges::count(notes_of("500 um"), Remark::Kind::few_beads, &Remark::kind), 0);
     expect_told(texts(few));
 }

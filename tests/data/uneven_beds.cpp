@@ -10,6 +10,7 @@
 #include "data/recordings/measurements.h"
 #include "data/sheared_layer.h"
 #include "data/study/study.h"
+#include "data/wall_layers.h"
 #include "tests/support/golden.h"
 #include "tests/support/ordinary_studies.h"
 
@@ -119,9 +120,9 @@ WalledBed bed_of(const SimulatedCell& cell, double nominal_height, double wall_f
 }
 
 TEST(ShearedLayer, IsThatOfSimulatedCells) {
-    // Beads beside flat walls lie in layers, which slide more easily: 4 % of the stress ratio in
-    // the cells without wall friction. Samples of 2600 to 5300 beads scatter by 1 to 3 %.
-    constexpr double ordered = 0.96;
+    // Beads beside flat walls lie in layers, which slide more easily. Samples of 2600 to 5300 beads
+    // scatter by 1 to 3 %.
+    const double ordered = 1 - strength_lost_beside_walls(24);
     for (const auto& [name, height, friction] : {std::tuple("walls 0, height 12", 12.0, 0.0),
                                                  std::tuple("walls 0.15, height 12", 12.0, 0.15),
                                                  std::tuple("walls 0.15, height 24", 24.0, 0.15)}) {
@@ -137,6 +138,24 @@ TEST(ShearedLayer, IsThatOfSimulatedCells) {
             EXPECT_EQ(even, friction == 0) << name;
         }
     }
+}
+
+/// Mean over the states of a cell without wall friction of the stress ratio at the lid over that
+/// without layers along the walls.
+double mean_strength(const std::string& name) {
+    double sum = 0, count = 0;
+    for (const SimulatedCell& cell : simulated_cells(name)) {
+        sum += cell.stress_ratio / sheared_layer(bed_of(cell, 12, 0)).stress_ratio;
+        ++count;
+    }
+    return sum / count;
+}
+
+TEST(WallLayers, LearntFromNarrowCellsHoldInOnesTwiceAsWide) {
+    // Standard errors of the means: 0.02 and 0.007. Without layers, both would be 1.
+    EXPECT_NEAR(mean_strength("narrow, walls 0, height 12"), 1 - strength_lost_beside_walls(12),
+                0.04);
+    EXPECT_NEAR(mean_strength("walls 0, height 12"), 1 - strength_lost_beside_walls(24), 0.014);
 }
 
 /// A study of one recording of 300 rows, whose gap of 4 mm changes by `change`, in a cell with
@@ -219,6 +238,29 @@ TEST(UnevenShear, IsThatOfTheWeightBetweenSmoothWalls) {
     ASSERT_THAT(told, SizeIs(1));
     EXPECT_TRUE(told[0].of_weight);
     expect_told({text_of(told[0])});
+}
+
+TEST(UnevenShear, SaysWhatIsAddedToEvenShearOfTheGrains) {
+    // The lid shows what the layer of some grains dictates; the doubt tells how far that is above
+    // the ratio of these grains in even shear, not above what the lid shows.
+    const OneRecording walls(0, "wall_friction = 0.3\n");
+    const Study study = read_study(walls.folder.path());
+    Reading reading = walls.measured().readings.at(0);
+    const Condition& c = reading.condition;
+    const double diameter = study.grains.diameter, area = study.cell->area();
+    const WalledBed grains{
+        .height = *c.height / diameter,
+        .width = (study.cell->outer_radius - study.cell->inner_radius) / diameter,
+        .wall_friction = 0.9 * 0.3 / (1 + 3.6 * 0.3),
+        .weight = *c.bead_volume * study.grains.density * gravity / area / c.normal_stress,
+        .inertial_number = c.inertial_number,
+        .stress_ratio = 0.3};
+    const double at_lid = sheared_layer(grains).stress_ratio;
+    ASSERT_GT(at_lid, 0.305);
+    reading.value(0) = at_lid * c.normal_stress;
+    const auto told = uneven_shear(study, {reading});
+    ASSERT_THAT(told, SizeIs(1));
+    EXPECT_NEAR(told[0].relative, at_lid / 0.3 - 1, 1e-4);
 }
 
 TEST(UnevenShear, TakesAWallFrictionThatIsNoAngle) {
