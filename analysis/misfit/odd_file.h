@@ -20,7 +20,7 @@ struct OddFile {
     /// Probability [1] that some file deviates as far in some observable where none is odd and
     /// files scatter, since each filling of a cell differs.
     double p = 1;
-    /// The same where files do not scatter, but only the readings within them.
+    /// Probability [1] of such a file where files do not scatter, but only the readings in them.
     double p_by_readings = 1;
     /// Mean height of the sample at the file's readings [m]; empty: unknown.
     std::optional<double> height = {};

@@ -37,8 +37,8 @@ StudyDiagnosis diagnosis_of(const fs::path& study) {
     return Session(study, {.fidelity = fidelity_named("quick")}).diagnose();
 }
 
-/// Of four files, two of a kind, a gap that is wrong by 0.6 % cannot be told from fillings that
-/// differ; one that is wrong by 2.7 % can.
+// Of four files, two of a kind, a gap that is wrong by 0.6 % cannot be told from fillings that
+// differ; one that is wrong by 2.7 % is worth a look.
 TEST(OddFileReport, NamesTheRecordingWithAShiftedGapBesideAMissingEffect) {
     const TemporaryFolder folder;
     const fs::path study = folder.path() / "study";
