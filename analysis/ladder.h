@@ -44,6 +44,9 @@ struct LadderStep {
     std::array<double, 2> rms_percent{};
     /// Errors [%] in cross-validation (`LeftOut`); empty if none was made.
     std::optional<std::array<double, 2>> left_out_percent;
+    /// When the model became the study's, in local time, such as "2026-03-01 14:05"; empty:
+    /// unknown.
+    std::string when = {};
 
     double chi2_per_dof() const { return chi2 / dof; }
     /// Returns the parameter of that name; null if there is none.

@@ -77,8 +77,8 @@ int next(const std::vector<std::string>& arguments) {
     if (d.diagnosis.verdict == Verdict::inconclusive) {
         impacts = impacts_of(d, static_cast<std::size_t>(session->options().threads));
     }
-    std::vector<NextStep> steps = next_steps(d, impacts, session->resolved(), common->study_word());
-    if (next.points.empty()) std::erase_if(steps, &NextStep::readings);
+    const std::vector<NextStep> steps =
+        next_steps(d, impacts, session->resolved(), common->study_word());
     const auto json = to_json(next, d, texts_of(steps));
     write_json(common->out_folder() / "next.json", json);
     console.print(next_output(next, d, steps, session->study().rig.has_value()));

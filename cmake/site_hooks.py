@@ -15,18 +15,47 @@ log = logging.getLogger("mkdocs.pendular")
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 # Pages beside docs/, by their path in the site.
-BESIDE = {"index.md": "README.md", **{name: name for name in ("ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md")}}
+BESIDE = {"overview.md": "README.md", **{name: name for name in ("ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md")}}
 KATEX = "/usr/share/javascript/katex"
 JQUERY = "/usr/share/javascript/jquery/jquery.min.js"
 # Debian's theme asks for these two scripts without having them.
 MISSING = {
     "jquery-3.6.0.min.js": JQUERY,
-    # Searching needs a server: pages that are opened from the disk cannot read the index.
-    "theme_extra.js": """if (location.protocol === "file:") window.Worker = class { postMessage() {} };
+    # A page that is opened from the disk cannot read the index of words in a worker, as the theme does:
+    # it loads lunr and the index as scripts, and answers in the worker's place.
+    "theme_extra.js": """if (location.protocol === "file:") window.Worker = class {
+  constructor(path) { this.folder = path.replace(/worker[.]js$/, ""); }
+  script(name) {
+    return new Promise(loaded => {
+      const script = document.createElement("script");
+      script.src = this.folder + name;
+      script.onload = loaded;
+      document.head.append(script);
+    });
+  }
+  async postMessage({init, query}) {
+    if (!init) {
+      const found = this.index.search(query).map(({ref}) => this.documents.get(ref));
+      this.onmessage({data: {results: found.map(page => ({...page, summary: page.text.slice(0, 200)}))}});
+      return;
+    }
+    await this.script("lunr.js");
+    await this.script("search_index.js");
+    const {config, docs} = window.search_index;
+    this.documents = new Map(docs.map(page => [page.location, page]));
+    lunr.tokenizer.separator = new RegExp(config.separator);
+    this.index = lunr(function() {
+      this.field("title"), this.field("text"), this.ref("location");
+      for (const page of docs) this.add(page);
+    });
+    this.onmessage({data: {config}});
+    this.onmessage({data: {allowSearch: true}});
+  }
+};
 $(() => {
-  $("head").append("<style>.wy-table-responsive table td, .wy-table-responsive table th { white-space: normal; }</style>");
+  $("head").append("<style>.wy-table-responsive table td, .wy-table-responsive table th { white-space: normal; } "
+    + ".rst-content img:not([src*='page.png']) { width: auto; height: auto; max-height: 34em; }</style>");
   $(".rst-content table").addClass("docutils").wrap('<div class="wy-table-responsive"></div>');
-  if (location.protocol === "file:") $("[role=search]").hide();
 });
 """,
 }
@@ -164,8 +193,17 @@ def complete_theme(folder):
                 file.write(content)
 
 
+def index_as_script(folder):
+    """Writes the index of words as a script too, for pages that are opened from the disk."""
+    with open(os.path.join(folder, "search_index.json"), encoding="utf-8") as file:
+        index = file.read()
+    with open(os.path.join(folder, "search_index.js"), "w", encoding="utf-8") as file:
+        file.write(f"window.search_index = {index};\n")
+
+
 def on_post_build(config):
     complete_theme(os.path.join(config["site_dir"], "js"))
+    index_as_script(os.path.join(config["site_dir"], "search"))
     if not has_katex():
         return
     there = os.path.join(config["site_dir"], "katex")

@@ -11,6 +11,7 @@
 #include "reports/failure_report.h"
 #include "reports/fit_report.h"
 #include "reports/impact_report.h"
+#include "reports/odd_file_report.h"
 #include "reports/other_causes.h"
 #include "reports/proposal_report.h"
 #include "reports/with_error.h"
@@ -178,6 +179,8 @@ Output diagnosis_output(const DiagnosisParts& parts) {
             output.line("Warning: " + belief.reasons[k]);
     }
     output.lines(suspect_lines(d));
+    // A suspect recording is the verdict itself.
+    if (diagnosis.verdict != Verdict::suspect_measurement) output.line(odd_file_line(d));
     output.line(friction_line(d));
     add_limits(output, models.simulation().emulator().runs(), d.readings,
                rivals_of(d).front().fit.parameters(0));

@@ -152,10 +152,22 @@ Curve model_line(const std::string& label, const SeriesLook& look) {
             .dash = look.dash};
 }
 
+namespace {
+
+/// Text of a range of series: "content 0.003 to 0.063", or both names where they differ before the
+/// last blank.
+std::string range_text(const std::string& first, const std::string& last) {
+    const auto words = first.rfind(' ');
+    const bool alike = words != std::string::npos && last.starts_with(first.substr(0, words + 1));
+    return first + " to " + (alike ? last.substr(words + 1) : last);
+}
+
+}  // namespace
+
 std::vector<Curve> series_entries(const std::vector<std::string>& names) {
     std::vector<Curve> entries;
     if (names.size() > most_named_series) {
-        Curve all{.label = names.front() + " to " + names.back(), .style = Curve::Style::scale};
+        Curve all{.label = range_text(names.front(), names.back()), .style = Curve::Style::scale};
         for (std::size_t k = 0; k < names.size(); ++k) {
             all.colours.push_back(look_of_series(k, names.size()).colour);
         }

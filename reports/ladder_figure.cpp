@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "reports/figure.h"
@@ -16,11 +17,40 @@ namespace {
 /// The last steps, whose names along x fit beside one another over the width of a page.
 constexpr std::size_t most_ladder_steps = 8;
 
-std::vector<std::string> name_of(const LadderStep& ladder_step) {
-    if (ladder_step.change == "start") {
-        return {"start"};
+/// Lines with the day of a step and, where others have the same day, its time of day; none where
+/// the time is unknown. They begin with a blank because tables join the lines of a name.
+std::vector<std::string> lines_of_time(const LadderStep& step, const Ladder& ladder) {
+    constexpr std::size_t day = std::string_view("2026-03-01").size();
+    if (step.when.size() <= day) return {};
+    const auto same_day = [&](const LadderStep& other) {
+        return other.when.substr(0, day) == step.when.substr(0, day);
+    };
+    std::vector<std::string> lines = {" " + plain_text(step.when.substr(0, day))};
+    if (std::ranges::count_if(ladder, same_day) > 1)
+        lines.push_back(" " + plain_text(step.when.substr(day + 1)));
+    return lines;
+}
+
+std::vector<std::string> name_of(const LadderStep& step) {
+    if (step.change == "start") return {"start"};
+    return broken_name((step.change == "add" ? "+ " : "− ") + step.effect);
+}
+
+/// Names of the steps, with the time below each, on the same line for all.
+std::vector<std::vector<std::string>> names_of(const Ladder& ladder) {
+    std::vector<std::vector<std::string>> names;
+    std::size_t most = 0;
+    for (const LadderStep& step : ladder) {
+        names.push_back(name_of(step));
+        if (!step.when.empty()) most = std::max(most, names.back().size());
     }
-    return broken_name((ladder_step.change == "add" ? "+ " : "− ") + ladder_step.effect);
+    for (std::size_t k = 0; k < ladder.size(); ++k) {
+        const std::vector<std::string> time = lines_of_time(ladder[k], ladder);
+        if (time.empty()) continue;
+        names[k].resize(most);
+        names[k].insert(names[k].end(), time.begin(), time.end());
+    }
+    return names;
 }
 
 /// Vertical lines between two steps of a ladder where the ladder starts anew.
@@ -145,9 +175,7 @@ Panel error_panel(const Ladder& ladder) {
         }
     }
     panel.curves.insert(panel.curves.end(), points.begin(), points.end());
-    for (const LadderStep& ladder_step : ladder) {
-        panel.x_names.push_back(name_of(ladder_step));
-    }
+    panel.x_names = names_of(ladder);
     panel.log_y = !values.empty() && spans_decade(values);
     panel.key = true;
     panel.y_from_zero = true;

@@ -59,6 +59,15 @@ Extent extent(const Panel& panel, bool along_x) {
     return extent;
 }
 
+/// Whether the symbol of a point would reach over the left edge of an axis that begins at 0.
+bool has_symbol_at_zero(const Panel& panel, double greatest) {
+    constexpr double share = 0.02;  // of the axis: about the radius of a symbol
+    return std::ranges::any_of(panel.curves, [&](const Curve& curve) {
+        return curve.style == Curve::Style::points && curve.drawn && !curve.x.empty() &&
+               std::ranges::min(curve.x) < share * greatest;
+    });
+}
+
 /// Range of one axis of a panel that includes all its data and reference lines, with a margin.
 AxisRange range(const Panel& panel, bool along_x) {
     const Extent shown = extent(panel, along_x);
@@ -79,8 +88,11 @@ AxisRange range(const Panel& panel, bool along_x) {
         return {least / 1.3, greatest * 1.3};
     }
     const double margin = 0.08 * (greatest - least);
-    // An axis of positive values near zero begins at zero.
-    return {least >= 0 && least < margin ? 0 : least - margin, greatest + margin};
+    if (least < 0 || least >= margin) return {least - margin, greatest + margin};
+    // An axis of positive values near zero begins at zero, or where a symbol there leaves the
+    // numbers beside the axis clear.
+    const bool at_zero = along_x && has_symbol_at_zero(panel, greatest);
+    return {at_zero ? -0.5 * margin : 0, greatest + margin};
 }
 
 /// Whether texts stand above points.

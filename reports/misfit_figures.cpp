@@ -386,7 +386,7 @@ std::vector<Figure> comparison_figures(const StudyModel& study_model,
 
 void mark_as_rejected(std::vector<Figure>& figures) {
     for (Figure& figure : figures) {
-        figure.title += " (fit not to be used: see compare.json)";
+        figure.title += " (fit in doubt)";
     }
 }
 

@@ -177,6 +177,12 @@ std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
     return lines;
 }
 
+/// Whether two conditions differ only in the inertial number.
+bool at_other_number(const Condition& a, const Condition& b) {
+    return a.normal_stress == b.normal_stress && a.liquid_content == b.liquid_content &&
+           a.bead_volume == b.bead_volume && a.time == b.time;
+}
+
 /// Whether two conditions differ only in the normal stress, at equal shear rate (`same_rate`) or at
 /// equal inertial number.
 bool beside(const Condition& a, const Condition& b, const Study& study, bool same_rate) {
@@ -234,41 +240,57 @@ namespace {
 /// Models with a curve: `look_of_series` has as many looks with shapes and dashes of their own.
 constexpr std::size_t most_rivals = most_named_series;
 
-/// Plans along the normal stress, and normal stresses of the readings to make [Pa], in the figure
-/// of a next measurement.
+/// Plans along the normal stress, or along the inertial number where only one normal stress can be
+/// set, and the places of the readings to make there, in the figure of a next measurement.
 struct NextCurves {
+    bool over_number = false;
     std::vector<const Plan*> along;
-    std::vector<double> stresses;
+    std::vector<double> places;  ///< normal stress [Pa] or inertial number [1]
+
+    double place_of(const Condition& condition) const {
+        return over_number ? condition.inertial_number : condition.normal_stress;
+    }
 };
 
+/// Curves along one of the two quantities through the condition `at`.
+NextCurves curves_along(const NextMeasurement& next, const std::vector<Plan>& plans,
+                        const Condition& at, bool over_number) {
+    const bool same_rate = next.study.rig && next.study.rig->shear_rate;
+    const auto shown = [&](std::size_t point) {
+        const Condition& condition = next.points[point].condition;
+        return !next.points[point].direct &&
+               (over_number ? at_other_number(condition, at)
+                            : beside(condition, at, next.study, same_rate));
+    };
+    NextCurves curves{.over_number = over_number, .along = {}, .places = {}};
+    for (const Plan& plan : plans) {
+        if (shown(plan.point)) curves.along.push_back(&plan);
+    }
+    std::ranges::sort(curves.along, {}, [&](const Plan* plan) {
+        return curves.place_of(next.points[plan->point].condition);
+    });
+    for (const Series::Step& each : next.series.steps) {
+        const double place = curves.place_of(next.points[each.point].condition);
+        if (shown(each.point) && std::ranges::find(curves.places, place) == curves.places.end())
+            curves.places.push_back(place);
+    }
+    if (next.series.steps.empty()) curves.places.push_back(curves.place_of(at));
+    return curves;
+}
+
 NextCurves curves_of(const NextMeasurement& next, const std::vector<Plan>& plans) {
-    const auto of_shear = [&](std::size_t point) { return !next.points[point].direct; };
     const auto& steps = next.series.steps;
-    const auto step = std::ranges::find_if(steps, of_shear, &Series::Step::point);
+    const auto step = std::ranges::find_if(
+        steps, [&](std::size_t point) { return !next.points[point].direct; }, &Series::Step::point);
     const std::size_t first = step == steps.end()
                                   ? std::ranges::max_element(plans, {}, &Plan::noncentrality)->point
                                   : step->point;
     const Condition& at = next.points[first].condition;
-    const bool same_rate = next.study.rig && next.study.rig->shear_rate;
-    const auto shown = [&](std::size_t point) {
-        return of_shear(point) && beside(next.points[point].condition, at, next.study, same_rate);
-    };
-    NextCurves curves;
-    for (const Plan& plan : plans) {
-        if (shown(plan.point)) curves.along.push_back(&plan);
-    }
-    std::ranges::sort(curves.along, {}, &Plan::point);
-    for (const Series::Step& each : steps) {
-        const double stress = next.points[each.point].condition.normal_stress;
-        if (shown(each.point) &&
-            std::ranges::find(curves.stresses, stress) == curves.stresses.end())
-            curves.stresses.push_back(stress);
-    }
-    if (steps.empty()) curves.stresses.push_back(at.normal_stress);
-    return curves;
+    NextCurves curves = curves_along(next, plans, at, false);
+    return curves.along.size() > 1 ? curves : curves_along(next, plans, at, true);
 }
 
-/// Difference of a model's prediction from that of the first model [%], along the normal stress.
+/// Difference of a model's prediction from that of the first model [%], along the axis.
 Curve difference(const NextMeasurement& next, const NextCurves& curves, std::size_t model,
                  Eigen::Index observable) {
     Curve line = model_line(plain_text(next.rivals[model].name),
@@ -276,7 +298,7 @@ Curve difference(const NextMeasurement& next, const NextCurves& curves, std::siz
     for (const Plan* plan : curves.along) {
         const Forecast& forecast = plan->forecasts[model];
         const double whole = plan->forecasts.front().value(observable) / 100;
-        line.x.push_back(next.points[plan->point].condition.normal_stress);
+        line.x.push_back(curves.place_of(next.points[plan->point].condition));
         line.y.push_back(forecast.value(observable) / whole - 100);
         line.y_error.push_back(error_of(forecast)(observable) / whole);
     }
@@ -284,13 +306,13 @@ Curve difference(const NextMeasurement& next, const NextCurves& curves, std::siz
 }
 
 Panel next_panel(const NextMeasurement& next, const NextCurves& curves, Eigen::Index observable) {
-    Panel panel{.x_label = "normal stress σ_{22} [Pa]",
+    Panel panel{.x_label = curves.over_number ? "inertial number I" : "normal stress σ_{22} [Pa]",
                 .y_label = observable == 0 ? "difference in stress ratio [%]"
                                            : "difference in solid fraction [%]",
                 .log_x = true,
                 .key = observable == 0};
-    for (const double stress : curves.stresses) {
-        panel.references.push_back({"measure here", stress, 0, true, measured_colour});
+    for (const double place : curves.places) {
+        panel.references.push_back({"measure here", place, 0, true, measured_colour});
     }
     for (std::size_t k = 0; k < std::min(next.rivals.size(), most_rivals); ++k) {
         const Curve line = difference(next, curves, k, observable);
@@ -317,10 +339,11 @@ Figure next_figure(const NextMeasurement& next) {
                          [&](const Plan& plan) { return !next.points[plan.point].direct; });
     if (plans.empty()) return figure;
     const NextCurves curves = curves_of(next, plans);
+    if (curves.along.size() < 2) return figure;  // nothing varies
     figure.title = fmt::format("Predictions of the models that fit, relative to {}{}",
                                plain_text(next.rivals[0].name),
-                               curves.stresses.empty() ? "; a direct measurement tells them apart"
-                                                       : ", and suggested readings");
+                               curves.places.empty() ? "; a direct measurement tells them apart"
+                                                     : ", and suggested readings");
     figure.panels = {next_panel(next, curves, 0), next_panel(next, curves, 1)};
     return figure;
 }

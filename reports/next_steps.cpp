@@ -18,6 +18,7 @@
 #include "reports/proposal_report.h"
 #include "reports/with_error.h"
 #include "reports/words.h"
+#include "workflow/next.h"
 #include "workflow/rivals.h"
 
 namespace pendular {
@@ -414,7 +415,11 @@ void Steps::suspect() {
 std::vector<NextStep> next_steps(const StudyDiagnosis& diagnosis,
                                  const std::optional<ImpactTable>& impacts,
                                  const ResolvedStudy& resolved, const std::string& study) {
-    return Steps(diagnosis, impacts, resolved, study).of_verdict();
+    std::vector<NextStep> steps = Steps(diagnosis, impacts, resolved, study).of_verdict();
+    // 'pendular next' would only say that it plans none.
+    if (std::ranges::any_of(steps, &NextStep::readings) && !can_plan(resolved, diagnosis))
+        std::erase_if(steps, &NextStep::readings);
+    return steps;
 }
 
 std::vector<std::string> step_lines(const std::vector<NextStep>& steps,

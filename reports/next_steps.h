@@ -27,6 +27,7 @@ struct NextStep {
 /// direct measurement states the value to expect, if known, and the largest standard error that
 /// suffices to detect the effect: the change of the value by the effect over
 /// sqrt(`telling_directly`).
+/// Readings that cannot be planned (`can_plan`) are no step.
 /// @param impacts used to choose among effects that could go undetected
 /// @param study name of the study as the user gave it
 std::vector<NextStep> next_steps(const StudyDiagnosis& diagnosis,

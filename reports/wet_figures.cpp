@@ -307,6 +307,8 @@ Panel pressure_panel(const WetStudy& study, std::size_t o) {
     const std::size_t before = panel.curves.size();
     draw_dry(panel, study, o);
     const bool with_dry = panel.curves.size() > before;
+    // A symbol at 0 keeps clear of the numbers beside the axis.
+    if (with_dry) panel.x_range->first = -0.03 * end;
     for (const WetGroup& group : study.groups) {
         draw_points(panel, study, group, o);
     }

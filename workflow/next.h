@@ -32,6 +32,10 @@ struct NextMeasurement {
     std::size_t unsupported = 0;
 };
 
+/// Whether `next_measurement` can plan a measurement: some point that the instrument can measure is
+/// near earlier simulation runs. True too for a rig that `next_measurement` refuses.
+bool can_plan(const ResolvedStudy& study, const StudyDiagnosis& diagnosis);
+
 /// Returns the plan to show to the user: the best plan or, if no readings tell the rivals apart,
 /// the plan with the largest `Plan::noncentrality`. `next.plans` must not be empty.
 const Plan& shown_plan(const NextMeasurement& next);

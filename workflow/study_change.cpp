@@ -1,8 +1,10 @@
 #include "workflow/study_change.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -102,6 +104,7 @@ void apply_change(const StudyChange& change, const LadderStep& before, LadderSte
     }
     after.change = word_for(change.change);
     after.effect = change.effect;
+    after.when = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(std::time(nullptr)));
     add_step(ladder, before, std::move(after));
     // The study is written last: whatever fails before, it is as it was.
     write_calibration(out, fit.calibration, fit.comparison, fit.belief);

@@ -329,10 +329,14 @@ std::string cell_picture(const Effect& effect) {
 
 namespace {
 
-/// Curves of a panel as lines in a frame whose middle is no change.
-/// `unit` follows the largest change, which stands beside its end of the frame.
+/// Largest number that is no change: rounding errors of the predictions are some 1e-13, the
+/// smallest change that a figure of an effect shows is some 1e-3.
+constexpr double rounding = 1e-6;
+
+/// Curves of a panel as lines in a frame, with the largest change times `unit` beside it and the
+/// text `unit_text` behind that.
 void draw_changes(Sketch& sketch, const Panel& panel, double frame_top, const std::string& label,
-                  const std::string& unit) {
+                  double unit, const std::string& unit_text) {
     constexpr double from = 50, to = 212, height = 54;
     double least = 0, greatest = 0, x0 = INFINITY, x1 = -INFINITY;
     const auto lines = [&](auto&& use) {
@@ -347,7 +351,10 @@ void draw_changes(Sketch& sketch, const Panel& panel, double frame_top, const st
             x0 = std::min(x0, curve.x[k]), x1 = std::max(x1, curve.x[k]);
         }
     });
-    const double size = greatest > least ? greatest - least : 1;
+    const double largest = greatest >= -least ? greatest : least;
+    const bool changes = std::abs(largest) > rounding;
+    if (!changes) least = -0.5, greatest = 0.5;
+    const double size = greatest - least;
     const auto x_of = [&](double x) {
         return from + (to - from) * (panel.log_x ? std::log(x / x0) / std::log(x1 / x0)
                                                  : (x - x0) / (x1 - x0));
@@ -362,14 +369,14 @@ void draw_changes(Sketch& sketch, const Panel& panel, double frame_top, const st
         std::string d;
         for (std::size_t k = 0; k < curve.x.size(); ++k) {
             d += fmt::format("{}{:.1f} {:.1f}", d.empty() ? "M" : "L", x_of(curve.x[k]),
-                             y_of(curve.y[k]));
+                             y_of(changes ? curve.y[k] : 0));
         }
         sketch.path(d, Tone::marked, !first);
         first = false;
     });
     sketch.text(24, frame_top + height / 2, label);
     sketch.text(24, frame_top + height / 2 + 15,
-                fmt::format("{:+.2g}{}", greatest >= -least ? greatest : least, unit));
+                changes ? fmt::format("{:+.2g}{}", unit * largest, unit_text) : "no change");
 }
 
 }  // namespace
@@ -378,8 +385,8 @@ std::string change_picture(const Figure& signature) {
     const std::size_t columns = signature.columns ? signature.columns : signature.panels.size() / 2;
     if (columns == 0 || signature.panels.size() < columns + 1) return "";
     Sketch sketch;
-    draw_changes(sketch, signature.panels[0], 6, "Δμ", " %");
-    draw_changes(sketch, signature.panels[columns], 68, "Δφ", "e-3");
+    draw_changes(sketch, signature.panels[0], 6, "Δμ", 1, " %");
+    draw_changes(sketch, signature.panels[columns], 68, "Δφ", 1e-3, "");  // of 10^3 times it
     sketch.text(123, 136, "reduced pressure, log. →");
     return sketch.svg("Change of stress ratio and of solid fraction against the reduced pressure");
 }

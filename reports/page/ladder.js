@@ -8,7 +8,7 @@ class LadderPicture {
   constructor(page) {
     this.page = page;
     const {ladder, current, proposed} = page.data;
-    this.columns = ladder.slice(-MOST_STEPS).map(step => ({name: step.name, index: this.indexOf(step.effects), rms: step.rms}));
+    this.columns = ladder.slice(-MOST_STEPS).map(step => ({name: step.name, when: step.when, index: this.indexOf(step.effects), rms: step.rms}));
     const last = this.columns[this.columns.length - 1];
     if (!last || last.index !== current) this.columns.push({name: last ? "study.toml now" : "this study", index: current});
     if (proposed !== null && proposed !== current) this.columns.push({name: page.data.proposed_name, index: proposed});
@@ -21,6 +21,8 @@ class LadderPicture {
     const index = switches.reduce((sum, s, k) => sum + (effects.includes(s.name) ? 1 << k : 0), 0);
     return models[index].why_not === undefined ? index : null;
   }
+  // When each model became the study's; empty: unknown.
+  times() { return this.columns.map(c => c.when || ""); }
   names() { return [...this.columns.map(c => c.name), "switches below"]; }
 
   // Deviations [%] of the readings from a fitted combination, relative to the measured values as their RMS is.
@@ -43,10 +45,10 @@ class LadderPicture {
       });
       const of = ["shear stress", "solid fraction"][which], more = {part: which, keyless: which > 0};
       return [
+        {...more, label: "RMS deviation", keyless: true, kind: `${of}: RMS`, colour: "var(--mark1)", width: 1, dash: true, points: [], curve: line},
         ...[["dry reading", "circle", "var(--mark0)"], ["wet reading", "square", "var(--mark2)"]].map(([label, shape, colour], wet) =>
           ({...more, label, kind: `${of}: deviation`, shape, colour, radius: n > 40 ? 2.6 : 3.4, points: points[wet]})).filter(s => s.points.length > 0),
-        {...more, label: "RMS deviation", kind: `${of}: RMS`, colour: "var(--mark1)", straight: true, width: 2, points: [], marks: bars, texts},
-        {...more, label: "RMS deviation", keyless: true, kind: `${of}: RMS`, colour: "var(--mark1)", width: 1, dash: true, points: [], curve: line}
+        {...more, label: "RMS deviation", kind: `${of}: RMS`, colour: "var(--mark1)", straight: true, width: 2, points: [], marks: bars, texts}
       ];
     });
   }

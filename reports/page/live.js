@@ -242,7 +242,7 @@ class Page {
     const place = id => document.getElementById(id), labels = ["stress ratio [1]", "solid fraction [1]"], names = ["stress-ratio", "solid-fraction"];
     this.ladder = new LadderPicture(this);
     this.plots.push(new Plot(place("ladder-figure"), {name: "ladder", title: "Deviation of each reading from the model, as effects were added", wide: true,
-      xLabel: "", parts: ["shear stress [%]", "solid fraction [%]"], lines: true, names: () => this.ladder.names(), reach: () => this.ladder.reach()}, () => this.ladder.series(), this));
+      xLabel: "", parts: ["shear stress [%]", "solid fraction [%]"], lines: true, names: () => this.ladder.names(), times: () => this.ladder.times(), reach: () => this.ladder.reach()}, () => this.ladder.series(), this));
     this.data.panels.forEach((panel, number) => [0, 1].forEach(which => {
       this.plots.push(new Plot(place("figures"), {name: `${panel.title.split(" ")[0].toLowerCase()}-${names[which]}`, title: `${panel.title}: ${["stress ratio", "solid fraction"][which]}`,
         xLabel: panel.x_label, yLabel: labels[which], logX: panel.log_x, quantity: panel.quantity,
@@ -263,6 +263,11 @@ class Page {
       if (values.length < readings.length || !(high > low * 1.02 + 1e-12)) continue;
       this.plots.push(new Plot(figures, {name: "residuals-" + key.replace("_", "-"), title: "Residuals against " + label.replace(/ \[.*/, ""), xLabel: label,
         yLabel, logX: Boolean(wide) && low > 0 && high > 5 * low, zero: true, reach}, () => this.residuals(r => r[key] * factor), this));
+    }
+    const files = [...new Set(readings.map(r => r.file))];
+    if (files.length > 1) {
+      this.plots.push(new Plot(figures, {name: "residuals-file", title: "Residuals by file", xLabel: files.length > MOST_NAMES ? "file, in the order of study.toml" : "file", yLabel, zero: true,
+        reach, names: () => files}, () => this.residualsByFile(files), this));
     }
     this.plots.push(new Plot(figures, {name: "quantiles", title: "Residuals against a normal distribution", xLabel: "expected from the normal distribution [1]",
       yLabel, zero: true, reach}, () => this.quantiles(), this));
@@ -299,6 +304,16 @@ class Page {
   residuals(xOf) {
     return ["shear stress", "solid fraction"].map((label, which) => ({label, kind: "residual",
       points: this.normalised(which).map((y, id) => ({x: xOf(this.data.readings[id]), y, id}))}));
+  }
+  // With the mean of each file as a dash; the readings of a file stand beside one another, in their order.
+  residualsByFile(files) {
+    const {readings} = this.data, of = files.map(file => readings.flatMap((r, id) => r.file === file ? [id] : []));
+    const place = readings.map((r, id) => { const at = files.indexOf(r.file), ids = of[at]; return at + .6 * ((ids.indexOf(id) + .5) / ids.length - .5); });
+    return ["shear stress", "solid fraction"].map((label, which) => {
+      const values = this.normalised(which);
+      return {label, kind: "residual", points: values.map((y, id) => ({x: place[id], y, id})),
+        marks: of.map((ids, x) => ({x, y: ids.reduce((sum, id) => sum + values[id], 0) / ids.length, half: Math.min(24, 150 / files.length), mirrored: true}))};
+    });
   }
   quantiles() {
     return ["shear stress", "solid fraction"].map((label, which) => {

@@ -75,27 +75,27 @@ bool mixed(const std::vector<Reading>& readings, const std::vector<std::size_t>&
 }
 
 /// Part of a series of readings, and what tells it from the others; empty if it is the only one.
-struct Part {
+struct CurvePart {
     std::vector<std::size_t> members;
     std::string label = {};
 };
 
 /// Divides readings that are mixed by the mass of the beads, or else by file.
-std::vector<Part> divided_if_mixed(const std::vector<Reading>& readings,
-                                   const std::vector<std::size_t>& members, const Study& study,
-                                   const Coordinate& along) {
+std::vector<CurvePart> divided_if_mixed(const std::vector<Reading>& readings,
+                                        const std::vector<std::size_t>& members, const Study& study,
+                                        const Coordinate& along) {
     if (!mixed(readings, members, along)) return {{members}};
     const auto volume = [](const Condition& c) { return c.bead_volume.value_or(0); };
-    std::vector<Part> parts;
+    std::vector<CurvePart> parts;
     for (const auto& group : divided(readings, members, volume)) {
         const double mass = 1e3 * study.grains.density * volume(readings[group[0]].condition);
         parts.push_back({group, fmt::format("{:.4g} g of beads", mass)});
     }
     if (std::ranges::none_of(
-            parts, [&](const Part& part) { return mixed(readings, part.members, along); })) {
+            parts, [&](const CurvePart& part) { return mixed(readings, part.members, along); })) {
         return parts;
     }
-    std::map<std::string, Part> by_file;
+    std::map<std::string, CurvePart> by_file;
     for (const std::size_t k : members) {
         const std::string& file = readings[k].origin.file;
         by_file[file].label = std::filesystem::path(file).filename().string();
@@ -166,7 +166,7 @@ PagePanel panel_of(const std::vector<Reading>& readings, const Study& study,
                    const Coordinate& along, const OfCondition& x_of, const Lanes& lanes) {
     panel.x.assign(readings.size(), std::numeric_limits<double>::quiet_NaN());
     for (const std::vector<std::size_t>& group : divided_by_state(readings, groups)) {
-        for (Part& part : divided_if_mixed(readings, group, study, along)) {
+        for (CurvePart& part : divided_if_mixed(readings, group, study, along)) {
             for (const std::size_t k : part.members) {
                 panel.x[k] = x_of(readings[k].condition);
             }

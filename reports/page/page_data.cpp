@@ -257,6 +257,7 @@ Json ladder_json(const Ladder& ladder) {
     for (const LadderStep& step : ladder) {
         steps.push_back({{"name", step_name(step)},
                          {"effects", step.effects},
+                         {"when", step.when},
                          {"rms", all_shortened(step.rms_percent)}});
     }
     return steps;

@@ -18,6 +18,7 @@
 #include "reports/failure_report.h"
 #include "reports/impact_report.h"
 #include "reports/next_steps.h"
+#include "reports/odd_file_report.h"
 #include "reports/other_causes.h"
 #include "reports/page/effect_picture.h"
 #include "reports/page/page_paste.h"
@@ -48,9 +49,13 @@ void fold_after(PageSection& section, std::size_t most, const std::string& title
 }
 
 PageSection ladder_section(const PageContent& content) {
-    PageSection section{.id = "ladder", .title = "How the error fell", .figures = "ladder-figure"};
+    const bool one_model =
+        content.ladder.empty() && !page_story({}, content.diagnosis, content.switched).proposed;
+    PageSection section{.id = "ladder",
+                        .title = one_model ? "How far the model is off" : "How the error fell",
+                        .figures = "ladder-figure"};
     PageTable table{.caption = "Models of this study in the order of time",
-                    .head = {"step", "change", "effects", "chi2", "degrees of freedom",
+                    .head = {"step", "change", "when", "effects", "chi2", "degrees of freedom",
                              "relative RMS error of shear stress [%]",
                              "relative RMS error of solid fraction [%]"},
                     .folded = true};
@@ -58,6 +63,7 @@ PageSection ladder_section(const PageContent& content) {
         table.rows.push_back(
             {fmt::format("{}", step.step),
              step.effect.empty() ? step.change : step.change + " " + step.effect,
+             step.when.empty() ? "-" : step.when,
              step.effects.empty() ? "none" : fmt::format("{}", fmt::join(step.effects, ", ")),
              fmt::format("{:.2f}", step.chi2), fmt::format("{}", step.dof),
              fmt::format("{:.3f}", step.rms_percent[0]),
@@ -77,7 +83,9 @@ PageSection where_section(const PageContent& content) {
         section.lines.push_back(trimmed(line));
     }
     if (section.lines.empty()) section.lines = {"No check of the residuals fails."};
-    constexpr std::size_t most = 4;  // the heading and the three most significant checks
+    if (std::string files = files_line(content.diagnosis); !files.empty())
+        section.lines.insert(section.lines.begin(), std::move(files));
+    constexpr std::size_t most = 5;  // files, the heading and the three most significant checks
     fold_after(section, most, "All checks that fail");
     return section;
 }
@@ -375,6 +383,7 @@ PageTexts page_texts(const PageContent& content) {
     // they differ.
     if (std::string granted = granted_line(d, content.resolved.study()); !granted.empty())
         texts.details.push_back(std::move(granted));
+    if (std::string odd = odd_file_line(d); !odd.empty()) texts.details.push_back(std::move(odd));
     texts.folded.push_back(paste_section(content));
     if (content.impacts) texts.folded.push_back(impact_section(content));
     texts.folded.push_back(provenance_section(content));

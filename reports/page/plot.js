@@ -5,6 +5,9 @@ const SVG = "http://www.w3.org/2000/svg";
 const WIDTH = 460, WIDE = 940, HEIGHT = 320, LEFT = 66, RIGHT = 12, TOP = 12, BOTTOM = 48, GAP = 12;
 // Most entries in a key: more are not read. Beyond, colours run along a scale (`scaled`).
 const MOST_ENTRIES = 8;
+// Most names along an axis that the key of a narrow figure lists, beside its series.
+const MOST_NAMES = 6;
+const AXIS_TEXT = {fill: "var(--ink)", "font-size": "12.5", "font-family": "system-ui, sans-serif"};
 // Okabe and Ito's colours, which stay apart for colour-blind readers, with a shape for each.
 // The style sheet has them for light and for dark pages.
 const COLOURS = Array.from({length: 8}, (_, k) => `var(--mark${k})`);
@@ -51,11 +54,15 @@ function ticksOf(low, high, log, count) {
     }
     return ticks.length > 7 ? ticks.filter(t => Math.abs(Math.log10(t) - Math.round(Math.log10(t))) < 1e-9) : ticks;
   }
-  const raw = (high - low) / count, unit = Math.pow(10, Math.floor(Math.log10(raw)));
-  const step = unit * [1, 2, 5, 10].find(f => f * unit >= raw);
-  const ticks = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) ticks.push(k * step);
-  return ticks;
+  const raw = (high - low) / count, unit = Math.pow(10, Math.floor(Math.log10(raw))), steps = [1, 2, 5, 10];
+  const ticksAt = step => {
+    const ticks = [];
+    for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) ticks.push(k * step);
+    return ticks;
+  };
+  // A smaller step where fewer than three ticks lie in the range: two say little about an axis, one nothing.
+  const first = steps.findIndex(f => f * unit >= raw), ticks = ticksAt(unit * steps[first]);
+  return ticks.length >= 3 ? ticks : ticksAt(unit * (first > 0 ? steps[first - 1] : .5));
 }
 
 function tickText(value, step) {
@@ -111,8 +118,9 @@ function scaled(series, quantity) {
   };
 }
 
-// A figure. `spec`: {name, title, xLabel, yLabel, logX, zero, lines, names(), parts, wide, quantity, reach()}; with
-// names, these stand at x = 0, 1, ... in place of numbers; with parts, axes of these labels stand one above the other.
+// A figure. `spec`: {name, title, xLabel, yLabel, logX, zero, lines, names(), times(), parts, wide, quantity, reach()};
+// with names, these stand at x = 0, 1, ... in place of numbers, and below them times; with parts, axes of these labels
+// stand one above the other.
 // `reach()`: [[low, high], ...] of each part over all models between which a reader switches, which the axes hold so
 // that they stay. `quantity`: what the `value` of the series is.
 // `contents()` returns the series that are shown now: {label, points: [{x, y, error, id}],
@@ -181,14 +189,17 @@ class Plot {
     this.places = [];
     for (const entry of many.entries) this.keyEntry(entry);
     series.forEach((s, index) => this.drawSeries(s, index, xOf, yOfPart[s.part || 0]));
-    if (names && width === WIDTH) names.forEach((name, x) => html("li", {}, this.key, `${x}: ${name}`));
+    const times = spec.times ? spec.times() : [];
+    if (names && width === WIDTH && names.length <= MOST_NAMES) names.forEach((name, x) => html("li", {}, this.key, `${x}: ${name}` + (times[x] ? `, ${times[x]}` : "")));
+    if (width !== WIDTH) times.forEach((time, x) => node("text", {...AXIS_TEXT, fill: "var(--soft)", x: xOf(x), y: HEIGHT - BOTTOM + 31, "text-anchor": "middle"}, this.svg, time));
     this.mark();
   }
 
   axes(x0, x1, y0, y1, xOf, yOf, names, {label, top, bottom, last}) {
     const {spec, svg} = this;
-    const text = {fill: "var(--ink)", "font-size": "12.5", "font-family": "system-ui, sans-serif"};
-    const xTicks = names ? names.map((_, k) => k) : ticksOf(x0, x1, spec.logX, 5), yTicks = ticksOf(y0, y1, false, bottom - top > 200 ? 5 : 4);
+    const text = AXIS_TEXT;
+    const every = names ? Math.ceil(names.length / 12) : 1;  // numbers of more names would touch
+    const xTicks = names ? names.map((_, k) => k).filter(k => k % every === 0) : ticksOf(x0, x1, spec.logX, 5), yTicks = ticksOf(y0, y1, false, bottom - top > 200 ? 5 : 4);
     const xStep = spec.logX ? 0 : xTicks[1] - xTicks[0], yStep = yTicks[1] - yTicks[0];
     for (const x of xTicks) {
       node("line", {x1: xOf(x), x2: xOf(x), y1: top, y2: bottom, stroke: "var(--grid)"}, svg);

@@ -158,6 +158,7 @@ TEST_F(StudyChanges, AreCarriedOutWhole) {
     const Ladder kept = read_ladder(out / "ladder.json");
     ASSERT_EQ(kept.size(), 2u);
     EXPECT_EQ(kept[1].change, "add");
+    EXPECT_THAT(kept[1].when, testing::MatchesRegex("20[0-9]+-[0-9]+-[0-9]+ [0-9]+:[0-9]+"));
     EXPECT_EQ(kept[1].effect, "torque-offset");
 }
 

@@ -57,6 +57,13 @@ TEST(FigureCheck, FindsDataOutsideTheAxes) {
     expect_fault(figure, "'limit' lies outside the axes");
 }
 
+TEST(FigureCheck, FindsALineThatIsNotSeen) {
+    Figure figure = sound();
+    Curve& line = panel_of(figure).curves[1];
+    line.x.resize(1), line.y.resize(1);
+    expect_fault(figure, "'model, dry' has a single point");
+}
+
 TEST(FigureCheck, FindsTextsThatOverlapOrLeaveThePage) {
     Figure figure = sound();
     panel_of(figure).curves[2].names = {"0.3000000", "0.3000000", "0.3000000"};

@@ -58,4 +58,21 @@ TEST(EffectPictures, OfAUsersEffectNeedNothingMore) {
     EXPECT_THAT(svg, Not(HasSubstr("<effect>")));
 }
 
+/// Picture of changes of the stress ratio by 3 % and of the solid fraction by these [10^-3].
+std::string picture_of(const std::vector<double>& of_fraction) {
+    const std::vector<double> pressures = {1, 2, 4};
+    Panel ratio{.log_x = true}, fraction{.log_x = true};
+    ratio.curves = {{.style = Curve::Style::line, .x = pressures, .y = {3, 2, 1}}};
+    fraction.curves = {{.style = Curve::Style::line, .x = pressures, .y = of_fraction}};
+    return change_picture({.panels = {ratio, fraction}, .columns = 1});
+}
+
+TEST(EffectPictures, ShowNoRoundingErrorsAsAChange) {
+    const std::string svg = picture_of({1e-13, -2e-13, 1e-13});
+    EXPECT_THAT(svg, HasSubstr("no change"));
+    EXPECT_THAT(svg, HasSubstr("+3 %"));
+    EXPECT_THAT(svg, Not(HasSubstr("e-1")));
+    EXPECT_THAT(picture_of({-150, -20, -1}), HasSubstr("-0.15"));
+}
+
 }  // namespace pendular::reports_effect_picture_test

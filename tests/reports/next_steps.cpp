@@ -86,6 +86,15 @@ TEST_F(NextSteps, CheckTheSensorAndRepeatSuspectReadings) {
     EXPECT_TRUE(suspect_lines(d_).empty());
 }
 
+TEST_F(NextSteps, NameNoReadingsThatCannotBePlanned) {
+    Study study = session_.study();
+    study.rig->inertial_number = {0.5, 0.9};  // no simulation flows so fast
+    const ResolvedStudy far = session_.resolved().changed_to(std::move(study));
+    ASSERT_TRUE(std::ranges::any_of(steps(), &NextStep::readings));
+    for (const NextStep& step : next_steps(d_, {}, far, "beads"))
+        EXPECT_FALSE(step.readings) << step.text;
+}
+
 TEST_F(NextSteps, CheckTheSensorBeforeAProposalIsAdded) {
     forget(Verdict::unknown);
     d_.diagnosis.complete = false;

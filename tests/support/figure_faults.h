@@ -88,9 +88,19 @@ class Inspector {
         add(fmt::format("'{}' lies outside the axes at ({:.4g}, {:.4g})", label, x, y));
     }
 
+    /// A line or band through fewer than two points is not seen.
+    void expect_visible(const Curve& curve) {
+        const bool line = is_line(curve) || curve.style == Curve::Style::band;
+        if (!line || curve.x.empty() || guides(curve)) return;
+        const auto finite = [](double value) { return std::isfinite(value); };
+        if (curve.drawn && std::ranges::count_if(curve.y, finite) < 2)
+            add(fmt::format("'{}' has a single point, through which no line is seen", curve.label));
+    }
+
     void look_at_marks(std::size_t p) {
         const PanelPlace& place = page_.panels[p];
         for (const Curve& curve : figure_.panels[p].curves) {
+            expect_visible(curve);
             for (std::size_t k = 0; k < curve.x.size() && curve.drawn; ++k) {
                 if (!std::isfinite(curve.x[k]) || !std::isfinite(curve.y[k])) continue;
                 look_at_point(place, curve, k);
@@ -150,6 +160,7 @@ class Inspector {
                                                         "residual/",
                                                         "measured solid fraction",
                                                         "predicted solid fraction",
+                                                        "run order",
                                                         "row of"};
             const bool known = std::ranges::any_of(
                 dimensionless, [&](const char* name) { return label.starts_with(name); });
@@ -386,10 +397,11 @@ class Inspector {
     std::set<std::string> faults_;
 };
 
-/// Draws a figure, and returns what a rheologist would not print: data or texts outside the axes or
-/// the page, texts over texts or marks, series without an entry in a key and entries without a
-/// series, error bars on the wrong axis, axes without units, keys of more than eight entries, texts
-/// of less than 5 pt in print, entries that differ in colour alone and not in its lightness.
+/// Draws a figure, and returns what a rheologist would not print: lines of a single point, data or
+/// texts outside the axes or the page, texts over texts or marks, series without an entry in a key
+/// and entries without a series, error bars on the wrong axis, axes without units, keys of more
+/// than eight entries, texts of less than 5 pt in print, entries that differ in colour alone and
+/// not in its lightness.
 inline std::vector<std::string> faults_of(const Figure& figure) {
     const TemporaryFolder folder;
     if (!draw(figure, folder.path())) return {};

@@ -38,7 +38,8 @@ LadderStep ladder_step_from(const Json& json) {
                            .chi2 = json.at("chi2"),
                            .dof = json.at("dof"),
                            .rms_percent = pair_from(json.at("rms_percent")),
-                           .left_out_percent = {}};
+                           .left_out_percent = {},
+                           .when = json.value("when", "")};
     if (ladder_step.change != "start" && ladder_step.change != "add" &&
         ladder_step.change != "drop") {
         throw std::invalid_argument(fmt::format("no change is called '{}'", ladder_step.change));
@@ -74,6 +75,7 @@ Json to_json(const LadderStep& ladder_step) {
     if (ladder_step.left_out_percent) {
         json["left_out_percent"] = pair_json(*ladder_step.left_out_percent);
     }
+    if (!ladder_step.when.empty()) json["when"] = ladder_step.when;
     for (const LadderParameter& p : ladder_step.parameters) {
         json["parameters"][p.name] = {
             {"value", p.value}, {"stderr", p.standard_error}, {"unit", p.unit}};

@@ -1,0 +1,99 @@
+#include "reports/odd_file_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "reports/with_error.h"
+#include "reports/words.h"
+#include "workflow/json/diagnosis.h"
+
+namespace pendular {
+namespace {
+
+/// Text of a mean deviation: "0.52 % lower", "0.1 % higher".
+std::string side(double deviation) {
+    return fmt::format("{:.2g} % {}", 100 * std::abs(deviation),
+                       deviation < 0 ? "lower" : "higher");
+}
+
+/// The model that explains the readings best: the study's where it does, or else the one with the
+/// effects that are missing.
+const FittedModel& explaining(const Diagnosis& d) {
+    if (d.leaders) return d.leaders->model;
+    const FittedModel* best = nullptr;
+    for (const FittedModel& each : d.confidence_set) {
+        if (each.suspect) continue;
+        if (each.chosen.empty()) return each;
+        if (!best || each.fit.chi2 < best->fit.chi2) best = &each;
+    }
+    return best ? *best : d.base;
+}
+
+/// Sentences on the distance of a file from the others.
+std::string distance_text(const OddFile& odd, const std::string& verb, const std::string& model) {
+    std::string text =
+        fmt::format("{} {}: its {} is on average {} than by {}, that of the other {} files {}.",
+                    std::filesystem::path(odd.file).filename().string(), verb,
+                    odd.observable == 0 ? "shear stress" : "solid fraction", side(odd.deviation),
+                    model, odd.files - 1, side(odd.others));
+    if (const auto gap = odd.gap_error()) {
+        text += fmt::format(" A gap that is shown {} too {} would do so.",
+                            with_unit(std::abs(*gap), "m"), *gap > 0 ? "large" : "small");
+    }
+    return text;
+}
+
+/// A model and its words: "the model with wall-friction".
+std::pair<const FittedModel*, std::string> compared_with(const StudyDiagnosis& d) {
+    const FittedModel& model = explaining(d.diagnosis);
+    const std::vector<std::string> effects = names_of(model, *d.models);
+    return {&model, effects.empty() ? "the model" : "the model with " + joined(effects, "and")};
+}
+
+std::optional<OddFile> odd_file_of(const StudyDiagnosis& d, const FittedModel& model) {
+    if (d.readings.size() != d.measured) return std::nullopt;  // means over files
+    return odd_file(d.readings, model.fit.prediction.value);
+}
+
+}  // namespace
+
+std::string odd_file_text(const OddFile& odd, const std::string& model) {
+    std::string text = distance_text(odd, odd.stands_out() ? "stands out" : "deviates most", model);
+    if (odd.alone) {
+        text +=
+            " It is the only file with its liquid content, so that the model may be at fault "
+            "there.";
+    }
+    if (!odd.stands_out()) {
+        text += fmt::format(
+            " Fillings differ, and {} files are too few to be sure: in {:.0f} of "
+            "100 studies, one deviates as far by chance.",
+            odd.files, 100 * odd.p);
+    }
+    return text + " Look at this recording first, and repeat it with a new filling.";
+}
+
+std::string odd_file_line(const StudyDiagnosis& d) {
+    const auto [model, words] = compared_with(d);
+    const auto odd = odd_file_of(d, *model);
+    return odd && odd->worth_a_look() ? odd_file_text(*odd, words) : "";
+}
+
+std::string files_line(const StudyDiagnosis& d) {
+    const auto [model, words] = compared_with(d);
+    const auto odd = odd_file_of(d, *model);
+    if (!odd) return "";
+    if (odd->worth_a_look()) return odd_file_text(*odd, words);
+    return "No file stands out. " + distance_text(*odd, "deviates most", words) +
+           (odd->p_by_readings < significant_p
+                ? fmt::format(" Fillings that differ among {} files can explain that (p = {:.2g}).",
+                              odd->files, odd->p)
+                : " The scatter of the readings within files explains that.");
+}
+
+}  // namespace pendular

@@ -1,0 +1,74 @@
+// What is said of a recording whose gap is shown too large in a study that lacks an effect as well.
+#include "reports/odd_file_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/support/data_support.h"
+#include "tests/support/golden.h"
+#include "workflow/session.h"
+
+namespace pendular::odd_file_report_test {
+
+namespace fs = std::filesystem;
+
+/// Text of a recording with a larger gap, which is its fourth column [mm].
+std::string shifted(const std::string& recording, double shift) {
+    std::istringstream lines(recording);
+    std::string line, text;
+    std::getline(lines, text);
+    text += '\n';
+    while (std::getline(lines, line)) {
+        std::vector<std::string> cells;
+        std::istringstream row(line);
+        for (std::string cell; std::getline(row, cell, ',');)
+            cells.push_back(cell);
+        cells.at(3) = fmt::format("{:.6g}", std::stod(cells.at(3)) + shift);
+        text += fmt::format("{}\n", fmt::join(cells, ","));
+    }
+    return text;
+}
+
+StudyDiagnosis diagnosis_of(const fs::path& study) {
+    return Session(study, {.fidelity = fidelity_named("quick")}).diagnose();
+}
+
+// Of four files, two of a kind, a gap that is wrong by 0.6 % cannot be told from fillings that
+// differ; one that is wrong by 2.7 % is worth a look.
+TEST(OddFileReport, NamesTheRecordingWithAShiftedGapBesideAMissingEffect) {
+    const TemporaryFolder folder;
+    const fs::path study = folder.path() / "study";
+    fs::copy(fs::path(PENDULAR_SOURCE_DIR) / "examples/hidden-effect", study);
+    const std::string recording = content_of(study / "wet_0.03_1.csv");
+    EXPECT_EQ(odd_file_line(diagnosis_of(study)), "");
+    folder.write("study/wet_0.03_1.csv", shifted(recording, 0.12));
+    const StudyDiagnosis small = diagnosis_of(study);
+    EXPECT_EQ(odd_file_line(small), "");
+    EXPECT_THAT(files_line(small), testing::HasSubstr("wet_0.03_1.csv deviates most"));
+    expect_told({files_line(small)});
+    folder.write("study/wet_0.03_1.csv", shifted(recording, 0.5));
+    const StudyDiagnosis large = diagnosis_of(study);
+    EXPECT_EQ(odd_file_line(large), files_line(large));
+    EXPECT_THAT(odd_file_line(large), testing::HasSubstr("wet_0.03_1.csv"));
+    expect_told({odd_file_line(large)});
+}
+
+TEST(OddFileReport, SaysHowSurelyAFileIsOdd) {
+    const OddFile sure{.file = "run/wet_3.csv",
+                       .observable = 1,
+                       .deviation = 0.012,
+                       .others = -0.0004,
+                       .files = 8,
+                       .p = 0.001,
+                       .height = 0.0187};
+    OddFile stress = sure;
+    stress.observable = 0, stress.p = 0.2, stress.alone = true;
+    expect_told(
+        {odd_file_text(sure, "the model"), odd_file_text(stress, "the model with wall-friction")});
+}
+
+}  // namespace pendular::odd_file_report_test
