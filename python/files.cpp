@@ -57,13 +57,15 @@ void bind_files(py::module_& module) {
                                              .columns = columns});
                });
     module.def("begin_study",
-               [](const std::vector<std::filesystem::path>& paths, const std::string& sheet) {
+               [](const std::vector<std::filesystem::path>& paths, const std::string& sheet,
+                  bool of_folder) {
                    const FileFormat format{.sheet = sheet};
                    std::map<std::string, std::string> files;
                    std::vector<std::string> not_read;
                    {
                        const py::gil_scoped_release release;
-                       SheetViews found = views_to_begin_with(paths, format);
+                       SheetViews found = of_folder ? views_to_begin_with(paths, format)
+                                                    : views_of_files(paths, format);
                        files = begin_study(found.views, format);
                        not_read = std::move(found.not_read);
                    }

@@ -123,7 +123,7 @@ def _plot_readings(table: Any, axes: Optional[Sequence[Any]], title: str) -> Lis
         panels[0], table, _figures.STRESS_RATIO, "shear_stress", "normal_stress"
     )
     _figures.measured_and_predicted(panels[1], table, _figures.SOLID_FRACTION, "solid_fraction")
-    panels[0].legend(frameon=False, fontsize="small")
+    _figures.add_key(panels, table)
     return panels
 
 

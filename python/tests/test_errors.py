@@ -187,10 +187,17 @@ def test_a_study_begins_with_a_folder_of_files(example, tmp_path):
     assert "GUESS: the file does not state the diameter" in text and "2500" not in text
     named = pendular.begin([files / "dry_2.csv"], tmp_path / "named", store=False)
     assert list(named.recordings) == ["dry_2.csv"]
+    # A file that is named must be readable, as the command line has it.
+    with pytest.raises(pendular.InputError, match="notes.txt"):
+        pendular.begin([files / "dry_2.csv", files / "notes.txt"], tmp_path / "none")
     # The guessed cell makes the beads denser than any packing: it says why nothing is left.
     assert "0 readings, 3 set aside: the solid fraction" in repr(named.readings)
+    unreadable = tmp_path / "unreadable"
+    unreadable.mkdir()
+    for name in ("a.txt", "b.txt"):
+        (unreadable / name).write_bytes((files / "notes.txt").read_bytes())
     with pytest.raises(pendular.InputError, match="no file can begin a study"):
-        pendular.begin([files / "notes.txt", files / "notes.txt"], tmp_path / "none")
+        pendular.begin(unreadable, tmp_path / "none")
     (tmp_path / "empty").mkdir()
     with pytest.raises(pendular.InputError, match="no file"):
         pendular.begin(tmp_path / "empty", tmp_path / "none")
