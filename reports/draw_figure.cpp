@@ -251,7 +251,7 @@ std::string panel_script(const Figure& figure, std::size_t p, const Page& page) 
     return text + fmt::format("plot {}\n", terms);
 }
 
-std::string page_script(const Figure& figure, const Page& page, const Ink& marks) {
+std::string script_of_page(const Figure& figure, const Page& page, const Ink& marks) {
     std::string text = "set multiplot\n";
     for (std::size_t p = 0; p < figure.panels.size(); ++p) {
         text += panel_script(figure, p, page);
@@ -325,7 +325,7 @@ void run_gnuplot(const Figure& figure, const fs::path& folder) {
         gnuplot << "set terminal " << format.terminal << ' ' << size_of(page, format)
                 << "\nset output " << gnuplot_string(drawing(folder, figure, format).string())
                 << '\n'
-                << page_script(figure, page, marks);
+                << script_of_page(figure, page, marks);
     }
 }
 
