@@ -25,10 +25,16 @@ class Readings(Result):
         self._folder = folder
 
     def __repr__(self) -> str:
-        aside = [each["reason"] for each in self["excluded"]
-                 if each["reason"].startswith("set aside: ")]
-        more = f", {len(aside)} {aside[0]}" if aside else ""
-        return f"<{len(self.keys_of_readings)} readings{more}>"
+        return f"<{len(self.keys_of_readings)} readings{self._left_out()}>"
+
+    def _left_out(self) -> str:
+        """Why readings are set aside or, where there is no reading, why the first step gave none."""
+        reasons = [each["reason"] for each in self["excluded"]]
+        aside = [each for each in reasons if each.startswith("set aside: ")]
+        if aside:
+            return f", {len(aside)} {aside[0]}"
+        steps = [each for each in reasons if each.startswith("step ")]
+        return f", {len(steps)} steps excluded: {steps[0]}" if steps and not self["readings"] else ""
 
     @property
     def keys_of_readings(self) -> List[Key]:
@@ -99,7 +105,7 @@ class Readings(Result):
         ]
         headings = ("file", "step", "normal stress [Pa]", "liquid content [1]",
                     "shear stress [Pa]", "solid fraction [1]")
-        return html_table(headings, rows)
+        return html_table(headings, rows, self._left_out().lstrip(", "))
 
 
 def _coordinates(entries: Sequence[Mapping[str, Any]], keys: Sequence[Key]) -> Dict[str, Any]:

@@ -2,10 +2,12 @@
 
 import os
 import random
+import re
 import signal
 import threading
 import time
 
+import numpy as np
 import pytest
 
 import pendular
@@ -167,6 +169,23 @@ def test_a_study_begins_with_a_file(example, tmp_path):
         pendular.begin(file, folder)
     assert (folder / "study.toml").read_text() == "mine"
     assert not (folder / "dry_1.csv").exists()
+
+
+def test_readings_say_why_there_is_none(example):
+    """All rows of a file in one interval, while the speed changes."""
+    folder = example("dry-recordings")
+    import pandas
+
+    for file in folder.glob("dry_*.csv"):
+        table = pandas.read_csv(file, comment="#")
+        table = table.drop(columns=[each for each in table if each.startswith("Interval")])
+        table.loc[:, [each for each in table if each.startswith("Angular")]] *= (
+            10 ** np.linspace(0, 1, len(table)))[:, None]
+        table.to_csv(file, index=False)
+    readings = pendular.open(folder, store=False).readings
+    assert len(readings["readings"]) == 0
+    assert re.match(r"<0 readings, \d+ steps excluded: step 1: ", repr(readings))
+    assert "excluded: step 1" in readings._repr_html_()
 
 
 def test_a_study_begins_with_a_folder_of_files(example, tmp_path):
