@@ -85,6 +85,17 @@ def measured_and_predicted(ax: Any, table: Any, label: str, column: str, scale: 
     ax.set_ylabel(label)
 
 
+def predicted(ax: Any, table: Any, label: str, column: str) -> None:
+    """Draws the predicted values of a table over the normal stress, a series for each liquid
+    content."""
+    parts = list(table.groupby("liquid_content", sort=True))
+    for (_, part), look in zip(parts, looks_of([content for content, _ in parts])):
+        _predicted(ax, part.sort_values("normal_stress"), column, 1, look)
+    ax.set_xscale("log")
+    ax.set_xlabel(NORMAL_STRESS)
+    ax.set_ylabel(label)
+
+
 def _predicted(ax: Any, part: Any, column: str, unit: Any, look: Look) -> None:
     """Draws the predicted values of a series: a line with its band for each inertial number, whose
     readings agree in it within 20 %."""
@@ -104,7 +115,7 @@ def _predicted(ax: Any, part: Any, column: str, unit: Any, look: Look) -> None:
         ax.fill_between(x, y - e, y + e, color=look[0], alpha=0.2, lw=0)
 
 
-def add_key(panels: Sequence[Any], table: Any) -> None:
+def add_key(panels: Sequence[Any], table: Any, measured: bool = True) -> None:
     """Puts the key above the two panels: the series, of more than four wet ones the first and the
     last, and what symbols and lines are."""
     from matplotlib.lines import Line2D
@@ -121,7 +132,9 @@ def add_key(panels: Sequence[Any], table: Any) -> None:
     ]
     kinds: List[Any] = [Line2D([], [], color=EXPLAINING, marker="o", linestyle="",
                                label=MEASURED_TEXT)]
-    if "predicted_shear_stress" in table:
+    if not measured:
+        kinds.clear()
+    if not measured or "predicted_shear_stress" in table:
         kinds.append(Patch(color=EXPLAINING, alpha=0.4, label=MODEL_TEXT))
     for panel, entries in zip((panels[0], panels[-1]), (names, kinds)):
         panel.legend(handles=entries, frameon=False, fontsize="small", loc="lower left",

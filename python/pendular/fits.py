@@ -381,6 +381,23 @@ class Prediction(Result):
             }
         )
 
+    def plot(self, axes: Optional[Sequence[Any]] = None) -> List[Any]:
+        """Draws predicted stress ratio and solid fraction over the normal stress; returns both
+        axes."""
+        from pendular import _figures
+
+        panels = _figures.axes_of(axes, 2)
+        table = self.to_dataframe()
+        for panel, column, label, unit in (
+            (panels[0], "shear_stress", _figures.STRESS_RATIO, table["normal_stress"]),
+            (panels[1], "solid_fraction", _figures.SOLID_FRACTION, 1.0),
+        ):
+            drawn = table.assign(**{"predicted_" + column: table[column] / unit,
+                                    "predicted_" + column + "_stderr": table[column + "_stderr"] / unit})
+            _figures.predicted(panel, drawn, label, column)
+        _figures.add_key(panels, table, measured=False)
+        return panels
+
     def _repr_html_(self) -> str:
         return str(self.to_dataframe().to_html(index=False, float_format=lambda x: f"{x:.4g}"))
 
@@ -409,6 +426,9 @@ class Recording(Result):
         import pandas
 
         return pandas.DataFrame(dict(self))
+
+    def _repr_html_(self) -> str:
+        return str(self.to_dataframe().to_html(max_rows=10, float_format=lambda x: f"{x:.5g}"))
 
     def plot(self, axes: Optional[Sequence[Any]] = None) -> List[Any]:
         """Draws torque and height over time; returns both axes."""
