@@ -22,7 +22,7 @@ class BuildWithCMake(build_ext):
         if "PENDULAR_BUILD" not in os.environ:
             subprocess.run(
                 ["cmake", "-S", ROOT, "-B", BUILD, "-DCMAKE_BUILD_TYPE=Release",
-                 "-DCMAKE_UNITY_BUILD=ON", "-DPENDULAR_BUILD_TESTS=OFF",
+                 "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=24", "-DPENDULAR_BUILD_TESTS=OFF",
                  "-DPENDULAR_BUILD_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"],
                 check=True,
             )

@@ -107,8 +107,8 @@ void report_plan(const std::vector<dem::RunParameters>& runs, const CommonOption
     console.json(to_json(state));
 }
 
-void report(std::size_t runs, const Survey& before, const Survey& after, const RunStore& store,
-            Console& console) {
+void report_campaign(std::size_t runs, const Survey& before, const Survey& after,
+                     const RunStore& store, Console& console) {
     const CampaignState state{.runs = runs,
                               .stored = runs - after.missing.size(),
                               .made = before.missing.size() - after.missing.size(),
@@ -141,7 +141,7 @@ void simulate_missing(const std::vector<dem::RunParameters>& runs, MpiProcesses*
     }
     console.end_progress();
     store.demand_present();
-    report(runs.size(), before, survey(runs, store), store, console);
+    report_campaign(runs.size(), before, survey(runs, store), store, console);
 }
 
 const char* const about_campaign =

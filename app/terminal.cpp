@@ -87,7 +87,7 @@ int report_exception() {
 namespace {
 
 /// Longest time for work to end at a clean point.
-constexpr std::chrono::seconds patience{20};
+constexpr std::chrono::seconds patience_with_work{20};
 
 std::atomic<int> signals_seen{0};
 static_assert(std::atomic<int>::is_always_lock_free,
@@ -114,7 +114,7 @@ InterruptGuard::InterruptGuard() {
         stop_.request_stop();
         // Work that does not check the token is ended too, which is safe: files are written as a
         // whole or not at all.
-        const auto last = std::chrono::steady_clock::now() + patience;
+        const auto last = std::chrono::steady_clock::now() + patience_with_work;
         while (!end.stop_requested() && std::chrono::steady_clock::now() < last) {
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
         }

@@ -56,22 +56,23 @@ void bind_files(py::module_& module) {
                                              .sheet = sheet,
                                              .columns = columns});
                });
-    module.def("begin_study",
-               [](const std::vector<std::filesystem::path>& paths, const std::string& sheet) {
-                   const FileFormat format{.sheet = sheet};
-                   std::map<std::string, std::string> files;
-                   std::vector<std::string> not_read;
-                   {
-                       const py::gil_scoped_release release;
-                       SheetViews found = views_to_begin_with(paths, format);
-                       files = begin_study(found.views, format);
-                       not_read = std::move(found.not_read);
-                   }
-                   py::dict contents;  // bytes, since a workbook is no text
-                   for (const auto& [name, text] : files)
-                       contents[py::str(name)] = py::bytes(text);
-                   return py::make_tuple(contents, not_read);
-               });
+    module.def("begin_study", [](const std::vector<std::filesystem::path>& paths,
+                                 const std::string& sheet, bool of_folder) {
+        const FileFormat format{.sheet = sheet};
+        std::map<std::string, std::string> files;
+        std::vector<std::string> not_read;
+        {
+            const py::gil_scoped_release release;
+            SheetViews found =
+                of_folder ? views_to_begin_with(paths, format) : views_of_files(paths, format);
+            files = begin_study(found.views, format);
+            not_read = std::move(found.not_read);
+        }
+        py::dict contents;  // bytes, since a workbook is no text
+        for (const auto& [name, text] : files)
+            contents[py::str(name)] = py::bytes(text);
+        return py::make_tuple(contents, not_read);
+    });
 }
 
 }  // namespace pendular::python

@@ -16,7 +16,7 @@
 namespace pendular {
 namespace {
 
-constexpr std::array<const char*, 2> observables = {"shear stress", "solid fraction"};
+constexpr std::array<const char*, 2> observable_words = {"shear stress", "solid fraction"};
 
 std::string number(double value) {
     return std::abs(value) < 1000 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
@@ -63,7 +63,7 @@ constexpr double noticeable_rise = 1.05;
 bool left_out_worse(const LadderStep& without, const LadderStep& with) {
     if (!without.left_out_percent || !with.left_out_percent) return false;
     double product = 1;
-    for (std::size_t o = 0; o < observables.size(); ++o)
+    for (std::size_t o = 0; o < observable_words.size(); ++o)
         product *= (*with.left_out_percent)[o] / (*without.left_out_percent)[o];
     return product > noticeable_rise;
 }
@@ -78,10 +78,10 @@ std::string moved(const std::string& from, const std::string& to, bool falls) {
 /// shear stress rises from 1.2 % to 1.9 %, that of solid fraction falls from 0.3 % to 0.2 %".
 std::string left_out_text(const LadderStep& without, const LadderStep& with) {
     std::string text;
-    for (std::size_t o = 0; o < observables.size(); ++o) {
+    for (std::size_t o = 0; o < observable_words.size(); ++o) {
         const double before = (*without.left_out_percent)[o], after = (*with.left_out_percent)[o];
         const auto percent = [](double rms) { return fmt::format("{:.3g} %", rms); };
-        text += fmt::format("{} {} {}", o == 0 ? "the error of" : ", that of", observables[o],
+        text += fmt::format("{} {} {}", o == 0 ? "the error of" : ", that of", observable_words[o],
                             moved(percent(before), percent(after), after < before));
     }
     return text;
@@ -189,15 +189,15 @@ std::vector<std::string> error_changes(const LadderStep& before, const LadderSte
     std::vector<std::string> lines = {
         fmt::format("  {:<62} {:>12} {:>12}", "misfit", "before", "after"),
         row("chi2/dof [1]", before.chi2_per_dof(), after.chi2_per_dof())};
-    for (std::size_t o = 0; o < observables.size(); ++o) {
-        lines.push_back(row(fmt::format("relative RMS error of {} [%]", observables[o]),
+    for (std::size_t o = 0; o < observable_words.size(); ++o) {
+        lines.push_back(row(fmt::format("relative RMS error of {} [%]", observable_words[o]),
                             before.rms_percent[o], after.rms_percent[o]));
     }
     if (before.left_out_percent && after.left_out_percent) {
-        for (std::size_t o = 0; o < observables.size(); ++o) {
-            lines.push_back(row(
-                fmt::format("relative RMS error of {}, left-out conditions [%]", observables[o]),
-                (*before.left_out_percent)[o], (*after.left_out_percent)[o]));
+        for (std::size_t o = 0; o < observable_words.size(); ++o) {
+            lines.push_back(row(fmt::format("relative RMS error of {}, left-out conditions [%]",
+                                            observable_words[o]),
+                                (*before.left_out_percent)[o], (*after.left_out_percent)[o]));
         }
     }
     return lines;

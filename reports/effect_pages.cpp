@@ -23,7 +23,7 @@ struct Group {
 };
 
 /// In the order of `Part`.
-constexpr std::array<Group, 5> groups = {{
+constexpr std::array<Group, 5> effect_groups = {{
     {"the instrument", false, true},
     {"the properties of the grains and the liquid", true, true},
     {"the forces between grains and the grain sizes", true, true},
@@ -135,7 +135,7 @@ std::string simulate_command(const Effect& effect) {
 
 void add_how_to(std::vector<std::string>& page, const EffectEntry& entry) {
     const Effect& effect = *entry.effect;
-    const Group& group = groups[group_index(effect)];
+    const Group& group = effect_groups[group_index(effect)];
     page.push_back(field("in a study", fmt::format("pendular add STUDY {0}, which writes [model] "
                                                    "effects = [\"{0}\"]",
                                                    effect.name)));
@@ -192,7 +192,7 @@ std::string parameter_table(const Effect& effect) {
 
 std::string manual_how_to(const EffectEntry& entry) {
     const Effect& effect = *entry.effect;
-    const Group& group = groups[group_index(effect)];
+    const Group& group = effect_groups[group_index(effect)];
     std::string text =
         fmt::format("`pendular add STUDY {}` writes in study.toml:\n\n", effect.name) +
         code_block("toml", fmt::format("[model]\neffects = [\"{}\"]", effect.name));
@@ -222,7 +222,7 @@ std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries) 
         entries, [](const EffectEntry& entry) { return entry.status.has_value(); });
     std::vector<std::string> lines = {
         table_line("effect", "parameter", "unit", "readings", study ? "applies" : "", "meaning")};
-    for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (std::size_t g = 0; g < effect_groups.size(); ++g) {
         const auto begin = lines.size();
         for (const EffectEntry& entry : entries) {
             if (group_index(*entry.effect) == g) {
@@ -230,7 +230,8 @@ std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries) 
             }
         }
         if (lines.size() > begin) {
-            lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(begin), groups[g].heading);
+            lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(begin),
+                         effect_groups[g].heading);
         }
     }
     return lines;
@@ -252,7 +253,7 @@ std::vector<std::string> effect_page(const EffectEntry& entry) {
                              "in a study with a liquid, at the value in study.toml; adding the "
                              "effect fits the value"));
     }
-    page.push_back(field("acts on", groups[group_index(effect)].heading));
+    page.push_back(field("acts on", effect_groups[group_index(effect)].heading));
     page.push_back(field("changes", readings_text(effect)));
     for (const EffectParameter& parameter : effect.parameters) {
         page.push_back(field("parameter", parameter_text(effect, parameter)));
@@ -276,10 +277,11 @@ std::string manual_page(const EffectEntry& entry, const std::string& figure) {
     const Effect& effect = *entry.effect;
     std::string summary = effect.summary;
     if (!summary.empty()) summary[0] = static_cast<char>(std::toupper(summary[0]));
-    std::string text = fmt::format("# {}\n\n{}.\n\n", effect.name, markdown(summary)) +
-                       code_block("", effect.equation) + '\n' + parameter_table(effect) +
-                       fmt::format("\nThe effect acts on {} and changes {}.",
-                                   groups[group_index(effect)].heading, readings_text(effect));
+    std::string text =
+        fmt::format("# {}\n\n{}.\n\n", effect.name, markdown(summary)) +
+        code_block("", effect.equation) + '\n' + parameter_table(effect) +
+        fmt::format("\nThe effect acts on {} and changes {}.",
+                    effect_groups[group_index(effect)].heading, readings_text(effect));
     if (!effect.acts_through.empty()) {
         text += fmt::format(" The change of the readings depends on {}.", dependences(effect));
     }
@@ -301,7 +303,7 @@ std::string manual_index(const std::vector<EffectEntry>& entries) {
     std::string text =
         "# Effects\n\nPhysical effects that a model may lack. `pendular effects --manual` writes "
         "these pages.\n";
-    for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (std::size_t g = 0; g < effect_groups.size(); ++g) {
         std::string rows;
         for (const EffectEntry& entry : entries) {
             const Effect& effect = *entry.effect;
@@ -318,7 +320,7 @@ std::string manual_index(const std::vector<EffectEntry>& entries) {
             text += fmt::format(
                 "\nEffects on {}:\n\n| effect | parameter | readings | meaning |\n"
                 "|---|---|---|---|\n{}",
-                markdown(groups[g].heading), rows);
+                markdown(effect_groups[g].heading), rows);
         }
     }
     return text;

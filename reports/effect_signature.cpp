@@ -20,7 +20,7 @@ namespace pendular {
 namespace {
 
 /// State about which effects are drawn [SI units]: chosen, within the ranges of `drawn_columns`.
-constexpr double friction = 0.1, usual_stress = 1000, usual_inertial_number = 3e-3,
+constexpr double usual_friction = 0.1, usual_stress = 1000, usual_inertial_number = 3e-3,
                  usual_content = 0.03, time_of_readings = 600;
 constexpr int points_of_curve = 41;  ///< of a curve: straight pieces too short to be seen
 
@@ -64,7 +64,7 @@ constexpr std::array<Column, 4> drawn_columns = {
       true}}};
 
 Eigen::VectorXd plain_parameters() {
-    return Eigen::VectorXd::Constant(1, friction);
+    return Eigen::VectorXd::Constant(1, usual_friction);
 }
 
 /// Conditions along the x axis of a column of panels, with their x values.
@@ -213,7 +213,7 @@ class Models {
         if (effect_.of_grains()) {
             return changes_of_grains({&effect_, sizes}, study_, *simulation_, conditions);
         }
-        std::vector<double> parameters = {friction};
+        std::vector<double> parameters = {usual_friction};
         for (std::size_t k = 0; k < sizes.size(); ++k) {
             if (effect_.parameters[k].is_fitted()) parameters.push_back(sizes[k]);
         }
@@ -398,8 +398,8 @@ std::string signature_caption(const Effect& effect, const Study& study) {
         "recording began {:g} s, surface tension {:g} mN/m. In the first column, dry readings are "
         "drawn at the normal stress of the wet readings. The other columns share one vertical "
         "scale.",
-        comparison_text(effect, study), 1e6 * study.grains.diameter, study.grains.density, friction,
-        1e3 * cell.inner_radius, 1e3 * cell.outer_radius, usual_stress / 1000,
+        comparison_text(effect, study), 1e6 * study.grains.diameter, study.grains.density,
+        usual_friction, 1e3 * cell.inner_radius, 1e3 * cell.outer_radius, usual_stress / 1000,
         usual_inertial_number, usual_content, 1e3 * cell.bead_volume * study.grains.density,
         time_of_readings, 1e3 * study.liquid.value().surface_tension);
     if (effect.of_grains()) text += " A band is one standard error of the change.";

@@ -114,17 +114,18 @@ const std::array<SeriesLook, most_named_series> named_looks = {
      {"#6c3483", Shape::downward_triangle, "(3,3)"}}};
 /// Colours from dark to light, with evenly rising lightness. Source: viridis of matplotlib, without
 /// its lightest fifth.
-constexpr std::array<std::array<double, 3>, 5> scale = {
+constexpr std::array<std::array<double, 3>, 5> scale_colours = {
     {{68, 1, 84}, {62, 74, 137}, {38, 130, 142}, {53, 183, 121}, {122, 209, 81}}};
 
 std::string colour_on_scale(double share) {
-    const double at = share * static_cast<double>(scale.size() - 1);
-    const auto below = std::min(static_cast<std::size_t>(at), scale.size() - 2);
+    const double at = share * static_cast<double>(scale_colours.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(at), scale_colours.size() - 2);
     const double part = at - static_cast<double>(below);
     std::array<int, 3> mixed{};
     for (std::size_t k = 0; k < mixed.size(); ++k) {
         mixed[k] = static_cast<int>(
-            std::lround(scale[below][k] + part * (scale[below + 1][k] - scale[below][k])));
+            std::lround(scale_colours[below][k] +
+                        part * (scale_colours[below + 1][k] - scale_colours[below][k])));
     }
     return fmt::format("#{:02x}{:02x}{:02x}", mixed[0], mixed[1], mixed[2]);
 }

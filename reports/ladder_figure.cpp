@@ -65,7 +65,7 @@ std::vector<Reference> new_starts(const Ladder& ladder) {
 }
 
 /// Text of a positive number with about two significant digits, without an exponent.
-std::string number(double value) {
+std::string short_number(double value) {
     return fmt::format("{:.{}f}", value, value < 0.995 ? 2 : value < 9.95 ? 1 : 0);
 }
 
@@ -104,7 +104,7 @@ Panel chi2_panel(const Ladder& ladder) {
         }
         points.x.push_back(static_cast<double>(k) + 1);
         points.y.push_back(value);
-        points.names.push_back(number(value));
+        points.names.push_back(short_number(value));
         values.push_back(value);
     }
     panel.references = new_starts(ladder);

@@ -164,7 +164,7 @@ std::vector<Figure> misfit_figures(const Comparison& comparison) {
 
 namespace {
 
-constexpr const char* observables[] = {"shear stress", "solid fraction"};
+constexpr const char* observable_texts[] = {"shear stress", "solid fraction"};
 
 /// Axis for a covariate, a quantity that residuals may depend on.
 struct Axis {
@@ -204,7 +204,7 @@ Panel residual_panel(const Comparison& comparison, const Covariate& covariate) {
                 .zero_line = true,
                 .y_least = 2.5};
     for (std::size_t o = 0; o < 2; ++o) {
-        Curve points{.label = observables[o],
+        Curve points{.label = observable_texts[o],
                      .colour = o == 0 ? model_colour : calibrated_colour,
                      .symbol = o == 0 ? Symbol{} : Symbol{Shape::square, Filling::hollow}};
         for (std::size_t k = 0; k < comparison.readings.size(); ++k) {
@@ -271,9 +271,10 @@ Panel map_panel(const Comparison& comparison, double liquid_content, std::size_t
                 bool key) {
     const std::string liquid =
         liquid_content == 0 ? "dry" : fmt::format("Φ_L/Φ_S = {:.3g}", liquid_content);
-    Panel panel{.x_label = fmt::format("σ_{{22}} [Pa], {}, {}", observables[observable], liquid),
-                .y_label = "inertial number I",
-                .log_x = true};
+    Panel panel{
+        .x_label = fmt::format("σ_{{22}} [Pa], {}, {}", observable_texts[observable], liquid),
+        .y_label = "inertial number I",
+        .log_x = true};
     panel.log_y = least_inertial_number(comparison) > 0;
     panel.key = key;
     for (const bool above : {true, false}) {

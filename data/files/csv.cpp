@@ -15,7 +15,7 @@ namespace pendular {
 namespace {
 
 /// Number of characters in a UTF-8 text.
-int characters(std::string_view text) {
+int character_count(std::string_view text) {
     return static_cast<int>(
         std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
@@ -54,7 +54,7 @@ class LineSplitter {
 
     /// Column of a byte, in characters from 1. Successive calls must proceed from left to right.
     int column(std::size_t byte) {
-        column_ += characters(line_.substr(counted_, byte - counted_));
+        column_ += character_count(line_.substr(counted_, byte - counted_));
         counted_ = byte;
         return column_ + 1;
     }
@@ -91,7 +91,7 @@ class LineSplitter {
 
     [[noreturn]] void refuse_quote(std::size_t byte) {
         throw InputError(
-            {at_.file, at_.line, characters(line_.substr(0, byte)) + 1},
+            {at_.file, at_.line, character_count(line_.substr(0, byte)) + 1},
             "a quote is not closed, or is inside a cell; close it on this line or remove it");
     }
 

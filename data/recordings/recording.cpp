@@ -227,6 +227,8 @@ std::vector<Block> intervals_of(const Block& whole) {
         if (blocks.empty() || number != before) {
             Block& block = blocks.emplace_back();
             block.number = static_cast<int>(std::clamp(number.value_or(0), 0.0, 1e9));
+            block.test = whole.test;
+            block.stated_role = whole.stated_role;
             block.columns = whole.columns;
             block.table = {whole.table.file, whole.table.header, {}, whole.table.delimiter};
         }
@@ -284,22 +286,36 @@ Recording recording_of_table(const Block& block, const FileFormat& format) {
     return nothing;
 }
 
+/// Whether a single table has a column that numbers several intervals, in every row. A column that
+/// counts more than files may have intervals numbers something else.
+bool numbers_intervals(const std::vector<Block>& blocks) {
+    if (blocks.size() != 1) return false;
+    const Columns columns(blocks.front().table);
+    if (!columns.has("interval")) return false;
+    std::size_t intervals = 0;
+    std::optional<double> before;
+    for (const Row& row : blocks.front().table.rows) {
+        const auto number = columns.value_if_any(row, "interval");
+        if (!number) return false;
+        if (number != before && ++intervals > most_intervals) return false;
+        before = number;
+    }
+    return intervals > 1;
+}
+
 }  // namespace
 
 Recording recording_of(const BlockFile& file, const FileFormat& format) {
-    // A table with a column of intervals is one block, whatever lines stand above it.
-    const bool column = file.blocks.size() == 1 && file.blocks.front().has_column("interval");
-    if (file.layout == "plain" || column) {
-        Recording table = recording_of_table(file.blocks.front(), format);
-        if (file.layout != "plain") append(table.left_out, file.skipped);
-        return table;
-    }
+    if (file.layout == "plain") return recording_of_table(file.blocks.front(), format);
     Recording whole;
     whole.file = file.file;
-    const bool own_numbers = numbers_tell_apart(file.blocks);
+    const std::vector<Block> divided =
+        numbers_intervals(file.blocks) ? intervals_of(file.blocks.front()) : std::vector<Block>{};
+    const std::vector<Block>& blocks = divided.empty() ? file.blocks : divided;
+    const bool own_numbers = numbers_tell_apart(blocks);
     std::string first_error;
     int count = 0;
-    for (const Block& block : file.blocks) {
+    for (const Block& block : blocks) {
         ++count;
         if (block.table.rows.empty()) continue;
         const auto lines = lines_of(block.table.rows.front(), block.table.rows.back());

@@ -108,21 +108,21 @@ std::string between(const UnitMixUp& units) {
 
 /// Likely cause of a constant factor between a stated and a computed column.
 std::string cause_of(const Remark& doubt) {
-    constexpr double factor_tolerance = 0.02;  // as in contradictions.cpp
+    constexpr double mix_up_tolerance = 0.02;  // as in contradictions.cpp
     const auto is = [&](double other) {
-        return std::abs(doubt.size / other - 1) < factor_tolerance;
+        return std::abs(doubt.size / other - 1) < mix_up_tolerance;
     };
     if (doubt.quantity == "shear_stress" && (is(2) || is(0.5)))
         return "the printed torque formula gives twice the derived one: see torque_formula in "
                "[cell]";
-    if (const int power = power_of_ten(doubt.size, factor_tolerance).value_or(0))
+    if (const int power = power_of_ten(doubt.size, mix_up_tolerance).value_or(0))
         return fmt::format(
             "a factor of 10^{}: check the units of both columns{}", power,
             doubt.quantity == "shear_stress"
                 ? "; if only some torques lost a mark, repair = true in [[recording]] takes them "
                   "from the shear stress"
                 : "");
-    const UnitMixUp* const speeds = find_mix_up("angular_velocity", doubt.size, factor_tolerance);
+    const UnitMixUp* const speeds = find_mix_up("angular_velocity", doubt.size, mix_up_tolerance);
     if (doubt.quantity == "shear_rate" && speeds)
         return fmt::format("{}: check the units of both columns", between(*speeds));
     return "check inner_radius and outer_radius in [cell]: the instrument used others, or another "

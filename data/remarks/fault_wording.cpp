@@ -191,8 +191,8 @@ const char* stress_for(const std::string& measured) {
 }
 
 std::string ratio_text(const Remark& fault) {
-    constexpr double ratio_tolerance = 0.05;  // as in file_checks.cpp
-    const bool decimal = power_of_ten(fault.size, ratio_tolerance).value_or(0) != 0;
+    constexpr double decimal_tolerance = 0.05;  // as in file_checks.cpp
+    const bool decimal = power_of_ten(fault.size, decimal_tolerance).value_or(0) != 0;
     const std::string force = words_for_quantity(fault.quantity),
                       stress = stress_for(fault.quantity);
     return fmt::format(

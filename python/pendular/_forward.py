@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
 from pendular import _core
-from pendular._tables import Array, Vector
+from pendular._tables import Array, Vector, html_table
 from pendular.results import Estimate
 
 
@@ -146,6 +146,24 @@ class Posterior:
         import pandas
 
         return pandas.DataFrame(self.samples, columns=self.names)
+
+    def plot(self, axes: Optional[Sequence[Any]] = None) -> List[Any]:
+        """Draws the distribution of each parameter, with its central interval of 68 %; returns the
+        axes."""
+        from pendular import _figures
+
+        panels = _figures.axes_of(axes, len(self.names))
+        for k, (panel, name, unit) in enumerate(zip(panels, self.names, self.units)):
+            panel.hist(self.samples[:, k], bins=60, density=True, color=_figures.MODEL, alpha=0.55)
+            for end in self.interval(name):
+                panel.axvline(end, color=_figures.EXPLAINING, linestyle="--", lw=1)
+            panel.set_xlabel(name if unit == "1" else f"{name} [{unit}]")
+            panel.set_ylabel("probability density")
+        return panels
+
+    def _repr_html_(self) -> str:
+        rows = [(name, str(each), *self.interval(name)) for name, each in self.parameters.items()]
+        return html_table(("parameter", "mean and standard deviation", "16 %", "84 %"), rows)
 
 
 def posterior(forward: Forward, *, walkers: int = 16, steps: int = 1000, burn_in: int = 200,

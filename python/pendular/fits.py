@@ -25,10 +25,16 @@ class Readings(Result):
         self._folder = folder
 
     def __repr__(self) -> str:
-        aside = [each["reason"] for each in self["excluded"]
-                 if each["reason"].startswith("set aside: ")]
-        more = f", {len(aside)} {aside[0]}" if aside else ""
-        return f"<{len(self.keys_of_readings)} readings{more}>"
+        return f"<{len(self.keys_of_readings)} readings{self._left_out()}>"
+
+    def _left_out(self) -> str:
+        """Why readings are set aside or, where there is no reading, why the first step gave none."""
+        reasons = [each["reason"] for each in self["excluded"]]
+        aside = [each for each in reasons if each.startswith("set aside: ")]
+        if aside:
+            return f", {len(aside)} {aside[0]}"
+        steps = [each for each in reasons if each.startswith("step ")]
+        return f", {len(steps)} steps excluded: {steps[0]}" if steps and not self["readings"] else ""
 
     @property
     def keys_of_readings(self) -> List[Key]:
@@ -99,7 +105,7 @@ class Readings(Result):
         ]
         headings = ("file", "step", "normal stress [Pa]", "liquid content [1]",
                     "shear stress [Pa]", "solid fraction [1]")
-        return html_table(headings, rows)
+        return html_table(headings, rows, self._left_out().lstrip(", "))
 
 
 def _coordinates(entries: Sequence[Mapping[str, Any]], keys: Sequence[Key]) -> Dict[str, Any]:
@@ -123,7 +129,7 @@ def _plot_readings(table: Any, axes: Optional[Sequence[Any]], title: str) -> Lis
         panels[0], table, _figures.STRESS_RATIO, "shear_stress", "normal_stress"
     )
     _figures.measured_and_predicted(panels[1], table, _figures.SOLID_FRACTION, "solid_fraction")
-    panels[0].legend(frameon=False, fontsize="small")
+    _figures.add_key(panels, table)
     return panels
 
 
@@ -375,6 +381,23 @@ class Prediction(Result):
             }
         )
 
+    def plot(self, axes: Optional[Sequence[Any]] = None) -> List[Any]:
+        """Draws predicted stress ratio and solid fraction over the normal stress; returns both
+        axes."""
+        from pendular import _figures
+
+        panels = _figures.axes_of(axes, 2)
+        table = self.to_dataframe()
+        for panel, column, label, unit in (
+            (panels[0], "shear_stress", _figures.STRESS_RATIO, table["normal_stress"]),
+            (panels[1], "solid_fraction", _figures.SOLID_FRACTION, 1.0),
+        ):
+            drawn = table.assign(**{"predicted_" + column: table[column] / unit,
+                                    "predicted_" + column + "_stderr": table[column + "_stderr"] / unit})
+            _figures.predicted(panel, drawn, label, column)
+        _figures.add_key(panels, table, measured=False)
+        return panels
+
     def _repr_html_(self) -> str:
         return str(self.to_dataframe().to_html(index=False, float_format=lambda x: f"{x:.4g}"))
 
@@ -403,6 +426,9 @@ class Recording(Result):
         import pandas
 
         return pandas.DataFrame(dict(self))
+
+    def _repr_html_(self) -> str:
+        return str(self.to_dataframe().to_html(max_rows=10, float_format=lambda x: f"{x:.5g}"))
 
     def plot(self, axes: Optional[Sequence[Any]] = None) -> List[Any]:
         """Draws torque and height over time; returns both axes."""

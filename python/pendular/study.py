@@ -280,9 +280,9 @@ def begin(files: Union[PathLike, Sequence[PathLike]], folder: PathLike, *, sheet
     files to a folder. What neither the files nor the arguments state, such as the density of the
     grains, is guessed and marked GUESS in study.toml: correct it there, and `open` the study again.
 
-    files: recording or export of a rheometer, as `import_file` reads it; several of them; or a
-        folder, whose files are taken in the order of their names. Of several files, those with
-        which no study can begin are left out, with a warning
+    files: recording or export of a rheometer, as `import_file` reads it; several of them, each of
+        which must be readable; or a folder, whose files are taken in the order of their names, and
+        where those with which no study can begin are left out, with a warning
     folder: of the study, made where it is missing
     sheet: sheet of a workbook
     grains, cell, liquid: tables of study.toml, such as cell={"bead_mass": "60 g"}
@@ -290,7 +290,8 @@ def begin(files: Union[PathLike, Sequence[PathLike]], folder: PathLike, *, sheet
 
     Raises InputError, and writes nothing, where the folder has a file of one of the names.
     """
-    written, not_read = _core.begin_study(_paths(files), sheet)
+    of_folder = isinstance(files, (str, os.PathLike)) and os.path.isdir(files)
+    written, not_read = _core.begin_study(_paths(files), sheet, of_folder)
     into = Path(folder)
     for name in written:
         if (into / name).exists():

@@ -2,10 +2,12 @@
 
 import os
 import random
+import re
 import signal
 import threading
 import time
 
+import numpy as np
 import pytest
 
 import pendular
@@ -169,6 +171,23 @@ def test_a_study_begins_with_a_file(example, tmp_path):
     assert not (folder / "dry_1.csv").exists()
 
 
+def test_readings_say_why_there_is_none(example):
+    """All rows of a file in one interval, while the speed changes."""
+    folder = example("dry-recordings")
+    import pandas
+
+    for file in folder.glob("dry_*.csv"):
+        table = pandas.read_csv(file, comment="#")
+        table = table.drop(columns=[each for each in table if each.startswith("Interval")])
+        table.loc[:, [each for each in table if each.startswith("Angular")]] *= (
+            10 ** np.linspace(0, 1, len(table)))[:, None]
+        table.to_csv(file, index=False)
+    readings = pendular.open(folder, store=False).readings
+    assert len(readings["readings"]) == 0
+    assert re.match(r"<0 readings, \d+ steps excluded: step 1: ", repr(readings))
+    assert "excluded: step 1" in readings._repr_html_()
+
+
 def test_a_study_begins_with_a_folder_of_files(example, tmp_path):
     source = example("dry-recordings")
     files = tmp_path / "exports"
@@ -187,10 +206,17 @@ def test_a_study_begins_with_a_folder_of_files(example, tmp_path):
     assert "GUESS: the file does not state the diameter" in text and "2500" not in text
     named = pendular.begin([files / "dry_2.csv"], tmp_path / "named", store=False)
     assert list(named.recordings) == ["dry_2.csv"]
+    # A file that is named must be readable, as the command line has it.
+    with pytest.raises(pendular.InputError, match="notes.txt"):
+        pendular.begin([files / "dry_2.csv", files / "notes.txt"], tmp_path / "none")
     # The guessed cell makes the beads denser than any packing: it says why nothing is left.
     assert "0 readings, 3 set aside: the solid fraction" in repr(named.readings)
+    unreadable = tmp_path / "unreadable"
+    unreadable.mkdir()
+    for name in ("a.txt", "b.txt"):
+        (unreadable / name).write_bytes((files / "notes.txt").read_bytes())
     with pytest.raises(pendular.InputError, match="no file can begin a study"):
-        pendular.begin([files / "notes.txt", files / "notes.txt"], tmp_path / "none")
+        pendular.begin(unreadable, tmp_path / "none")
     (tmp_path / "empty").mkdir()
     with pytest.raises(pendular.InputError, match="no file"):
         pendular.begin(tmp_path / "empty", tmp_path / "none")

@@ -279,3 +279,5 @@ def test_posterior_is_the_fit_where_the_model_is_linear(study):
         # by which the model is not linear.
         assert found.value == pytest.approx(each.value, abs=4 * each.stderr / independent**0.5)
         assert found.stderr == pytest.approx(each.stderr, rel=0.1 + 4 / (2 * independent) ** 0.5)
+    assert "<table" in sampled._repr_html_() and len(sampled.to_dataframe()) == len(sampled.samples)
+    assert all(panel.has_data() for panel in sampled.plot())

@@ -8,6 +8,7 @@ import resource
 import subprocess
 import sys
 import threading
+import time
 import weakref
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -42,6 +43,22 @@ def test_import_loads_no_libraries_of_tables_and_figures():
 
 def test_module_is_smaller_than_15_megabytes():
     assert os.path.getsize(_core.__file__) < 15e6
+
+
+def test_states_together_are_a_hundred_times_faster_than_calls_of_the_program():
+    """On two threads, which need half of the processor time at best: 50 times less of that, which
+    other programs beside the test do not change."""
+    pendular.predict([0.1], store=False)  # trains the emulator, as each call of the program does
+    calls = []
+    for _ in range(3):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run([os.environ["PENDULAR_PROGRAM"], "predict", "--friction", "0.1"], check=True,
+                       capture_output=True)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        calls.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    begin = time.process_time()
+    pendular.predict(np.linspace(0.02, 0.4, 4000), store=False, threads=2)
+    assert 50 * (time.process_time() - begin) < 4000 * min(calls)
 
 
 def allocated_bytes():

@@ -22,7 +22,7 @@ RecordingJson rounded(double value) {
 constexpr double most_of_two_bytes = 65'535;  ///< 2^16 - 1: two bytes a number
 
 /// Along the x axis of a recording: time or, without it, number of the row.
-struct Axis {
+struct TimeAxis {
     std::string label = "row of the recording";
     std::vector<double> of_row;  ///< empty: the number of the row, from 1
     double from = 1, span = 1;
@@ -32,8 +32,8 @@ struct Axis {
     }
 };
 
-Axis axis_of(const PageRecording& recording) {
-    Axis axis;
+TimeAxis axis_of(const PageRecording& recording) {
+    TimeAxis axis;
     std::size_t last = 1;
     for (const PageRecording::Course& course : recording.courses) {
         last = std::max(last, course.points.back().first);
@@ -58,7 +58,7 @@ void add_share(Bytes& bytes, double value, double low, double range) {
     bytes.add_unsigned(static_cast<std::uint32_t>(std::lround(most_of_two_bytes * share)), 2);
 }
 
-RecordingJson course_json(const PageRecording::Course& course, const Axis& axis) {
+RecordingJson course_json(const PageRecording::Course& course, const TimeAxis& axis) {
     const auto by_value = [](const auto& a, const auto& b) { return a.second < b.second; };
     const auto [least, greatest] = std::ranges::minmax_element(course.points, by_value);
     const double low = least->second, range = greatest->second - low;
@@ -92,7 +92,7 @@ const char* outcome(AveragedWindow::Kind kind) {
     }
 }
 
-RecordingJson windows_json(const PageRecording& recording, const Axis& axis,
+RecordingJson windows_json(const PageRecording& recording, const TimeAxis& axis,
                            const std::vector<Reading>& readings) {
     RecordingJson windows = RecordingJson::array();
     for (std::size_t k = 0; k < recording.windows.size(); ++k) {
@@ -158,7 +158,7 @@ nlohmann::ordered_json recordings_json(const std::vector<PageRecording>& recordi
                                        const std::vector<Reading>& readings) {
     RecordingJson result = RecordingJson::array();
     for (const PageRecording& recording : recordings) {
-        const Axis axis = axis_of(recording);
+        const TimeAxis axis = axis_of(recording);
         RecordingJson panels = RecordingJson::array();
         for (const PageRecording::Course& course : recording.courses) {
             panels.push_back(course_json(course, axis));

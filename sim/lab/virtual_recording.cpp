@@ -62,8 +62,8 @@ class CorrelatedNoise {
 /// Returns the random factor of a step, with the part of the scatter that is not due to the
 /// simulation's standard error or to noise within the step.
 double factor(const Mean& simulated, double scatter, double share_within, InstrumentNoise& random) {
-    const double known = square(simulated.standard_error / simulated.value);
-    const double left = square(scatter) * (1 - square(share_within)) - known;
+    const double of_simulation = square(simulated.standard_error / simulated.value);
+    const double left = square(scatter) * (1 - square(share_within)) - of_simulation;
     return 1 + std::sqrt(std::max(0.0, left)) * random();
 }
 

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <fstream>
 
 #include "data/files/formats/layouts.h"
 #include "data/files/text_file.h"
@@ -151,6 +152,21 @@ TEST_F(ReadBlocks, ReadARowOfUnitsAndSplitWherePointsRestart) {
     EXPECT_EQ(recording.interval.front(), 1);
     EXPECT_EQ(recording.interval.back(), 2);
     EXPECT_THAT(recording.angular_velocity[0], DoubleNear(0.005 * 2 * M_PI / 60, 1e-12));
+}
+
+TEST_F(ReadBlocks, DivideATableWithARowOfUnitsByItsColumnOfIntervals) {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "messung.csv";
+    std::ofstream(path) << "Abschnitt;Zeit;Drehmoment;Normalkraft;Spaltweite;Drehzahl\n"
+                           ";[s];[mNm];[N];[mm];[1/min]\n"
+                           "1;0,1;5,2;3,4;15,0;4,4\n1;0,2;5,3;3,4;15,0;4,4\n"
+                           "2;0,3;6,2;3,4;15,1;44,4\n2;0,4;6,3;3,4;15,1;44,4\n";
+    const Recording recording = read_recording(path);
+    EXPECT_THAT(recording.interval, ElementsAre(1, 1, 2, 2));
+    // A role that the user states is one of these intervals.
+    FileFormat format;
+    format.roles = {{"preshear", {"1"}}};
+    EXPECT_THAT(read_recording(path, format).interval, ElementsAre(2, 2));
 }
 
 TEST_F(ReadBlocks, RefuseMissingUnitsUnlessStated) {

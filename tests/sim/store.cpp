@@ -346,6 +346,26 @@ TEST(RunStore, LearnsColumnsItDoesNotHaveYet) {
     EXPECT_EQ(store.select("bond_order IS NULL").size(), 1u);
 }
 
+TEST(RunStore, ReadsAndContinuesAStoreOfVersion020) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "runs.sqlite";
+    std::filesystem::copy(PENDULAR_SOURCE_DIR "/tests/data/stores/runs-0.2.0.sqlite", file);
+    RunStore store(file);
+    const auto runs = store.select();
+    ASSERT_EQ(runs.size(), 2u);
+    EXPECT_EQ(runs[0].physics_version, 1);
+    EXPECT_DOUBLE_EQ(runs[0].run.parameters.friction, 0.1);
+    EXPECT_NEAR(runs[0].run[dem::Observable::stress_ratio].value, 0.323180700962276, 1e-14);
+    // The run itself can be continued from: time series and final state are read.
+    const StoredRun whole = store.get(runs[1].id);
+    EXPECT_FALSE(whole.run.trace.empty());
+    EXPECT_EQ(whole.run.final_state.grains.size(), 100u);
+    EXPECT_EQ(store.find(runs[0].run.parameters).has_value(),
+              dem::physics_version == runs[0].physics_version);
+    EXPECT_TRUE(store.add(invented(1)));
+    EXPECT_EQ(RunStore(file, true).size(), 3u);
+}
+
 TEST(RunTable, IsReadBackAsItWasWritten) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "runs.csv";
