@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "data/files/folded_name.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/quantities/units.h"
@@ -18,7 +20,15 @@ namespace {
 /// Index of the bracket that opens the pair which the last character of a text closes; npos if the
 /// text does not end with such a pair.
 std::size_t opening_bracket(std::string_view text) {
-    if (text.empty() || (text.back() != ']' && text.back() != ')')) return std::string_view::npos;
+    if (text.empty()) return std::string_view::npos;
+    // Braces and angles are rarer, and enclose other texts than units too.
+    if (const char open = text.back() == '}' ? '{' : text.back() == '>' ? '<' : '\0') {
+        const std::size_t at = text.rfind(open);
+        const bool unit =
+            at != std::string_view::npos && is_unit(text.substr(at + 1, text.size() - at - 2));
+        return unit ? at : std::string_view::npos;
+    }
+    if (text.back() != ']' && text.back() != ')') return std::string_view::npos;
     int depth = 0;
     for (std::size_t i = text.size(); i-- > 0;) {
         if (text[i] == ']' || text[i] == ')') ++depth;
@@ -103,13 +113,38 @@ Halves name_and_unit(std::string_view text) {
         (is_quantity(apart.name, apart.unit) ||
          (!find_quantity(apart.unit) && (is_quantity(apart.name) || is_unit(apart.unit)))))
         return apart;
-    for (const std::string_view separator : {"/", ", ", " en "}) {
+    for (const std::string_view separator : {"/", ", ", ": ", " en "}) {
         const bool first = separator == "/";  // "Angular velocity/rad/s"
         const Halves parts =
             divided(text, separator, first ? text.find(separator) : text.rfind(separator));
         if (!parts.unit.empty() && is_quantity(parts.name, parts.unit)) return parts;
     }
     return {text, ""};
+}
+
+/// Takes a unit off the end of a name that programs write without brackets: "torque_mNm",
+/// "Gap mm", "omega_rad_s", "speed_rad_per_s". It counts only where it is one of the named
+/// quantity.
+std::string take_unit(std::string_view& name) {
+    std::string_view unmarked = name;
+    if (find_quantity(name) || take_mark(unmarked) != ErrorMark::none) return "";
+    for (std::size_t at = name.find_first_of("_ ", 1); at != std::string_view::npos;
+         at = name.find_first_of("_ ", at + 1)) {
+        const std::string_view begin = trimmed(name.substr(0, at)), end = name.substr(at + 1);
+        if (end.empty() || !is_quantity(begin)) continue;
+        for (const std::string_view between : {"_per_", "_"}) {
+            for (const char* const written : {" ", "/"}) {
+                std::string unit(trimmed(end));
+                for (std::size_t found = unit.find(between); found != std::string::npos;
+                     found = unit.find(between))
+                    unit.replace(found, between.size(), written);
+                if (!is_unit(unit) || !is_quantity(begin, unit)) continue;
+                name = begin;
+                return unit;
+            }
+        }
+    }
+    return "";
 }
 
 }  // namespace
@@ -125,6 +160,7 @@ HeaderCell parse_header_cell(std::string_view text) {
         const Halves parts = name_and_unit(text);
         name = parts.name;
         cell.unit = parts.unit;
+        if (cell.unit.empty()) cell.unit = take_unit(name);
     }
     name = trimmed(name);
     cell.mark = take_mark(name);
@@ -164,16 +200,33 @@ const std::vector<VendorName>& vendor_names() {
           "Versuchszeit",
           "Tiempo",
           "Tempo",
+          "Elapsed time",
+          "Temps écoulé",
+          "Tiempo transcurrido",
+          "Tempo trascorso",
+          "X_Value",
           "Clock time",
           "Time of day",
           "Uhrzeit",
           "Heure",
           "Hora",
-          "Ora"}},
+          "Ora",
+          "Timestamp",
+          "Time stamp",
+          "Date/Time",
+          "Datetime",
+          "Zeitstempel",
+          "Datum/Uhrzeit",
+          "Horodatage",
+          "Date/Heure",
+          "Fecha/Hora",
+          "Fecha y hora",
+          "Data/Ora",
+          "Data e ora"}},
         {"torque",
          {"Torque", "M", "Couple", "Moment de torsion", "Drehmoment", "Moment", "Torsionsmoment",
           "Par", "Par motor", "Par de torsión", "Momento de torsión", "Momento torcente", "Coppia",
-          "Md"}},
+          "Md", "Peak torque"}},
         {"normal_force",
          {"Normal Force",
           "Fn",
@@ -219,16 +272,48 @@ const std::vector<VendorName>& vendor_names() {
         {"shear_stress",
          {"Shear Stress", "τ", "Contrainte de Cisaillement", "Schubspannung", "Scherspannung",
           "Esfuerzo cortante", "Tensión de cizalla", "Sforzo di taglio", "Tensione di taglio",
-          "Wall shear stress", "tau w", "tau_w", "τw", "Wandschubspannung", "Wandscherspannung",
+          "Wall shear stress", "tau w", "τw", "Wandschubspannung", "Wandscherspannung",
           "Contrainte de cisaillement à la paroi", "Tensión de cizalla en la pared",
-          "Tensione di taglio alla parete"},
+          "Tensione di taglio alla parete", "Shear wall stress",
+          // At failure, as programs of shear testers call it.
+          "Peak shear stress", "Failure shear stress", "Shear stress at failure",
+          "Maximum shear stress", "tau sh", "τsh", "tau ab", "τab", "tau f", "τf",
+          "Abscherspannung", "Schubspannung beim Abscheren",
+          "Contrainte de cisaillement à la rupture", "Tensión de cizalla en la rotura",
+          "Tensione di taglio a rottura"},
          {"Stress"}},
         {"normal_stress",
-         {"Normal Stress", "Contrainte Normale", "Normalspannung", "Esfuerzo normal",
-          "Tensión normal", "Sforzo normale", "Tensione normale", "Applied normal stress",
-          "Vertical stress", "Normal load stress", "Auflastspannung", "Wall normal stress",
-          "sigma w", "sigma_w", "σw", "Wandnormalspannung", "Contrainte normale à la paroi",
-          "Tensión normal en la pared", "Tensione normale alla parete"}},
+         {"Normal Stress",
+          "Contrainte Normale",
+          "Normalspannung",
+          "Esfuerzo normal",
+          "Tensión normal",
+          "Sforzo normale",
+          "Tensione normale",
+          "Applied normal stress",
+          "Vertical stress",
+          "Normal load stress",
+          "Auflastspannung",
+          "Wall normal stress",
+          "sigma w",
+          "σw",
+          "Wandnormalspannung",
+          "Contrainte normale à la paroi",
+          "Tensión normal en la pared",
+          "Tensione normale alla parete",
+          "Normal wall stress",
+          "Normal stress at failure",
+          "Failure normal stress",
+          "sigma sh",
+          "σsh",
+          "sigma ab",
+          "σab",
+          "sigma f",
+          "σf",
+          "Normalspannung beim Abscheren",
+          "Contrainte normale à la rupture",
+          "Tensión normal en la rotura",
+          "Tensione normale a rottura"}},
         {"shear_rate",
          {"Shear Rate", "ɣ̇", "γ̇", "Gradient de Cisaillement", "Vitesse de Cisaillement",
           "Scherrate", "Schergeschwindigkeit", "Schergefälle", "Taux de cisaillement",
@@ -241,8 +326,8 @@ const std::vector<VendorName>& vendor_names() {
           "Packungsdichte", "Volumenanteil", "Compacité", "Fraction volumique", "Fracción sólida",
           "Compacidad", "Frazione solida", "Compattezza"}},
         {"bulk_density",
-         {"Bulk density", "Schüttdichte", "Masse volumique apparente", "Densité apparente",
-          "Densidad aparente", "Densità apparente"}},
+         {"Bulk density", "rho b", "ρb", "Schüttdichte", "Masse volumique apparente",
+          "Densité apparente", "Densidad aparente", "Densità apparente"}},
         {"stress_ratio",
          {"Stress ratio", "Effective friction", "Spannungsverhältnis", "Reibungsverhältnis",
           "Rapport des contraintes", "Relación de esfuerzos", "Rapporto degli sforzi"}},
@@ -255,10 +340,15 @@ const std::vector<VendorName>& vendor_names() {
         {"preshear_stress",
          {"Preshear stress", "sigma pre", "σpre", "Vorscherspannung", "Anscherspannung",
           "Contrainte de précisaillement", "Tensión de precizalla", "Tensione di pretaglio",
-          "sigma_pre", "Preshear normal stress", "Normalspannung beim Anscheren"}},
+          "sigma an", "σan", "Preshear normal stress", "Normalspannung beim Anscheren",
+          "Consolidation stress", "Initial consolidation stress", "Preconsolidation stress",
+          "Verfestigungsspannung", "Contrainte de consolidation", "Tensión de consolidación",
+          "Tensione di consolidazione"}},
         {"preshear_shear_stress",
-         {"Preshear shear stress", "tau pre", "tau_pre", "τpre", "Anscherwiderstand",
-          "Anscherschubspannung", "Schubspannung beim Anscheren"}},
+         {"Preshear shear stress", "tau pre", "τpre", "tau an", "τan", "Anscherwiderstand",
+          "Anscherschubspannung", "Schubspannung beim Anscheren",
+          "Contrainte de cisaillement au précisaillement", "Tensión de cizalla en la precizalla",
+          "Tensione di taglio al pretaglio"}},
         {"interval",
          {"Intervall", "Abschnitt", "Schritt", "Intervalle", "Étape", "étape", "Intervalo",
           "Segmento", "Intervallo"}},
@@ -266,15 +356,18 @@ const std::vector<VendorName>& vendor_names() {
     return all;
 }
 
-/// Name in lower case with single blanks, for comparison. Symbols of up to two bytes (M, t, τ, Fn)
-/// keep their case.
+/// Name for comparison (`folded_name`). Symbols of up to two bytes (M, t, τ, Fn) keep their case.
 std::string compared(std::string_view name) {
-    if (name.size() <= 2) return std::string(name);
+    constexpr std::size_t longest = 200;  // bytes of a name; longer texts are none
+    return name.size() <= 2 || name.size() > longest ? std::string(name) : folded_name(name);
+}
+
+/// Text in lower case with single blanks.
+std::string spaced(std::string_view text) {
     std::string result;
-    for (const char c : name) {
-        const auto byte = static_cast<unsigned char>(c);
+    for (const char c : text) {
         if (c == ' ' && (result.empty() || result.back() == ' ')) continue;
-        result += static_cast<char>(std::tolower(byte));
+        result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
     return result;
 }
@@ -315,12 +408,23 @@ ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit) {
     return {known->name, 100, false};  // after all names of instruments
 }
 
+std::string_view usual_unit(std::string_view quantity_name) {
+    constexpr std::pair<std::string_view, std::string_view> usual[] = {
+        {"torque", "mN m"},
+        {"height", "mm"},
+        {"rotational_speed", "1/min"},
+        {"shear_velocity", "mm/min"}};
+    const auto* const found = std::ranges::find(
+        usual, quantity_name, &std::pair<std::string_view, std::string_view>::first);
+    return found != std::end(usual) ? found->second : quantity(quantity_name).unit;
+}
+
 std::string_view set_point_of(std::string_view name, std::string_view unit) {
     static const std::vector<std::string> marks = {
         "set point", "setpoint", "set value",  "set",       "setting",  "target",
         "demand",    "demanded", "commanded",  "requested", "sollwert", "soll",
         "consigne",  "preset",   "prescribed", "imposed"};
-    const std::string text = compared(name);
+    const std::string text = spaced(name);
     const auto remainder = [&](const std::string& mark) -> std::string_view {
         std::string_view rest = text;
         for (const std::string& end : {" " + mark, "_" + mark, "(" + mark + ")", "[" + mark + "]"})
@@ -343,7 +447,7 @@ bool counts_points(std::string_view name) {
         "point",       "point no.",        "point no,",  "point no",  "meas. pts.",
         "meas. point", "messpunkt",        "messpunkte", "punkt nr.", "punkt-nr.",
         "point n°",    "points de mesure", "datapoint"};
-    return std::ranges::find(names, compared(name)) != names.end();
+    return std::ranges::find(names, spaced(name)) != names.end();
 }
 
 }  // namespace pendular
