@@ -60,9 +60,9 @@ struct FileView {
     std::vector<WallLocus> walls;
     /// Quantities that steady shear needs but no interval has, such as "torque or shear stress".
     std::vector<std::string> missing;
-    /// Columns that are not used although their unit is that of a missing quantity, each with that
-    /// quantity in place of the one that the file names. Only of tables of people's own: exports of
-    /// instruments name what they have.
+    /// Columns that are not used although their unit or their name is that of a missing quantity,
+    /// each with that quantity in place of the one that the file names. Only of tables of people's
+    /// own: exports of instruments name what they have.
     std::vector<BlockColumn> candidates;
 };
 
