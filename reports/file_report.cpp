@@ -394,6 +394,12 @@ Output file_output(const FileView& view, bool all, bool is_answer) {
     output.table(checks_lines(view, all), 10);
     output.lines(yield_locus_lines(view));
     output.lines(wall_locus_lines(view));
+    for (const auto& [quantity_name, column] : view.by_unit)
+        output.note(fmt::format(
+            "Column '{}' is read as the {}, since no other has a unit of it; if it is something "
+            "else, name the right one by --columns or in [[recording]], as in columns = {{ {} = "
+            "\"{}\" }}",
+            column, quantity(quantity_name).meaning, quantity_name, column));
     if (const std::string missing = missing_sentence(view); !missing.empty()) output.note(missing);
     return output;
 }

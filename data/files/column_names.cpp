@@ -149,8 +149,23 @@ std::string take_unit(std::string_view& name) {
 
 }  // namespace
 
-HeaderCell parse_header_cell(std::string_view text) {
-    text = trimmed(text);
+namespace {
+
+/// Text with the brackets of East Asian typesetting as those of other texts.
+std::string with_plain_brackets(std::string_view text) {
+    std::string plain(text);
+    for (const auto& [wide, narrow] : {std::pair("（", "("), std::pair("）", ")")})
+        for (std::size_t at = plain.find(wide); at != std::string::npos; at = plain.find(wide, at))
+            plain.replace(at, std::string_view(wide).size(), narrow);
+    return plain;
+}
+
+}  // namespace
+
+HeaderCell parse_header_cell(std::string_view written) {
+    const std::string plain = with_plain_brackets(trimmed(written));
+    std::string_view text = plain;
+    if (text.ends_with("]:") || text.ends_with("):")) text.remove_suffix(1);
     HeaderCell cell;
     std::string_view name = text;
     if (const std::size_t bracket = opening_bracket(text); bracket != std::string_view::npos) {

@@ -60,6 +60,7 @@ std::string folded_name(std::string_view name) {
         U16_NEXT(wide.data(), i, wide.size(), c);
         if (after_latin && u_charType(c) == U_NON_SPACING_MARK) continue;
         after_latin = c < 0x80 && std::isalpha(static_cast<int>(c));
+        if (u_charType(c) == U_FORMAT_CHAR) continue;  // without width
         if (u_isUWhiteSpace(c) || c == '_' || c == '-' || c == '.') continue;
         if (c == 0xDF)  // ß
             result += "ss";

@@ -9,6 +9,7 @@
 #include "data/files/column_names.h"
 #include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
+#include "data/recordings/columns_by_unit.h"
 #include "data/recordings/test_kinds.h"
 
 namespace pendular {
@@ -179,6 +180,13 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
                       const std::optional<AnnularCell>& study_cell) {
     FileView view;
     view.file = read_blocks(path, format);
+    if (format.columns.empty() && format.named_columns.empty())
+        view.by_unit = columns_by_unit(view.file);
+    if (!view.by_unit.empty()) {
+        FileFormat named = format;
+        named.named_columns = view.by_unit;
+        view.file = read_blocks(path, named);
+    }
     refuse_unused_file(view.file);
     split_by_interval(view.file);
     split_points(view.file);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,6 +65,9 @@ struct FileView {
     /// each with that quantity in place of the one that the file names. Only of tables of people's
     /// own: exports of instruments name what they have.
     std::vector<BlockColumn> candidates;
+    /// Columns that are read as a quantity by their unit alone (`columns_by_unit`), by quantity. A
+    /// study reads them where its `columns` name them.
+    std::map<std::string, std::string> by_unit;
 };
 
 /// Reads and examines a file of measurements. A table with a column of interval numbers is divided

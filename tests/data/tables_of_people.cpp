@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <map>
 #include <numbers>
 
 #include "data/files/column_names.h"
@@ -38,6 +39,8 @@ TEST(HeaderCellOfAProgram, HasItsUnitBehindTheName) {
     EXPECT_EQ(parts("Gap {mm}"), "Gap|mm");
     EXPECT_EQ(parts("Gap <mm>"), "Gap|mm");
     EXPECT_EQ(parts("Gap: mm"), "Gap|mm");
+    EXPECT_EQ(parts("Gap [mm]:"), "Gap|mm");
+    EXPECT_EQ(parts("Gap（mm）"), "Gap|mm");
 }
 
 TEST(HeaderCellOfAProgram, KeepsWordsThatAreNoUnitOfTheQuantity) {
@@ -113,12 +116,15 @@ TEST_F(TableOfPeople, MayHaveItsCellsBetweenBlanks) {
     for (const char* const names :
          {"Time [s]   Torque [mNm]   Normal force [N]\n",
           "Time [s] Torque [mNm] Normal force [N]\n", "# time_s torque_mNm normal_force_N\n",
-          "# run 7\n% Time/s Torque/mNm Force/N\n",
+          "# run 7\n% Time/s Torque/mNm Force/N\n", "# time [s], torque [mNm], force [N]\n",
+          "\"Time [s]\" \"Torque [mNm]\" \"Force [N]\"\n",
           "Time   Torque   Normal force\n[s]    [mNm]   [N]\n", "Ring cell\n\nt_s M_mNm Fn_N\n"})
         EXPECT_THAT(column(names + rows, "torque"),
                     ElementsAre(DoubleEq(0.01525), DoubleEq(0.01534)))
             << names;
     EXPECT_EQ(read("Time [s]   Torque [mNm]\n  0  1\n  1  2\n").delimiter, ' ');
+    EXPECT_THAT(column("  Time [s]  Torque [mNm]\n0  0  15.25\n1  0.5  15.5\n", "torque"),
+                ElementsAre(DoubleEq(0.01525), DoubleEq(0.0155)));
     // The place of a number stays that of the file.
     EXPECT_THAT(refusal("Time [s]   Torque [mNm]   Normal force [N]\n  0    1   2\n  1    2   3\n"
                         "  2    x   3\n"),
@@ -230,6 +236,30 @@ TEST_F(TableOfPeople, SaysInItsTitleThatItIsOfAWall) {
     for (const int k : {1, 2, 3, 4})
         text += fmt::format("{},{}\n", 500 * k, 200 * k);
     EXPECT_THAT(view_of_file(folder_.write("t.csv", text)).walls, SizeIs(1));
+}
+
+/// The units alone show which column is which, unless several or other quantities have them.
+TEST_F(TableOfPeople, IsReadByItsUnitsWhereTheyFitOneColumn) {
+    const auto by_unit = [&](const std::string& names) {
+        return view_of_file(folder_.write("t.csv", names + "\n0,15,12,6.2,2\n1,15,12,6.2,2\n"))
+            .by_unit;
+    };
+    using Columns = std::map<std::string, std::string>;
+    EXPECT_EQ(by_unit("Time [s],Moment am Deckel [mNm],Load cell [N],Bed [mm],Motor [rpm]"),
+              (Columns{{"torque", "Moment am Deckel [mNm]"},
+                       {"normal_force", "Load cell [N]"},
+                       {"height", "Bed [mm]"},
+                       {"rotational_speed", "Motor [rpm]"}}));
+    EXPECT_EQ(by_unit("Time [s],Torque [mNm],Left [N],Right [N],Lid displacement [mm]"), Columns());
+    EXPECT_EQ(by_unit("Time [s],Torque [mNm],Load set [N],Gap [mm],Filter [Hz]"), Columns());
+    EXPECT_EQ(by_unit("Time [s],Work [J],Normal force [N],Gap [mm],Delta [1/s]"), Columns());
+    EXPECT_EQ(by_unit("Time [s],A [kPa],B [mK],Gap [mm],Speed [rpm]"), Columns());
+    const auto path = folder_.write(
+        "t.csv", "Time [s],Twist [uNm],Normal force [N],Gap [mm],Speed [rpm]\n0,15,12,6.2,2\n");
+    EXPECT_THAT(view_of_file(path).series.at(0).torque, ElementsAre(DoubleEq(15e-6)));
+    // A study reads it only where it says so.
+    EXPECT_THAT(input_error([&] { read_recording(path); }),
+                HasSubstr("columns = { torque = \"Twist [uNm]\" }"));
 }
 
 TEST_F(TableOfPeople, OfStressRatiosHasShearStresses) {

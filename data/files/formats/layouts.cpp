@@ -228,7 +228,14 @@ void read_part(const TablePart& part, const FileFormat& format, BlockFile& file)
 TextShape shape(std::string& text, const std::filesystem::path& path, const FileFormat& format) {
     if (!format.layout.empty() && !is_own_table(format.layout)) return TextShape::delimited;
     join_quoted_lines(text);
-    const std::string layout = layout_of({path.string(), split_lines(text)}, format).name;
+    const auto recognised = [&]() -> std::string {
+        try {
+            return layout_of({path.string(), split_lines(text)}, format).name;
+        } catch (const InputError&) {  // quotes between blanks
+            return "plain";
+        }
+    };
+    const std::string layout = recognised();
     return is_own_table(layout) || layout == "headerless" ? shape_text(text) : TextShape::delimited;
 }
 

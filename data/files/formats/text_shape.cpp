@@ -57,11 +57,13 @@ std::string_view comment_sign(std::string_view line) {
 std::vector<std::size_t> cells_between_blanks(std::string_view line, std::size_t fewest) {
     std::vector<std::size_t> begins;
     std::size_t blanks = fewest;
+    bool quoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
-        if (is_blank_character(line[i])) {
+        if (is_blank_character(line[i]) && !quoted) {
             ++blanks;
             continue;
         }
+        if (line[i] == '"') quoted = !quoted;
         if (blanks >= fewest || begins.empty()) begins.push_back(i);
         blanks = 0;
     }
@@ -86,7 +88,7 @@ bool is_number(std::string_view cell) {
 
 /// Number of the cells of a row of numbers between blanks; 0 for other lines.
 std::size_t numbers_between_blanks(std::string_view line) {
-    if (line.find_first_of("\t;|\"") != std::string_view::npos) return 0;
+    if (line.find_first_of("\t;|") != std::string_view::npos) return 0;
     const std::vector<std::size_t> begins = cells_between_blanks(line, 1);
     std::size_t numbers = 0;
     for (std::size_t k = 0; k < begins.size(); ++k) {
@@ -199,6 +201,23 @@ void unify_comments(std::string& text, const std::vector<Span>& lines, std::size
     }
 }
 
+/// Lets blanks stand for the commas between the names above a table of `cells` columns between
+/// blanks, as in "# time, torque", and a tab for the first of the blanks above a first column
+/// without a name, which numbers the rows.
+void divide_names(std::string& text, const std::vector<Span>& lines, std::size_t row,
+                  std::size_t cells) {
+    for (std::size_t i = 0; i < row; ++i) {
+        const auto begin = text.begin() + static_cast<std::ptrdiff_t>(lines[i].begin),
+                   end = text.begin() + static_cast<std::ptrdiff_t>(lines[i].end);
+        const auto commas = static_cast<std::size_t>(std::count(begin, end, ','));
+        if (commas + 1 == cells) std::replace(begin, end, ',', ' ');
+        const std::string_view line = lines[i].of(text);
+        if (line.starts_with(' ') && comment_sign(line).empty() &&
+            header_cells(line, cells).empty() && !header_cells(line, cells - 1).empty())
+            *begin = '\t';
+    }
+}
+
 /// Divides a table whose cells stand between blanks. Returns whether the text is one.
 bool divide_at_blanks(std::string& text, const std::vector<Span>& lines) {
     const auto [row, cells] = row_between_blanks(text, lines);
@@ -207,13 +226,14 @@ bool divide_at_blanks(std::string& text, const std::vector<Span>& lines) {
     const bool commas = lines[row].of(text).find(',') != std::string_view::npos;
     for (std::size_t i = 0; commas && i < row; ++i)
         if (lines[i].of(text).find(',') != std::string_view::npos) return false;
+    divide_names(text, lines, row, cells);
     const std::size_t columns = cells;
     uncomment_names(text, lines, row,
                     [&](std::string_view line) { return header_cells(line, columns); });
     unify_comments(text, lines, row);
     for (std::size_t i = 0; i < row; ++i)
-        if (comment_sign(lines[i].of(text)).empty())
-            divide(text, lines[i], header_cells(lines[i].of(text), cells));
+        if (const std::string_view line = lines[i].of(text); comment_sign(line).empty())
+            divide(text, lines[i], header_cells(line, line.starts_with('\t') ? cells - 1 : cells));
     for (std::size_t begin = lines[row].begin; begin < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
         const Span line{begin, end};
