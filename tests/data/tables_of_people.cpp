@@ -142,6 +142,10 @@ TEST_F(TableOfPeople, MayBreakLinesWithinTheNames) {
     const BlockFile file = read("\"Time\n[s]\",\"Torque\r\n[mNm]\"\n0,15.25\n1,15.5\n");
     EXPECT_EQ(file.blocks.at(0).columns.at(1).quantity, "torque");
     EXPECT_EQ(file.blocks.at(0).table.rows.at(0).line, 4);
+    const auto path = folder_.write("r.csv",
+                                    "\"Time\n[s]\",Torque [mNm],Force [N],Gap [mm],Speed [rpm]\n"
+                                    "0,1,2,3,4\n1,1,2,3,4\n");
+    EXPECT_EQ(read_recording(path).size(), 2u);
 }
 
 TEST_F(TableOfPeople, MayWriteNumbersAsFortranAndTypesettersDo) {
@@ -282,6 +286,17 @@ TEST_F(TableOfPeople, IsToldWhatItLacks) {
                  refusal("Time [s],Torque,Normal force [N]\n" + rows),
                  refusal("Time [s],Torque [mNm]\n1,0,15.25\n2,1,15.5\n"),
                  refusal("%PDF-1.4\n1 0 obj\n"), refusal("\x1f\x8b\x08 and so on")});
+}
+
+TEST_F(TableOfPeople, IsNoneThatTheProgramWroteOfItsResults) {
+    const std::string atlas = content_of(PENDULAR_SOURCE_DIR "/sim/atlas/atlas.csv");
+    EXPECT_THAT(refusal(atlas.substr(0, atlas.find('\n', atlas.find('\n') + 1) + 1)),
+                HasSubstr("is a table of simulations"));
+    EXPECT_THAT(refusal("quantity,value,standard error,unit,remark\nfriction,0.2,0.01,1,\n"),
+                HasSubstr("is a table of the results of a study"));
+    EXPECT_THAT(refusal("friction,inertial_number,reduced_pressure,bridge_volume,stress_ratio\n"
+                        "0.09,0.001,,,0.25\n"),
+                HasSubstr("is a table of predictions"));
 }
 
 TEST_F(TableOfPeople, MayMarkMissingValuesInGerman) {

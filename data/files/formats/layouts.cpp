@@ -162,19 +162,27 @@ void refuse_wide_numbers(const BlockFile& file, const std::vector<WideNumber>& w
         }
 }
 
-/// @throws InputError for a table of results that Pendular wrote, which holds no measurement
+/// @throws InputError for a table that Pendular wrote and that holds no measurement
 void refuse_lists(const std::filesystem::path& path, std::string_view text) {
-    const std::pair<std::string_view, const char*> lists[] = {
-        {"file,first_line,last_line,reason", "a list of rows that were left out"},
-        {"panel,curve,x,y", "the table of a figure"},
-        {"file,test,kind,points,preshear_stress", "a table of the results of yield loci"}};
-    for (const auto& [begin, what] : lists)
+    const char* const from_file = "; name the file that it was made from";
+    struct List {
+        std::string_view begin;
+        const char *what, *advice;
+    };
+    const List lists[] = {
+        {"file,first_line,last_line,reason", "a list of rows that were left out", from_file},
+        {"panel,curve,x,y", "the table of a figure", from_file},
+        {"file,test,kind,points,preshear_stress", "a table of the results of yield loci",
+         from_file},
+        {"quantity,value,standard error,unit", "a table of the results of a study", from_file},
+        {"friction,inertial_number,reduced_pressure,bridge_volume", "a table of predictions", ""},
+        {"physics_version,friction", "a table of simulations",
+         ": 'pendular runs import' reads it"}};
+    for (const auto& [begin, what, advice] : lists)
         if (text.starts_with(begin))
             throw InputError(
                 {path.string()},
-                fmt::format("is {}, as Pendular writes it, and no measurement; name the "
-                            "file that it was made from",
-                            what));
+                fmt::format("is {}, as Pendular writes it, and no measurement{}", what, advice));
 }
 
 FileText text_of_file(const std::filesystem::path& path, const FileFormat& format) {
