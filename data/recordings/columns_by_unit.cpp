@@ -43,9 +43,9 @@ bool says_otherwise(std::string_view name, std::string_view quantity) {
     const auto has = [&](std::string_view word) { return folded.find(word) != std::string::npos; };
     constexpr std::array<std::string_view, 8> set = {"set",      "soll",    "target", "demand",
                                                      "consigne", "nominal", "limit",  "max"};
-    constexpr std::array<std::string_view, 9> ways = {
-        "displacement", "stroke", "weg",      "deplacement", "desplazamiento",
-        "spostamento",  "travel", "position", "deformation"};
+    constexpr std::array<std::string_view, 11> ways = {
+        "lidheight",      "deckelhohe",  "displacement", "stroke",   "weg",        "deplacement",
+        "desplazamiento", "spostamento", "travel",       "position", "deformation"};
     return std::ranges::any_of(set, has) ||
            (quantity == "height" && std::ranges::any_of(ways, has));
 }

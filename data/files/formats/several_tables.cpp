@@ -17,7 +17,7 @@ namespace {
 /// Lines among which the first names are sought, as in preamble.cpp; tables of a file, and bytes
 /// and lines of all of them, so that a small file cannot use much memory.
 constexpr std::size_t most_lines_above = 200, most_tables = 200, most_bytes = std::size_t(1) << 28,
-                      most_lines = 20'000'000;
+                      most_lines_of_tables = 20'000'000;
 
 /// Number of different quantities that the cells of a line name.
 std::size_t quantities_named(const Row& row, std::size_t begin, std::size_t end) {
@@ -181,7 +181,7 @@ SeveralTables one_below_another(const SourceLines& source, const NamesLine& name
     }
     SeveralTables found;
     if (begins.size() < 2 || begins.size() > most_tables ||
-        source.lines.size() > most_lines / begins.size())
+        source.lines.size() > most_lines_of_tables / begins.size())
         return found;
     for (std::size_t k = 0; k < begins.size(); ++k) {
         const std::size_t end = k + 1 < begins.size() ? begins[k + 1] : source.lines.size();

@@ -16,14 +16,14 @@ namespace pendular {
 namespace {
 
 /// Lines among which the first row of numbers is sought, as in preamble.cpp.
-constexpr std::size_t most_lines = 200;
+constexpr std::size_t most_header_lines = 200;
 
 bool is_blank_character(char c) {
     return c == ' ' || c == '\t';
 }
 
 /// Line of a text: bytes from `begin` to `end`, without the line end.
-struct Span {
+struct TextLine {
     std::size_t begin = 0, end = 0;
 
     std::string_view of(const std::string& text) const {
@@ -32,10 +32,10 @@ struct Span {
 };
 
 /// First lines of a text.
-std::vector<Span> first_lines(const std::string& text) {
-    std::vector<Span> lines;
+std::vector<TextLine> first_lines(const std::string& text) {
+    std::vector<TextLine> lines;
     std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-    while (begin < text.size() && lines.size() < most_lines) {
+    while (begin < text.size() && lines.size() < most_header_lines) {
         const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
         lines.push_back({begin, end});
         begin = end + (std::string_view(text).substr(end, 2) == "\r\n" ? 2 : 1);
@@ -106,7 +106,7 @@ struct FirstRow {
 };
 
 /// First of two rows of numbers between blanks in succession, or the only one below a header.
-FirstRow row_between_blanks(const std::string& text, const std::vector<Span>& lines) {
+FirstRow row_between_blanks(const std::string& text, const std::vector<TextLine>& lines) {
     FirstRow before;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::string_view line = lines[i].of(text);
@@ -119,7 +119,7 @@ FirstRow row_between_blanks(const std::string& text, const std::vector<Span>& li
 }
 
 /// Puts tabs in place of the blanks before the cells of a line, so that each stays at its place.
-void divide(std::string& text, const Span& line, const std::vector<std::size_t>& begins) {
+void divide(std::string& text, const TextLine& line, const std::vector<std::size_t>& begins) {
     for (std::size_t k = 1; k < begins.size(); ++k) {
         std::size_t blank = line.begin + begins[k] - 1;
         while (is_blank_character(text[blank - 1])) {
@@ -171,7 +171,7 @@ std::string uncommented(std::string_view line) {
 /// and off the lines between them and the numbers, such as units.
 /// @param cells_of begins of the cells of a line of names; empty for other lines
 template <typename CellsOf>
-void uncomment_names(std::string& text, const std::vector<Span>& lines, std::size_t row,
+void uncomment_names(std::string& text, const std::vector<TextLine>& lines, std::size_t row,
                      const CellsOf& cells_of) {
     std::size_t first = row;
     for (std::size_t i = row; i-- > 0;) {
@@ -193,7 +193,7 @@ void uncomment_names(std::string& text, const std::vector<Span>& lines, std::siz
 }
 
 /// Lets other comment signs be '#', of comments above the numbers.
-void unify_comments(std::string& text, const std::vector<Span>& lines, std::size_t row) {
+void unify_comments(std::string& text, const std::vector<TextLine>& lines, std::size_t row) {
     for (std::size_t i = 0; i < row; ++i) {
         const std::string_view sign = comment_sign(lines[i].of(text));
         if (!sign.empty())
@@ -204,7 +204,7 @@ void unify_comments(std::string& text, const std::vector<Span>& lines, std::size
 /// Lets blanks stand for the commas between the names above a table of `cells` columns between
 /// blanks, as in "# time, torque", and a tab for the first of the blanks above a first column
 /// without a name, which numbers the rows.
-void divide_names(std::string& text, const std::vector<Span>& lines, std::size_t row,
+void divide_names(std::string& text, const std::vector<TextLine>& lines, std::size_t row,
                   std::size_t cells) {
     for (std::size_t i = 0; i < row; ++i) {
         const auto begin = text.begin() + static_cast<std::ptrdiff_t>(lines[i].begin),
@@ -219,7 +219,7 @@ void divide_names(std::string& text, const std::vector<Span>& lines, std::size_t
 }
 
 /// Divides a table whose cells stand between blanks. Returns whether the text is one.
-bool divide_at_blanks(std::string& text, const std::vector<Span>& lines) {
+bool divide_at_blanks(std::string& text, const std::vector<TextLine>& lines) {
     const auto [row, cells] = row_between_blanks(text, lines);
     if (cells == 0) return false;
     // Commas divide cells in "Time, Gap" above "1 234,5 678".
@@ -236,7 +236,7 @@ bool divide_at_blanks(std::string& text, const std::vector<Span>& lines) {
             divide(text, lines[i], header_cells(line, line.starts_with('\t') ? cells - 1 : cells));
     for (std::size_t begin = lines[row].begin; begin < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
-        const Span line{begin, end};
+        const TextLine line{begin, end};
         if (comment_sign(line.of(text)).empty())
             divide(text, line, cells_between_blanks(line.of(text), 1));
         begin = end + 1;
@@ -251,10 +251,10 @@ bool is_rule(std::string_view line) {
 }
 
 /// Divides a table whose cells stand between bars. Returns whether the text is one.
-bool divide_at_bars(std::string& text, const std::vector<Span>& lines) {
+bool divide_at_bars(std::string& text, const std::vector<TextLine>& lines) {
     std::ptrdiff_t before = 0;
     bool found = false;
-    for (const Span& span : lines) {
+    for (const TextLine& span : lines) {
         const std::string_view line = span.of(text);
         if (line.find_first_of("\t;") != std::string_view::npos) return false;
         const auto bars = std::ranges::count(line, '|');
@@ -284,7 +284,7 @@ bool divide_at_bars(std::string& text, const std::vector<Span>& lines) {
 }
 
 /// Lets names in a comment above a table with delimiters be its header.
-void uncomment_delimited(std::string& text, const std::vector<Span>& lines) {
+void uncomment_delimited(std::string& text, const std::vector<TextLine>& lines) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::string_view line = lines[i].of(text);
         if (trimmed(line).empty() || !comment_sign(line).empty()) continue;
@@ -305,88 +305,11 @@ void uncomment_delimited(std::string& text, const std::vector<Span>& lines) {
     }
 }
 
-/// Byte after the quote that closes the cell whose first byte, behind its opening quote, is `at`;
-/// npos where none within a few lines does.
-std::size_t end_of_quoted(const std::string& text, std::size_t at) {
-    constexpr std::size_t longest = 2000;
-    const std::size_t last = std::min(text.size(), at + longest);
-    for (std::size_t i = at; i < last; ++i) {
-        if (text[i] != '"') continue;
-        if (i + 1 < text.size() && text[i + 1] == '"') {
-            ++i;
-            continue;
-        }
-        const bool closes =
-            i + 1 == text.size() ||
-            std::string_view("\t;,\r\n ").find(text[i + 1]) != std::string_view::npos;
-        return closes ? i + 1 : std::string::npos;
-    }
-    return std::string::npos;
-}
-
-/// Writes minus signs and exponents as numbers have them elsewhere.
-void unify_signs(std::string& text) {
-    constexpr std::string_view minus = "\u2212";
-    const auto digit = [&](std::size_t i) {
-        return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i]));
-    };
-    if (text.find(minus) != std::string::npos) {
-        std::string result;
-        std::size_t from = 0;
-        for (std::size_t at = text.find(minus); at != std::string::npos;
-             at = text.find(minus, at + 1)) {
-            const bool in_word = at > 0 && std::isalpha(static_cast<unsigned char>(text[at - 1])) &&
-                                 text[at - 1] != 'E' && text[at - 1] != 'e';
-            const std::size_t next = at + minus.size();
-            if (in_word || !(digit(next) || text.compare(next, 1, ".") == 0)) continue;
-            result.append(text, from, at - from).append("-");
-            from = next;
-        }
-        text = result.append(text, from);
-    }
-    for (const std::string_view exponent : {"D-", "D+", "d-", "d+"})
-        for (std::size_t at = text.find(exponent); at != std::string::npos;
-             at = text.find(exponent, at + 1)) {
-            std::size_t begin = at;
-            while (begin > 0 && digit(begin - 1))
-                --begin;
-            // Only behind a decimal point: "3D-2" is a name.
-            if (begin > 0 && text[begin - 1] == '.' && digit(at + 2)) text[at] = 'E';
-        }
-}
-
 }  // namespace
-
-void join_quoted_lines(std::string& text) {
-    const std::vector<Span> lines = first_lines(text);
-    std::size_t length = lines.empty() ? 0 : lines.back().end;
-    std::string owed;  // line ends that follow the present line
-    for (std::size_t i = 0; i < std::min(length, text.size()); ++i) {
-        if (text[i] == '\n' || text[i] == '\r') {
-            if (text.compare(i, 2, "\r\n") == 0) ++i;
-            text.insert(i + 1, owed);
-            i += owed.size();
-            length += owed.size();
-            owed.clear();
-            continue;
-        }
-        const bool begins =
-            i == 0 || std::string_view("\t;,\r\n").find(text[i - 1]) != std::string_view::npos;
-        if (text[i] != '"' || !begins) continue;
-        const std::size_t end = end_of_quoted(text, i + 1);
-        if (end == std::string::npos) return;
-        for (std::size_t k = i; k < end; ++k) {
-            if (text[k] == '\n') owed += '\n';
-            if (text[k] == '\r' && text[k + 1] != '\n') owed += '\r';
-            if (text[k] == '\n' || text[k] == '\r') text[k] = ' ';
-        }
-        i = end - 1;
-    }
-}
 
 TextShape shape_text(std::string& text) {
     unify_signs(text);
-    const std::vector<Span> lines = first_lines(text);
+    const std::vector<TextLine> lines = first_lines(text);
     if (divide_at_blanks(text, lines)) return TextShape::blanks;
     if (divide_at_bars(text, lines)) return TextShape::bars;
     uncomment_delimited(text, lines);

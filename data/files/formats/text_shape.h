@@ -21,4 +21,8 @@ TextShape shape_text(std::string& text);
 /// within a header so. Empty lines after the joined one keep the numbers of the lines below.
 void join_quoted_lines(std::string& text);
 
+/// Writes minus signs and exponents as numbers have them elsewhere: '-' for U+2212, 'E' for the 'D'
+/// of Fortran.
+void unify_signs(std::string& text);
+
 }  // namespace pendular
