@@ -119,6 +119,11 @@ std::map<std::string, std::string> columns_by_unit(const BlockFile& file) {
         found[std::string(shown_by(block, index, *group))] =
             fmt::format("{} [{}]", block.columns[index].name, block.columns[index].unit);
     }
+    // One column with a unit does not make a recording of a table of other things.
+    constexpr std::size_t fewest = 3;
+    const bool any_named = std::ranges::any_of(
+        block.columns, [](const BlockColumn& column) { return !column.quantity.empty(); });
+    if (!any_named && found.size() < fewest) return {};
     return found;
 }
 

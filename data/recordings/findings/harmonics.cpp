@@ -14,7 +14,7 @@
 namespace pendular {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double whole_turn = 2 * std::numbers::pi;
 /// Below one and a half turns, a wobble of one period a turn is hardly told from a trend. Eight
 /// samples a turn are four for each period of the fastest harmonic.
 constexpr double least_turns = 1.5, least_samples_per_turn = 8;
@@ -39,7 +39,7 @@ constexpr double certain_wobble = 1e-3;
 
 double turns_covered(std::span<const double> angle) {
     const double n = static_cast<double>(angle.size());
-    return std::abs(angle.back() - angle.front()) / turn * n / (n - 1);
+    return std::abs(angle.back() - angle.front()) / whole_turn * n / (n - 1);
 }
 
 bool enough_turns(std::span<const double> angle) {
