@@ -83,7 +83,7 @@ void run_gnuplot(const Figure& figure, const fs::path& folder) {
         gnuplot << "set terminal " << format.terminal << ' ' << size_of(page, format)
                 << "\nset output " << gnuplot_string(drawing(folder, figure, format).string())
                 << '\n'
-                << page_script(figure, page, marks);
+                << script_of_page(figure, page, marks);
     }
 }
 

@@ -147,7 +147,7 @@ std::string data_blocks(const Figure& figure) {
     return text;
 }
 
-std::string page_script(const Figure& figure, const Page& page, const Ink& marks) {
+std::string script_of_page(const Figure& figure, const Page& page, const Ink& marks) {
     std::string text = "set multiplot\n";
     for (std::size_t p = 0; p < figure.panels.size(); ++p) {
         text += panel_script(figure, p, page);

@@ -23,6 +23,6 @@ std::string data_blocks(const Figure& figure);
 /// Returns gnuplot commands that draw a figure: axes, reference lines, lines and bands, and `marks`
 /// over them.
 /// @param page layout of this figure (`page_of`)
-std::string page_script(const Figure& figure, const Page& page, const Ink& marks);
+std::string script_of_page(const Figure& figure, const Page& page, const Ink& marks);
 
 }  // namespace pendular

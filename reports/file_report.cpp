@@ -12,9 +12,11 @@
 #include <tuple>
 #include <utility>
 
+#include "data/files/column_names.h"
 #include "data/files/formats/named_columns.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
+#include "data/quantities/units.h"
 #include "data/recordings/test_kinds.h"
 #include "data/remarks/wording.h"
 #include "reports/locus_report.h"
@@ -118,7 +120,9 @@ std::string file_sentence(const FileView& view) {
 
 std::string encoding_sentence(const FileView& view) {
     const char delimiter = view.file.delimiter;
-    const std::string separated = delimiter == '\t' ? "tabs" : fmt::format("'{}'", delimiter);
+    const std::string separated = delimiter == '\t'  ? "tabs"
+                                  : delimiter == ' ' ? "blanks"
+                                                     : fmt::format("'{}'", delimiter);
     return fmt::format("Encoding {}, cells separated by {}, decimal mark '{}'.", view.file.encoding,
                        separated, view.file.numbers.decimal);
 }
@@ -197,6 +201,19 @@ bool shows_readings(const FileView& view) {
 
 }  // namespace
 
+namespace {
+
+/// Why the unit of a column cannot be that of its quantity.
+std::string why_not(const BlockColumn& column) {
+    try {
+        return wrong_dimension(Unit(column.unit), Unit(quantity(column.quantity).unit));
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+}
+
+}  // namespace
+
 std::string missing_sentence(const FileView& view) {
     if (shows_readings(view))
         return fmt::format(
@@ -222,6 +239,12 @@ std::string missing_sentence(const FileView& view) {
         text += " Export these columns too.";
     constexpr std::size_t most = 4;  // of many columns in pascals, none is more likely than another
     for (const BlockColumn& column : view.candidates | std::views::take(most)) {
+        if (!unit_fits(column.unit, column.quantity)) {
+            text += fmt::format(" Column '{} [{}]' is not used: {}", column.name, column.unit,
+                                why_not(column));
+            if (!text.ends_with('?')) text += '.';
+            continue;
+        }
         // Units of the other layouts stand in a row of their own.
         text += fmt::format(
             " Column '{} [{}]' is not used; if it is the {}, state it in [[recording]], or for one "
@@ -330,6 +353,13 @@ std::string unused_reason(const FileView& view) {
             "reverse the sign of the column in the file";
     if (sheared && !view.missing.empty())
         reason = fmt::format("it has no {}", fmt::join(view.missing, ", no "));
+    const auto lacks = [&](const char* name) {
+        return std::ranges::find(view.missing, name) != view.missing.end();
+    };
+    if (sheared && lacks("time") && lacks("speed of the lid") && lacks("gap"))
+        reason +=
+            ", and is no table of points of failure: that has normal and shear stresses, in at "
+            "least three rows whose normal stresses differ";
     return reason;
 }
 
@@ -364,6 +394,12 @@ Output file_output(const FileView& view, bool all, bool is_answer) {
     output.table(checks_lines(view, all), 10);
     output.lines(yield_locus_lines(view));
     output.lines(wall_locus_lines(view));
+    for (const auto& [quantity_name, column] : view.by_unit)
+        output.note(fmt::format(
+            "Column '{}' is read as the {}, since no other has a unit of it; if it is something "
+            "else, name the right one by --columns or in [[recording]], as in columns = {{ {} = "
+            "\"{}\" }}",
+            column, quantity(quantity_name).meaning, quantity_name, column));
     if (const std::string missing = missing_sentence(view); !missing.empty()) output.note(missing);
     return output;
 }

@@ -228,6 +228,12 @@ std::string format_text(const FileFormat& format) {
     return text;
 }
 
+/// The format that the user stated, with the columns that a view reads by their units.
+FileFormat with_columns_by_unit(FileFormat format, const FileView& view) {
+    format.named_columns.insert(view.by_unit.begin(), view.by_unit.end());
+    return format;
+}
+
 /// Name of an interval in `intervals` of study.toml: its number, its name or, where these mean
 /// other intervals too, the name of its test.
 /// @throws InputError where no name tells the intervals of different roles apart
@@ -258,7 +264,8 @@ std::string roles_text(const FileView& view) {
     for (std::size_t i = 0; i < view.roles.size(); ++i) {
         const Block& block = view.file.blocks[i];
         const std::string& role = view.roles[i].role;
-        if (role == "steady" || (block.number == 0 && block.name.empty())) continue;
+        if (role == "steady" || (block.number == 0 && block.name.empty() && block.test.empty()))
+            continue;
         const std::string name = toml_string(name_in_study(view, i));
         if (std::ranges::find(intervals[role], name) == intervals[role].end())
             intervals[role].push_back(name);
@@ -278,7 +285,7 @@ std::string entries_text(const FileView& view, const FileFormat& format, const s
         text += fmt::format(
             "[[recording]]                    # intervals of steady shear\nfile = {}\n{}{}{}\n",
             toml_string(as_pattern(file_to_open(view.file.file).filename().string())),
-            format_text(format), roles_text(view), liquid_content);
+            format_text(with_columns_by_unit(format, view)), roles_text(view), liquid_content);
     if (steady)
         text += fmt::format(
             "[[readings]]                     # ends of the preshears, in steady "

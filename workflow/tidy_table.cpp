@@ -43,7 +43,11 @@ std::vector<Stated> stated_in(const std::vector<FileView>& views) {
 }
 
 std::string cell_of(const std::optional<double>& value) {
-    return value && std::isfinite(*value) ? fmt::format(",{:.10g}", *value) : ",";
+    if (!value || !std::isfinite(*value)) return ",";
+    // Seconds since 1970 have as many digits before the point as other values in all.
+    constexpr double many_digits = 1e7;
+    return std::abs(*value) < many_digits ? fmt::format(",{:.10g}", *value)
+                                          : fmt::format(",{:.15g}", *value);
 }
 
 /// Names of the quantities of which any interval has a column.

@@ -82,7 +82,13 @@ std::string without(std::string text, const fs::path& folder) {
 /// Reason why a recording cannot be read; empty where it can.
 std::string fault_of_content(const fs::path& file, const Place& place) {
     try {
-        return missing_sentence(view_of_file(file, place.format, cell_beside(place.file)));
+        const FileView view = view_of_file(file, place.format, cell_beside(place.file));
+        if (view.by_unit.empty()) return missing_sentence(view);
+        const auto& [quantity_name, column] = *view.by_unit.begin();
+        return fmt::format(
+            "Its column '{}' is read only where [[recording]] of study.toml names "
+            "it, as in columns = {{ {} = \"{}\" }}.",
+            column, quantity_name, column);
     } catch (const InputError& error) {
         return without(error.what(), file.parent_path());
     }

@@ -1,137 +1,19 @@
 #include "data/files/column_names.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "data/files/folded_name.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/quantities/units.h"
 
 namespace pendular {
-namespace {
-
-/// Index of the bracket that opens the pair which the last character of a text closes; npos if the
-/// text does not end with such a pair.
-std::size_t opening_bracket(std::string_view text) {
-    if (text.empty() || (text.back() != ']' && text.back() != ')')) return std::string_view::npos;
-    int depth = 0;
-    for (std::size_t i = text.size(); i-- > 0;) {
-        if (text[i] == ']' || text[i] == ')') ++depth;
-        if (text[i] == '[' || text[i] == '(') --depth;
-        if (depth == 0) return i;
-    }
-    return std::string_view::npos;
-}
-
-struct Spelling {
-    std::string_view text;
-    ErrorMark mark;
-};
-constexpr std::array spellings = {Spelling{"standard deviation", ErrorMark::standard_deviation},
-                                  Spelling{"standard error", ErrorMark::standard_error},
-                                  Spelling{"uncertainty", ErrorMark::standard_error},
-                                  Spelling{"stddev", ErrorMark::standard_deviation},
-                                  Spelling{"stdev", ErrorMark::standard_deviation},
-                                  Spelling{"stderr", ErrorMark::standard_error},
-                                  Spelling{"error", ErrorMark::standard_error},
-                                  Spelling{"std", ErrorMark::standard_deviation},
-                                  Spelling{"u95", ErrorMark::half_width},
-                                  Spelling{"sd", ErrorMark::standard_deviation},
-                                  Spelling{"se", ErrorMark::standard_error}};
-
-/// Takes a mark of errors such as "_sd" off the end of a name, with its separator.
-ErrorMark take_mark(std::string_view& name) {
-    std::string lower(name);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    for (const auto& [text, mark] : spellings) {
-        if (!lower.ends_with(text) || lower.size() <= text.size()) continue;
-        const char separator = lower[lower.size() - text.size() - 1];
-        if (separator != '_' && separator != ' ') continue;
-        name.remove_suffix(text.size() + 1);
-        return mark;
-    }
-    return ErrorMark::none;
-}
-
-}  // namespace
-
-bool is_unit(std::string_view text) {
-    if (text.empty()) return false;
-    try {
-        const Unit unit(text);
-        return true;
-    } catch (const std::invalid_argument&) {
-        return false;
-    }
-}
-
-namespace {
-
-/// Whether a name, with or without a mark of errors, is that of a quantity in this unit; any unit
-/// fits if it is empty.
-bool is_quantity(std::string_view name, std::string_view unit = "") {
-    take_mark(name);
-    return !meaning_of_column(trimmed(name), unit).quantity.empty();
-}
-
-/// Parts of a header cell before and after a separator; both are empty if it has none.
-struct Halves {
-    std::string_view name, unit;
-};
-
-Halves divided(std::string_view text, std::string_view separator, std::size_t at) {
-    if (at == std::string_view::npos) return {};
-    return {trimmed(text.substr(0, at)), trimmed(text.substr(at + separator.size()))};
-}
-
-/// Name and unit of a header cell without brackets: "Torque in mNm", "Torque / mNm" (ISO 80000),
-/// "Torque/mNm", "Couple, mNm". Only " in " and " / " are taken for certain. Other separators occur
-/// in names ("phi_L/phi_S", "Time, sequence"), so that they count only where the unit is one of the
-/// named quantity.
-Halves name_and_unit(std::string_view text) {
-    if (const std::size_t in = text.rfind(" in "); in != std::string_view::npos)
-        return divided(text, " in ", in);
-    if (find_quantity(text)) return {text, ""};
-    const Halves apart = divided(text, " / ", text.find(" / "));
-    if (!apart.unit.empty() &&
-        (is_quantity(apart.name, apart.unit) ||
-         (!find_quantity(apart.unit) && (is_quantity(apart.name) || is_unit(apart.unit)))))
-        return apart;
-    for (const std::string_view separator : {"/", ", ", " en "}) {
-        const bool first = separator == "/";  // "Angular velocity/rad/s"
-        const Halves parts =
-            divided(text, separator, first ? text.find(separator) : text.rfind(separator));
-        if (!parts.unit.empty() && is_quantity(parts.name, parts.unit)) return parts;
-    }
-    return {text, ""};
-}
-
-}  // namespace
-
-HeaderCell parse_header_cell(std::string_view text) {
-    text = trimmed(text);
-    HeaderCell cell;
-    std::string_view name = text;
-    if (const std::size_t bracket = opening_bracket(text); bracket != std::string_view::npos) {
-        name = text.substr(0, bracket);
-        cell.unit = trimmed(text.substr(bracket + 1, text.size() - bracket - 2));
-    } else {
-        const Halves parts = name_and_unit(text);
-        name = parts.name;
-        cell.unit = parts.unit;
-    }
-    name = trimmed(name);
-    cell.mark = take_mark(name);
-    cell.name = trimmed(name);
-    return cell;
-}
-
 namespace {
 
 struct VendorName {
@@ -164,16 +46,33 @@ const std::vector<VendorName>& vendor_names() {
           "Versuchszeit",
           "Tiempo",
           "Tempo",
+          "Elapsed time",
+          "Temps écoulé",
+          "Tiempo transcurrido",
+          "Tempo trascorso",
+          "X_Value",
           "Clock time",
           "Time of day",
           "Uhrzeit",
           "Heure",
           "Hora",
-          "Ora"}},
+          "Ora",
+          "Timestamp",
+          "Time stamp",
+          "Date/Time",
+          "Datetime",
+          "Zeitstempel",
+          "Datum/Uhrzeit",
+          "Horodatage",
+          "Date/Heure",
+          "Fecha/Hora",
+          "Fecha y hora",
+          "Data/Ora",
+          "Data e ora"}},
         {"torque",
          {"Torque", "M", "Couple", "Moment de torsion", "Drehmoment", "Moment", "Torsionsmoment",
           "Par", "Par motor", "Par de torsión", "Momento de torsión", "Momento torcente", "Coppia",
-          "Md"}},
+          "Md", "Peak torque"}},
         {"normal_force",
          {"Normal Force",
           "Fn",
@@ -219,16 +118,48 @@ const std::vector<VendorName>& vendor_names() {
         {"shear_stress",
          {"Shear Stress", "τ", "Contrainte de Cisaillement", "Schubspannung", "Scherspannung",
           "Esfuerzo cortante", "Tensión de cizalla", "Sforzo di taglio", "Tensione di taglio",
-          "Wall shear stress", "tau w", "tau_w", "τw", "Wandschubspannung", "Wandscherspannung",
+          "Wall shear stress", "tau w", "τw", "Wandschubspannung", "Wandscherspannung",
           "Contrainte de cisaillement à la paroi", "Tensión de cizalla en la pared",
-          "Tensione di taglio alla parete"},
+          "Tensione di taglio alla parete", "Shear wall stress",
+          // At failure, as programs of shear testers call it.
+          "Peak shear stress", "Failure shear stress", "Shear stress at failure",
+          "Maximum shear stress", "tau sh", "τsh", "tau ab", "τab", "tau f", "τf",
+          "Abscherspannung", "Schubspannung beim Abscheren",
+          "Contrainte de cisaillement à la rupture", "Tensión de cizalla en la rotura",
+          "Tensione di taglio a rottura"},
          {"Stress"}},
         {"normal_stress",
-         {"Normal Stress", "Contrainte Normale", "Normalspannung", "Esfuerzo normal",
-          "Tensión normal", "Sforzo normale", "Tensione normale", "Applied normal stress",
-          "Vertical stress", "Normal load stress", "Auflastspannung", "Wall normal stress",
-          "sigma w", "sigma_w", "σw", "Wandnormalspannung", "Contrainte normale à la paroi",
-          "Tensión normal en la pared", "Tensione normale alla parete"}},
+         {"Normal Stress",
+          "Contrainte Normale",
+          "Normalspannung",
+          "Esfuerzo normal",
+          "Tensión normal",
+          "Sforzo normale",
+          "Tensione normale",
+          "Applied normal stress",
+          "Vertical stress",
+          "Normal load stress",
+          "Auflastspannung",
+          "Wall normal stress",
+          "sigma w",
+          "σw",
+          "Wandnormalspannung",
+          "Contrainte normale à la paroi",
+          "Tensión normal en la pared",
+          "Tensione normale alla parete",
+          "Normal wall stress",
+          "Normal stress at failure",
+          "Failure normal stress",
+          "sigma sh",
+          "σsh",
+          "sigma ab",
+          "σab",
+          "sigma f",
+          "σf",
+          "Normalspannung beim Abscheren",
+          "Contrainte normale à la rupture",
+          "Tensión normal en la rotura",
+          "Tensione normale a rottura"}},
         {"shear_rate",
          {"Shear Rate", "ɣ̇", "γ̇", "Gradient de Cisaillement", "Vitesse de Cisaillement",
           "Scherrate", "Schergeschwindigkeit", "Schergefälle", "Taux de cisaillement",
@@ -241,8 +172,8 @@ const std::vector<VendorName>& vendor_names() {
           "Packungsdichte", "Volumenanteil", "Compacité", "Fraction volumique", "Fracción sólida",
           "Compacidad", "Frazione solida", "Compattezza"}},
         {"bulk_density",
-         {"Bulk density", "Schüttdichte", "Masse volumique apparente", "Densité apparente",
-          "Densidad aparente", "Densità apparente"}},
+         {"Bulk density", "rho b", "ρb", "Schüttdichte", "Masse volumique apparente",
+          "Densité apparente", "Densidad aparente", "Densità apparente"}},
         {"stress_ratio",
          {"Stress ratio", "Effective friction", "Spannungsverhältnis", "Reibungsverhältnis",
           "Rapport des contraintes", "Relación de esfuerzos", "Rapporto degli sforzi"}},
@@ -255,10 +186,15 @@ const std::vector<VendorName>& vendor_names() {
         {"preshear_stress",
          {"Preshear stress", "sigma pre", "σpre", "Vorscherspannung", "Anscherspannung",
           "Contrainte de précisaillement", "Tensión de precizalla", "Tensione di pretaglio",
-          "sigma_pre", "Preshear normal stress", "Normalspannung beim Anscheren"}},
+          "sigma an", "σan", "Preshear normal stress", "Normalspannung beim Anscheren",
+          "Consolidation stress", "Initial consolidation stress", "Preconsolidation stress",
+          "Verfestigungsspannung", "Contrainte de consolidation", "Tensión de consolidación",
+          "Tensione di consolidazione"}},
         {"preshear_shear_stress",
-         {"Preshear shear stress", "tau pre", "tau_pre", "τpre", "Anscherwiderstand",
-          "Anscherschubspannung", "Schubspannung beim Anscheren"}},
+         {"Preshear shear stress", "tau pre", "τpre", "tau an", "τan", "Anscherwiderstand",
+          "Anscherschubspannung", "Schubspannung beim Anscheren",
+          "Contrainte de cisaillement au précisaillement", "Tensión de cizalla en la precizalla",
+          "Tensione di taglio al pretaglio"}},
         {"interval",
          {"Intervall", "Abschnitt", "Schritt", "Intervalle", "Étape", "étape", "Intervalo",
           "Segmento", "Intervallo"}},
@@ -266,15 +202,18 @@ const std::vector<VendorName>& vendor_names() {
     return all;
 }
 
-/// Name in lower case with single blanks, for comparison. Symbols of up to two bytes (M, t, τ, Fn)
-/// keep their case.
+/// Name for comparison (`folded_name`). Symbols of up to two bytes (M, t, τ, Fn) keep their case.
 std::string compared(std::string_view name) {
-    if (name.size() <= 2) return std::string(name);
+    constexpr std::size_t longest = 200;  // bytes of a name; longer texts are none
+    return name.size() <= 2 || name.size() > longest ? std::string(name) : folded_name(name);
+}
+
+/// Text in lower case with single blanks.
+std::string spaced(std::string_view text) {
     std::string result;
-    for (const char c : name) {
-        const auto byte = static_cast<unsigned char>(c);
+    for (const char c : text) {
         if (c == ' ' && (result.empty() || result.back() == ' ')) continue;
-        result += static_cast<char>(std::tolower(byte));
+        result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
     return result;
 }
@@ -315,12 +254,23 @@ ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit) {
     return {known->name, 100, false};  // after all names of instruments
 }
 
+std::string_view usual_unit(std::string_view quantity_name) {
+    constexpr std::pair<std::string_view, std::string_view> usual[] = {
+        {"torque", "mN m"},
+        {"height", "mm"},
+        {"rotational_speed", "1/min"},
+        {"shear_velocity", "mm/min"}};
+    const auto* const found = std::ranges::find(
+        usual, quantity_name, &std::pair<std::string_view, std::string_view>::first);
+    return found != std::end(usual) ? found->second : quantity(quantity_name).unit;
+}
+
 std::string_view set_point_of(std::string_view name, std::string_view unit) {
     static const std::vector<std::string> marks = {
         "set point", "setpoint", "set value",  "set",       "setting",  "target",
         "demand",    "demanded", "commanded",  "requested", "sollwert", "soll",
         "consigne",  "preset",   "prescribed", "imposed"};
-    const std::string text = compared(name);
+    const std::string text = spaced(name);
     const auto remainder = [&](const std::string& mark) -> std::string_view {
         std::string_view rest = text;
         for (const std::string& end : {" " + mark, "_" + mark, "(" + mark + ")", "[" + mark + "]"})
@@ -343,7 +293,7 @@ bool counts_points(std::string_view name) {
         "point",       "point no.",        "point no,",  "point no",  "meas. pts.",
         "meas. point", "messpunkt",        "messpunkte", "punkt nr.", "punkt-nr.",
         "point n°",    "points de mesure", "datapoint"};
-    return std::ranges::find(names, compared(name)) != names.end();
+    return std::ranges::find(names, spaced(name)) != names.end();
 }
 
 }  // namespace pendular

@@ -49,6 +49,10 @@ bool unit_fits(std::string_view unit, std::string_view quantity_name);
 /// unknown or the unit does not fit; an empty unit fits every quantity.
 ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit);
 
+/// Unit in which instruments usually record a quantity, such as "mN m" for "torque": a guess to be
+/// corrected.
+std::string_view usual_unit(std::string_view quantity_name);
+
 /// Returns the quantity whose set points a column contains: "normal_force" for "Normal Force set"
 /// or "Normal Force (target)"; empty for columns without set points.
 std::string_view set_point_of(std::string_view name, std::string_view unit);

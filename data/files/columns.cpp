@@ -216,8 +216,33 @@ std::string Columns::unit_of(const HeaderCell& cell, const Quantity& quantity) c
         for (const HeaderCell& value : cells_)
             if (!value.deviation() && find_quantity(value.name) == &quantity) return value.unit;
     }
+    const std::string_view usual = usual_unit(quantity.name);
+    std::string advice = fmt::format("as in '{} [{}]'", cell.name, usual);
+    if (usual != quantity.unit) advice += fmt::format(" or '{} [{}]'", cell.name, quantity.unit);
     throw std::invalid_argument(
-        fmt::format("has no unit; write '{} [{}]'", cell.name, quantity.unit));
+        fmt::format("has no unit; add the one of its numbers, {}{}", advice, advice_on_units()));
+}
+
+std::string Columns::advice_on_units() const {
+    std::vector<std::string> all;
+    int lacking = 0;
+    for (const HeaderCell& cell : cells_) {
+        const Quantity* const quantity = find_quantity(cell.name);
+        const bool lacks = quantity && !quantity->unit.empty() && quantity->unit != "1" &&
+                           cell.unit.empty() && !cell.deviation();
+        lacking += lacks;
+        if (cell.deviation()) return "";
+        all.push_back(fmt::format("\"{}{}\"", cell.name,
+                                  lacks ? fmt::format(" [{}]", usual_unit(quantity->name))
+                                  : cell.unit.empty() ? ""
+                                                      : fmt::format(" [{}]", cell.unit)));
+    }
+    return lacking < 2 ? ""
+                       : fmt::format(
+                             "; or state all columns in study.toml, or for one file by "
+                             "--columns, corrected where these guesses are wrong: columns = "
+                             "[{}]",
+                             fmt::join(all, ", "));
 }
 
 const Columns::Column* Columns::find(std::string_view name, bool deviation) const {

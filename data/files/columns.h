@@ -127,6 +127,8 @@ class Columns {
 
     void add(std::size_t index);
     std::string unit_of(const HeaderCell& cell, const Quantity& quantity) const;
+    /// Line with the units of all columns; empty unless several lack theirs.
+    std::string advice_on_units() const;
     const Column* find(std::string_view name, bool deviation) const;
     const NumberOfValues* number_of_values(std::string_view name) const;
     double values_in(const Row& row, const NumberOfValues& column) const;

@@ -159,8 +159,11 @@ void check_length(const Table& table, const Row& row, bool last) {
     const std::size_t expected = table.header.cells.size();
     if (row.cells.size() == expected) return;
     const std::size_t shown = std::min(row.cells.size() - 1, expected);
+    const bool numbered = row.cells.size() == expected + 1 &&
+                          parse_number(row.cells[0].text) == 1 && row.line == table.header.line + 1;
     const char* const hint =
-        table.delimiter == ',' && row.cells.size() > expected
+        numbered ? "; if the first cell numbers the rows, give its column a name in the header"
+        : table.delimiter == ',' && row.cells.size() > expected
             ? "; if commas are decimal signs here, export with '.' instead"
         : last ? "; this is the last line: if the file was cut off, export it again, "
                  "or remove the line"
@@ -190,6 +193,9 @@ bool holds_no_row(std::string_view line) {
 Row row_of(const Table& table, std::string_view line, int number, bool last) {
     Row row = split_cells(line, table.delimiter, {table.file, number}, InnerQuotes::refused,
                           table.of_sheet);
+    // Programs end each row, but not the header, with a delimiter.
+    while (row.cells.size() > table.header.cells.size() && row.cells.back().text.empty())
+        row.cells.pop_back();
     check_length(table, row, last);
     return row;
 }

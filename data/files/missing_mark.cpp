@@ -15,10 +15,14 @@ std::string in_small_letters(std::string_view text) {
 
 bool marks_no_value(std::string_view cell) {
     if (cell.empty()) return true;
-    if (cell.size() >= 2 && cell.find_first_not_of("*-") == std::string_view::npos) return true;
-    constexpr std::array<std::string_view, 9> marks = {"nan",  "na",   "n/a",  "#n/a", "#nv",
-                                                       "null", "none", "n.d.", "-nan"};
-    return cell.size() <= 4 && std::ranges::find(marks, in_small_letters(cell)) != marks.end();
+    if (cell.find_first_not_of("*-") == std::string_view::npos) return cell != "*";
+    // In English and German ("keine Angabe", "nicht bestimmt"), of Excel, and as programs in C
+    // print what is no number.
+    constexpr std::array<std::string_view, 22> marks = {
+        "nan",    "na",   "n/a",     "#n/a",    "#nv",    "null",     "none",  "n.d.",
+        "-nan",   "n.a.", "n. d.",   "k.a.",    "k. a.",  "n.b.",     "n. b.", "\u2013",
+        "\u2014", "?",    "1.#qnan", "-1.#ind", "1.#ind", "-nan(ind)"};
+    return cell.size() <= 9 && std::ranges::find(marks, in_small_letters(cell)) != marks.end();
 }
 
 }  // namespace pendular

@@ -65,8 +65,10 @@ bool convert(std::string_view bytes, const char* encoding, std::string& utf8) {
 
 }  // namespace
 
-DecodedText decode_bytes(const std::string& bytes, const std::filesystem::path& path,
-                         const std::string& encoding) {
+namespace {
+
+/// @throws InputError for a file whose first bytes show another kind than text
+void refuse_binary(std::string_view bytes, const std::filesystem::path& path) {
     using namespace std::string_view_literals;
     // A ZIP archive, a compound file, and workbooks of Excel 2 to 4, which need no container.
     for (const std::string_view begin : {"PK\x03\x04"sv, "\xD0\xCF\x11\xE0"sv, "\x09\x00\x04\x00"sv,
@@ -74,11 +76,39 @@ DecodedText decode_bytes(const std::string& bytes, const std::filesystem::path& 
         if (bytes.starts_with(begin))
             throw InputError({path.string()},
                              "is a spreadsheet, not text; save it as CSV and name that file");
+    constexpr std::pair<std::string_view, const char*> kinds[] = {
+        {"%PDF-", "a PDF document"},
+        {"{\\rtf", "an RTF document"},
+        {"\x89PNG", "a picture (PNG)"},
+        {"\xFF\xD8\xFF", "a picture (JPEG)"},
+        {"\x1F\x8B", "a compressed file (gzip)"},
+        {"7z\xBC\xAF", "an archive (7z)"},
+        {"\x89HDF", "HDF5"},
+        {"\x93NUMPY", "an array of NumPy"},
+        {"MATLAB 5.0 MAT-file", "a MAT-file of MATLAB"},
+        {"SQLite format 3", "a database (SQLite)"}};
+    for (const auto& [begin, kind] : kinds)
+        if (bytes.starts_with(begin))
+            throw InputError(
+                {path.string()},
+                fmt::format("is {}, not a table of text; export the measurement as CSV "
+                            "and name that file",
+                            kind));
+}
+
+}  // namespace
+
+DecodedText decode_bytes(const std::string& bytes, const std::filesystem::path& path,
+                         const std::string& encoding) {
+    refuse_binary(bytes, path);
     DecodedText result;
     std::vector<std::string> candidates = {encoding};
     if (encoding.empty()) {
         candidates = {encoding_of(bytes)};
         candidates.emplace_back("Shift_JIS");
+        // Programs of old Macintosh computers ended lines with CR alone.
+        if (bytes.find('\r') != std::string::npos && bytes.find('\n') == std::string::npos)
+            candidates.emplace_back("macintosh");
         candidates.emplace_back("windows-1252");
     }
     for (const std::string& candidate : candidates) {

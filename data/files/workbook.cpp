@@ -210,12 +210,29 @@ void check_sheet_work(const std::string& file, std::size_t sheets, std::uintmax_
                                           shared >> 20));
 }
 
+/// Refuses archives of other programs by what they hold.
+std::string refuse_other_archive(Archive& archive, const std::string& file, std::string book) {
+    const auto refuse = [&](const char* kind, const char* advice) {
+        throw InputError({file}, fmt::format("is {}, not a workbook (.xlsx); {}", kind, advice));
+    };
+    constexpr const char* save = "save it as .xlsx or CSV and name that file";
+    constexpr std::size_t longest_name = 100;  // of a type; a long part is not unpacked for it
+    if (archive.size_of("mimetype") < longest_name &&
+        archive.part("mimetype").starts_with("application/vnd.oasis.opendocument"))
+        refuse("an OpenDocument file (.ods)", save);
+    if (book.ends_with(".bin")) refuse("a binary workbook (.xlsb)", save);
+    if (book.starts_with("word/")) refuse("a Word document", "export the measurement as CSV");
+    if (archive.size_of("Index/Document.iwa") > 0) refuse("a document of Numbers", save);
+    if (archive.size_of(book) == 0) refuse("a ZIP archive", "unpack it and name the file within");
+    return book;
+}
+
 /// An open workbook (.xlsx).
 struct Book {
     Book(const std::string& bytes, const std::string& path)
         : file(path),
           archive(bytes, file),
-          name(part_of_book(archive)),
+          name(refuse_other_archive(archive, file, part_of_book(archive))),
           relations(relations_of(archive, name)),
           contents(contents_of(archive, name)) {}
 

@@ -45,9 +45,28 @@ ut_system* unit_system() {
 /// Characters that instruments write, with the text that UDUNITS reads. The two micro signs differ
 /// in Unicode.
 constexpr std::pair<std::string_view, std::string_view> characters[] = {
-    {"·", "."},  {"⋅", "."},     {"×", "."},   {"•", "."},   {"*", "."},      {"−", "-"},
-    {"⁻", "^-"}, {"¹", "1"},     {"²", "2"},   {"³", "3"},   {"⁴", "4"},      {"µ", "u"},
-    {"μ", "u"},  {"°C", "degC"}, {"°", "deg"}, {"½", "0.5"}, {"\u00a0", " "}, {"\u202f", " "}};
+    {"·", "."},
+    {"⋅", "."},
+    {"×", "."},
+    {"•", "."},
+    {"*", "."},
+    {"−", "-"},
+    {"⁻", "^-"},
+    {"¹", "1"},
+    {"²", "2"},
+    {"³", "3"},
+    {"⁴", "4"},
+    {"µ", "u"},
+    {"μ", "u"},
+    {"°C", "degC"},
+    {"°", "deg"},
+    {"½", "0.5"},
+    {"\u00a0", " "},
+    {"\u202f", " "},
+    // Abbreviations whose points would be products; in French, "mn" is a minute.
+    {"r.p.m.", "rpm"},
+    {"Umdr.", "turn"},
+    {"tr/mn", "turn/min"}};
 
 /// Spellings of units that UDUNITS does not know or misreads, with the spelling that UDUNITS reads.
 const std::map<std::string, std::string, std::less<>> words = {
@@ -63,7 +82,10 @@ const std::map<std::string, std::string, std::less<>> words = {
     {"percent", "%"},      {"Pas", "Pa.s"},
     {"mPas", "mPa.s"},     {"cc", "cm3"},
     {"ccm", "cm3"},        {"radians", "radian"},
-    {"kgfcm", "kgf.cm"},   {"gfcm", "gram_force.cm"}};
+    {"kgfcm", "kgf.cm"},   {"gfcm", "gram_force.cm"},
+    {"kp", "kgf"},         {"ozf", "(lbf/16)"},  // UDUNITS rounds the latter
+    {"vuelta", "turn"},    {"vueltas", "turn"},
+    {"giro", "turn"},      {"Grad", "arc_degree"}};  // not a gigaradian
 
 /// Spellings in the wrong case that UDUNITS reads as another unit, with the unit that is meant.
 const std::map<std::string, std::string, std::less<>> case_traps = {
@@ -279,6 +301,8 @@ NumberAndUnit split_quantity(std::string_view text) {
 
 std::string missing_unit(std::string_view number, const Unit& expected) {
     const std::string& unit = expected.spelling();
+    if (unit == "rad")  // people measure angles in degrees
+        return fmt::format("has no unit; write \"{0} deg\" or \"{0} rad\"", number);
     const bool scaled = unit == "m" || unit == "N m" || unit == "Pa";
     const char* const prefix = unit == "Pa" ? "k" : "m";
     return fmt::format("has no unit; write \"{} {}\"{} or another unit of the same kind", number,

@@ -8,6 +8,8 @@
 
 #include "data/files/column_names.h"
 #include "data/files/columns.h"
+#include "data/files/formats/layouts.h"
+#include "data/recordings/columns_by_unit.h"
 #include "data/recordings/test_kinds.h"
 
 namespace pendular {
@@ -41,7 +43,7 @@ std::vector<std::string> missing_quantities(const std::vector<IntervalSeries>& s
     return missing;
 }
 
-/// Unused columns in the unit of a missing quantity.
+/// Unused columns in the unit of a missing quantity, or with its name.
 std::vector<BlockColumn> candidates(const FileView& view) {
     std::vector<BlockColumn> found;
     if (view.file.layout != "plain" && view.file.layout != "unit-row") return found;
@@ -50,9 +52,12 @@ std::vector<BlockColumn> candidates(const FileView& view) {
             continue;
         for (const Needed& needed : needed_quantities()) {
             if (std::ranges::find(view.missing, needed.name) == view.missing.end()) continue;
-            const auto fits = std::ranges::find_if(needed.quantities, [&](std::string_view name) {
+            auto fits = std::ranges::find_if(needed.quantities, [&](std::string_view name) {
                 return unit_fits(column.unit, name);
             });
+            const ColumnMeaning named = meaning_of_column(column.name, "");
+            if (fits == needed.quantities.end() && !named.shared)
+                fits = std::ranges::find(needed.quantities, named.quantity);
             if (fits == needed.quantities.end()) continue;
             found.push_back({column.name, column.unit, std::string(*fits)});
             break;
@@ -101,6 +106,7 @@ void split_by_interval(BlockFile& file) {
             count_interval(file, row.line, whole.columns.size());
             Block& block = file.blocks.emplace_back();
             block.number = static_cast<int>(std::clamp(own, 0.0, 1e9));
+            block.name = file.fact(interval_name_key(block.number));
             block.columns = whole.columns;
             block.table.file = whole.table.file;
             block.table.delimiter = whole.table.delimiter;
@@ -111,15 +117,9 @@ void split_by_interval(BlockFile& file) {
     }
 }
 
-/// Divides a table of points into one block per row.
-void split_points(BlockFile& file) {
-    if (file.blocks.size() != 1 || !file.blocks.front().stated_role.empty() ||
-        !is_table_of_points(file.blocks.front(), series_of(file.blocks.front())))
-        return;
-    const Block whole = std::move(file.blocks.front());
+/// Appends the rows of a table of points as one block each.
+void append_points(const Block& whole, BlockFile& file) {
     const Columns columns(whole.table);
-    file.blocks.clear();
-    file.table_of_points = true;
     for (const Row& row : whole.table.rows) {
         count_interval(file, row.line, whole.columns.size());
         Block& block = file.blocks.emplace_back();
@@ -131,6 +131,23 @@ void split_points(BlockFile& file) {
         block.columns = whole.columns;
         block.table = {whole.table.file, whole.table.header, {row}, whole.table.delimiter};
     }
+}
+
+/// Divides a table of points, or several of them, into one block per row.
+void split_points(BlockFile& file) {
+    // Of several blocks, only those of tables side by side or below one another, which have names.
+    const bool tables = file.layout == "plain" || file.layout == "unit-row";
+    const bool several = file.blocks.size() > 1;
+    const auto holds_points = [&](const Block& block) {
+        return block.stated_role.empty() && !(several && (!tables || block.test.empty())) &&
+               is_table_of_points(block, series_of(block));
+    };
+    if (!std::ranges::all_of(file.blocks, holds_points)) return;
+    const std::vector<Block> wholes = std::move(file.blocks);
+    file.blocks.clear();
+    file.table_of_points = true;
+    for (const Block& whole : wholes)
+        append_points(whole, file);
 }
 
 /// Takes the normal stress of the preshear from the column that an instrument writes it in.
@@ -163,6 +180,13 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
                       const std::optional<AnnularCell>& study_cell) {
     FileView view;
     view.file = read_blocks(path, format);
+    if (format.columns.empty() && format.named_columns.empty())
+        view.by_unit = columns_by_unit(view.file);
+    if (!view.by_unit.empty()) {
+        FileFormat named = format;
+        named.named_columns = view.by_unit;
+        view.file = read_blocks(path, named);
+    }
     refuse_unused_file(view.file);
     split_by_interval(view.file);
     split_points(view.file);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,10 +61,13 @@ struct FileView {
     std::vector<WallLocus> walls;
     /// Quantities that steady shear needs but no interval has, such as "torque or shear stress".
     std::vector<std::string> missing;
-    /// Columns that are not used although their unit is that of a missing quantity, each with that
-    /// quantity in place of the one that the file names. Only of tables of people's own: exports of
-    /// instruments name what they have.
+    /// Columns that are not used although their unit or their name is that of a missing quantity,
+    /// each with that quantity in place of the one that the file names. Only of tables of people's
+    /// own: exports of instruments name what they have.
     std::vector<BlockColumn> candidates;
+    /// Columns that are read as a quantity by their unit alone (`columns_by_unit`), by quantity. A
+    /// study reads them where its `columns` name them.
+    std::map<std::string, std::string> by_unit;
 };
 
 /// Reads and examines a file of measurements. A table with a column of interval numbers is divided

@@ -66,6 +66,11 @@ IntervalSeries series_of(const Block& block) {
         for (const Row& row : block.table.rows)
             (series.*values).push_back(columns.value_if_any(row, name).value_or(none));
     }
+    if (series.shear_stress.empty() && columns.has("stress_ratio"))
+        for (std::size_t i = 0; i < series.normal_stress.size(); ++i)
+            series.shear_stress.push_back(series.normal_stress[i] *
+                                          columns.value_if_any(block.table.rows[i], "stress_ratio")
+                                              .value_or(std::numeric_limits<double>::quiet_NaN()));
     return series;
 }
 

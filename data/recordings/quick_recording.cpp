@@ -80,16 +80,26 @@ class QuickReader {
     /// line ends is not kept in `rest_`.
     static constexpr std::size_t longest_line = 1 << 20;
 
+    /// Whether the general reader has its say: a file has another layout than "plain", or a quoted
+    /// cell of several lines.
+    bool has_other_layout(const SourceLines& source) const {
+        try {
+            return std::ranges::any_of(layouts(), [&](const Layout& layout) {
+                return layout.recognise(source) && layout.name != "plain";
+            });
+        } catch (const InputError&) {
+            if (too_large_) throw;
+            return true;
+        }
+    }
+
     /// Takes the columns from the header, once the first lines show a plain table.
     bool begin(std::string_view text) {
         std::vector<std::string_view> lines = split_lines(text.substr(0, text.rfind('\n') + 1));
         if (lines.size() > 1000) lines.resize(1000);
         if (lines.empty() || lines[0].starts_with('#')) return false;
         if (printable(lines[0]) != lines[0]) return false;  // perhaps of another encoding
-        const SourceLines source{file_, lines};
-        if (format_.layout.empty())
-            for (const Layout& layout : layouts())
-                if (layout.recognise(source) && layout.name != "plain") return false;
+        if (format_.layout.empty() && has_other_layout({file_, lines})) return false;
         const auto row = std::find_if_not(lines.begin() + 1, lines.end(), holds_no_row);
         if (row == lines.end()) return false;
         try {

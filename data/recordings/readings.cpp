@@ -368,7 +368,13 @@ Measurements read_points(const std::filesystem::path& path, const Source& source
     FileFormat format = source.format;
     format.layout = "plain";
     std::vector<ClearedCell> cleared;
-    const Table table = read_blocks(path, format, &cleared).blocks.front().table;
+    const BlockFile file = read_blocks(path, format, &cleared);
+    if (file.blocks.size() > 1)
+        throw InputError({path.string(), file.blocks[1].table.header.line},
+                         fmt::format("holds {} tables; a table of readings must be one: write each "
+                                     "into a file of its own",
+                                     file.blocks.size()));
+    const Table& table = file.blocks.front().table;
     const Columns columns(table);
     refuse_misspelt(table, columns);
     columns.require("normal_stress");

@@ -305,8 +305,22 @@ bool numbers_intervals(const std::vector<Block>& blocks) {
 
 }  // namespace
 
+namespace {
+
+/// The user's roles with the numbers of intervals in place of the names that a column has for them.
+FileFormat with_numbers(FileFormat format, const BlockFile& file) {
+    for (auto& [role, intervals] : format.roles)
+        for (int number = 1; !file.fact(interval_name_key(number)).empty(); ++number)
+            if (std::ranges::count(intervals, file.fact(interval_name_key(number))) > 0)
+                intervals.push_back(std::to_string(number));
+    return format;
+}
+
+}  // namespace
+
 Recording recording_of(const BlockFile& file, const FileFormat& format) {
-    if (file.layout == "plain") return recording_of_table(file.blocks.front(), format);
+    if (file.layout == "plain" && file.blocks.size() == 1)
+        return recording_of_table(file.blocks.front(), with_numbers(format, file));
     Recording whole;
     whole.file = file.file;
     const std::vector<Block> divided =

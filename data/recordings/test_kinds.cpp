@@ -188,6 +188,10 @@ std::string shown_wall(const BlockFile& file) {
             if (is_of_wall(column)) return fmt::format("its column '{}'", column.name);
         if (names_wall_friction(block.test)) return fmt::format("its name '{}'", block.test);
     }
+    for (const Fact& fact : file.facts)
+        if (names_wall_friction(fact.key + ": " + fact.value))
+            return fmt::format("its line '{}'",
+                               fact.key == "title" ? fact.value : fact.key + ": " + fact.value);
     const std::string name = std::filesystem::path(file.file).filename().string();
     return names_wall_friction(name) ? fmt::format("its name '{}'", name) : "";
 }

@@ -1,10 +1,15 @@
 // Names and units of columns as people and instruments write them.
 #include "data/files/column_names.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <numbers>
+
 #include "data/annular_cell.h"
+#include "data/files/columns.h"
 #include "data/files/text_file.h"
+#include "data/quantities/units.h"
 #include "data/recordings/file_view.h"
 #include "data/recordings/measurements.h"
 #include "data/recordings/recording.h"
@@ -123,11 +128,12 @@ TEST_F(TableOfOnesOwn, IsToldOfColumnsInTheUnitOfAMissingQuantity) {
     const FileView view = view_of_file(write(
         "Time [s],Reading [mN m],Normal force [N],Gap [mm],Velocity [mm/min],Stroke [mm],Room [K]",
         "0,20.1,5.0,6.20,3.0,1,300\n1,20.2,5.0,6.21,3.0,1,300\n"));
-    EXPECT_THAT(view.missing, ElementsAre("torque or shear stress", "speed of the lid"));
+    EXPECT_THAT(view.by_unit, ElementsAre(testing::Pair("torque", "Reading [mN m]")));
+    EXPECT_THAT(view.missing, ElementsAre("speed of the lid"));
     std::vector<std::string> found;  // the gap is not missing, so that a stroke is left alone
     for (const BlockColumn& column : view.candidates)
         found.push_back(column.name + " [" + column.unit + "] " + column.quantity);
-    EXPECT_THAT(found, ElementsAre("Reading [mN m] torque", "Velocity [mm/min] shear_velocity"));
+    EXPECT_THAT(found, ElementsAre("Velocity [mm/min] shear_velocity"));
     const auto speed =
         write("Time [s],Torque [mN m],Normal force [N],Gap [mm],Speed [mm/min]", "0,1,1,1,1\n");
     expect_told({input_error([&] { view_of_file(speed); })});
@@ -175,10 +181,22 @@ std::vector<std::vector<std::string>> names_in_manual() {
 
 TEST(NamesInTheManual, AreReadWithUnitsInSixWays) {
     const TemporaryFolder folder;
+    std::size_t cells = 0, headers = 0;
+    /// Quantity of the first column, and its first number over that of the file, in SI units.
     const auto read_as = [&](const std::string& text) {
-        return read_blocks(folder.write("t.csv", text)).blocks.at(0).columns.at(0).quantity;
+        ++headers;
+        const Block block = read_blocks(folder.write("t.csv", text)).blocks.at(0);
+        const std::string& quantity = block.columns.at(0).quantity;
+        const std::string name = quantity == "rotational_speed" ? "angular_velocity" : quantity;
+        const Columns columns(block.table);
+        return std::pair(quantity,
+                         columns.has(name) ? columns.value(block.table.rows.at(0), name) / 1.5 : 0);
     };
-    std::size_t cells = 0;
+    const auto is = [](const std::string& quantity, const std::string& unit) {
+        const double turns = quantity == "rotational_speed" ? 2 * std::numbers::pi : 1;
+        const double expected = turns * Unit(unit).to_si(1);
+        return testing::Pair(quantity, testing::DoubleNear(expected, 1e-12 * expected));
+    };
     for (const auto& row : names_in_manual()) {
         ASSERT_EQ(row.size(), 9u);  // seven columns and what is outside of the table
         const std::string &quantity = row[1], &unit = row[2];
@@ -187,16 +205,19 @@ TEST(NamesInTheManual, AreReadWithUnitsInSixWays) {
                 for (const std::string& header :
                      {name.text + " [" + unit + "]", name.text + " (" + unit + ")",
                       name.text + " in " + unit, name.text + " / " + unit, name.text + ", " + unit})
-                    EXPECT_EQ(read_as(header + ";Remark;Note\n1.5;2;4\n2.5;3;4\n"), quantity)
+                    EXPECT_THAT(read_as(header + ";Remark;Note\n1.5;2;4\n2.5;3;4\n"),
+                                is(quantity, unit))
                         << header;
                 for (const std::string& units : {unit + ";s;", "[" + unit + "];[s];"})
-                    EXPECT_EQ(read_as(name.text + ";Delay;Note\n" + units + "\n1.5;2;4\n2.5;3;4\n"),
-                              quantity)
+                    EXPECT_THAT(
+                        read_as(name.text + ";Delay;Note\n" + units + "\n1.5;2;4\n2.5;3;4\n"),
+                        is(quantity, unit))
                         << name.text << " above " << units;
             }
         }
     }
     EXPECT_GE(cells, 60u);
+    EXPECT_GE(headers, 60u * 6);
 }
 
 TEST(NamedColumns, AreReadInPlaceOfOthers) {

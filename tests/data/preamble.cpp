@@ -65,7 +65,8 @@ TEST_F(Preamble, StatesFacts) {
     EXPECT_EQ(file.layout, "unit-row");
     EXPECT_EQ(file.fact("Inner radius"), "21 mm");
     EXPECT_EQ(file.fact("Outer radius [mm]"), "45");
-    EXPECT_EQ(file.facts[0].line, 2);
+    EXPECT_EQ(file.fact("title"), "run 12");
+    EXPECT_EQ(file.facts[1].line, 2);
 }
 
 TEST_F(Preamble, IsNoneWhereTheNamesComeFirst) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <regex>
 #include <set>
 #include <string>
@@ -60,10 +61,11 @@ std::optional<std::size_t> column_of_clock_times(const Block& block) {
 /// Order of the numbers in dates between slashes, where it does not begin with the year.
 enum class DateOrder { day_first, month_first };
 
-/// Day since 1970 of a date between slashes, or of eight digits from the year on; empty for other
-/// texts.
+/// Day since 1970 of a date between slashes or hyphens, or of eight digits from the year on; empty
+/// for other texts.
 std::optional<double> day_of(const std::string& date, DateOrder order) {
-    static const std::regex form(R"((\d{4}|\d{1,2})/(\d{1,2})/(\d{1,4})|(\d{4})(\d\d)(\d\d))");
+    static const std::regex form(
+        R"((\d{4}|\d{1,2})[/-](\d{1,2})[/-](\d{1,4})|(\d{4})(\d\d)(\d\d))");
     std::smatch part;
     if (!std::regex_match(date, part, form)) return std::nullopt;
     if (part[4].matched)
@@ -128,37 +130,100 @@ std::vector<PlacedDate> dates_in(const BlockFile& file) {
 
 }  // namespace
 
-std::optional<ClockTime> clock_time(std::string_view text) {
-    if (text.size() > 40 || text.find(':') == std::string_view::npos) return std::nullopt;
-    static const std::regex form(
-        R"((?:(?:(\d{4})-(\d\d?)-(\d\d?)|(\d\d?)\.(\d\d?)\.(\d{4})|([\d/]{6,10}))[T ]+)?)"
-        R"((\d{1,6}):([0-5]\d):([0-5]\d(?:[.,]\d+)?)\s*([AaPp][Mm])?Z?)");
+namespace {
+
+/// Date before a clock time: 2024-03-01, 1.3.2024 or 01.03.24, 01-Mar-2024, or numbers between
+/// slashes or hyphens, whose order the other dates of the file tell.
+constexpr const char* date_form =
+    R"((?:(\d{4})-(\d\d?)-(\d\d?)|(\d\d?)\.(\d\d?)\.(\d{4}|\d\d)|)"
+    R"((\d\d?)[- ](Jan|Feb|Mar|Apr|May|Jun|Jul|Aug|Sep|Oct|Nov|Dec)[- ](\d{4})|([\d/-]{6,10})))";
+
+/// Hours, minutes and seconds with decimals, or milliseconds after a colon; AM or PM; the
+/// difference to universal time.
+constexpr const char* time_form =
+    R"((\d{1,6}):([0-5]\d):([0-5]\d(?:[.,]\d+|:\d{3})?)\s*([AaPp][Mm])?(?:Z|([+-])(\d\d):?(\d\d))?)";
+
+/// Day since 1970 of the date in the parts 1 to 9 of `date_form`; empty for none.
+std::optional<double> date_in(const std::function<std::string(std::size_t)>& part, bool& stated) {
+    const auto number = [&](std::size_t i) { return std::stoi(part(i)); };
+    stated = true;
+    if (!part(1).empty()) return day_number(number(1), number(2), number(3));
+    if (!part(4).empty())
+        return day_number(number(6) < 100 ? 2000 + number(6) : number(6), number(5), number(4));
+    constexpr std::string_view months = "JanFebMarAprMayJunJulAugSepOctNovDec";
+    if (!part(7).empty())
+        return day_number(number(9), 1 + static_cast<int>(months.find(part(8)) / 3), number(7));
+    stated = false;
+    return std::nullopt;
+}
+
+/// Seconds in a text such as "07.5", "07,5" or "07:500".
+double seconds_in(std::string text) {
+    for (char& c : text)
+        if (c == ',' || c == ':') c = '.';
+    return parse_number(text).value_or(0);
+}
+
+/// Minutes and seconds with decimals, as spreadsheets show times: "2:03.5"; empty for other texts.
+std::optional<ClockTime> minutes_and_seconds(std::string_view text) {
+    static const std::regex form(R"((\d{1,6}):([0-5]\d[.,]\d+))");
     std::match_results<std::string_view::const_iterator> part;
     if (!std::regex_match(text.begin(), text.end(), part, form)) return std::nullopt;
-    const auto number = [&](std::size_t i) { return std::stoi(part[i].str()); };
-    std::string seconds = part[10].str();
-    for (char& c : seconds)
-        if (c == ',') c = '.';
-    int hours = number(8);
-    if (part[11].matched) {
+    return ClockTime{60.0 * std::stoi(part[1].str()) + seconds_in(part[2].str()), false, ""};
+}
+
+}  // namespace
+
+std::optional<ClockTime> clock_time(std::string_view text) {
+    if (text.size() > 40 || text.find(':') == std::string_view::npos) return std::nullopt;
+    if (const auto time = minutes_and_seconds(text)) return time;
+    static const std::regex form(std::string("(?:") + date_form + "[T ]+)?" + time_form);
+    std::match_results<std::string_view::const_iterator> match;
+    if (!std::regex_match(text.begin(), text.end(), match, form)) return std::nullopt;
+    const auto part = [&](std::size_t i) { return match[i].str(); };
+    const auto number = [&](std::size_t i) { return std::stoi(part(i)); };
+    int hours = number(11);
+    if (match[14].matched) {
         if (hours < 1 || hours > 12) return std::nullopt;
-        const char half = *part[11].first;
+        const char half = *match[14].first;
         hours = hours % 12 + (half == 'p' || half == 'P' ? 12 : 0);
     }
-    ClockTime time{3600.0 * hours + 60 * number(9) + parse_number(seconds).value_or(0), false,
-                   part[7].str()};
-    std::optional<double> date;
-    if (part[1].matched) date = day_number(number(1), number(2), number(3));
-    if (part[4].matched) date = day_number(number(6), number(5), number(4));
-    if ((part[1].matched || part[4].matched) && !date) return std::nullopt;
+    ClockTime time{3600.0 * hours + 60 * number(12) + seconds_in(part(13)), false, part(10)};
+    bool stated = false;
+    const std::optional<double> date = date_in(part, stated);
+    if (stated && !date) return std::nullopt;
     if (date) time = {time.seconds + day * *date, true, ""};
+    if (date && match[15].matched)
+        time.seconds -= (part(15) == "-" ? -60.0 : 60.0) * (60 * number(16) + number(17));
     return time;
 }
+
+namespace {
+
+/// @throws InputError at the first text in a column of times without a unit that looks like a clock
+///         time but is none that is read
+void refuse_other_clocks(const Block& block) {
+    const auto column = std::ranges::find(block.columns, "time", &BlockColumn::quantity);
+    if (column == block.columns.end() || !column->unit.empty()) return;
+    const auto index = static_cast<std::size_t>(column - block.columns.begin());
+    for (const Row& row : block.table.rows) {
+        const std::string& text = row.cells[index].text;
+        if (text.find(':') == std::string::npos || clock_time(text)) continue;
+        throw InputError(block.table.at(row, index),
+                         fmt::format("\"{}\" is no clock time that can be read; write hours, "
+                                     "minutes and seconds, as in 14:03:07.5 or 2024-03-01 "
+                                     "14:03:07.5, or the seconds since the start below 'Time [s]'",
+                                     text));
+    }
+}
+
+}  // namespace
 
 void read_clock_times(BlockFile& file) {
     Clock clock;
     const std::optional<DateOrder> order = order_of(dates_in(file));
     for (Block& block : file.blocks) {
+        refuse_other_clocks(block);
         const auto index = column_of_clock_times(block);
         if (!index) continue;
         for (Row& row : block.table.rows) {

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "data/files/formats/clock_times.h"
 #include "data/files/formats/missing_values.h"
 #include "data/files/formats/named_columns.h"
 #include "data/files/formats/preamble.h"
+#include "data/files/formats/several_tables.h"
 #include "data/files/formats/sheets.h"
+#include "data/files/formats/text_shape.h"
 #include "data/files/markup.h"
 #include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
@@ -40,15 +43,68 @@ void refuse_columns(const Layout& layout, const FileFormat& format, const std::s
                                  layout.name, line_to_name("torque", "M", "mN m")));
 }
 
+/// Calls a function with each cell of a file in which a comma stands.
+template <typename Function>
+void for_each_comma(BlockFile& file, Function function) {
+    for (Block& block : file.blocks)
+        for (Row& row : block.table.rows)
+            for (std::size_t i = 0; i < row.cells.size(); ++i)
+                if (row.cells[i].text.find(',') != std::string::npos) function(block.table, row, i);
+}
+
+/// Rewrites the texts of a sheet that are numbers with a decimal comma or thousands separators.
+/// Numbers that the workbook stores as numbers have no comma, and say nothing of those in texts.
+void unify_texts(BlockFile& file, const FileFormat& format) {
+    NumberStyleFinder finder;
+    bool any = false;
+    for_each_comma(file, [&](const Table& table, const Row& row, std::size_t cell) {
+        finder.look_at(table, row, cell);
+        any = true;
+    });
+    if (!any) return;
+    const NumberStyle style = finder.style(format.decimal);
+    for_each_comma(file, [&](const Table&, Row& row, std::size_t cell) {
+        row.cells[cell].text = rewritten(row.cells[cell].text, style);
+    });
+    file.numbers = {style.decimal, true};
+}
+
 /// Rewrites all numbers of a file with a decimal point.
 void unify_numbers(BlockFile& file, const FileFormat& format) {
-    // Workbooks store numbers, and a comma between cells is no decimal mark.
-    NumberStyleFinder finder(as_sheet(file.file) || file.delimiter == ',');
+    if (as_sheet(file.file)) {
+        unify_texts(file, format);
+        return;
+    }
+    NumberStyleFinder finder(file.delimiter == ',');  // which is no decimal mark then
     for (const Block& block : file.blocks)
         finder.look_at(block.table);
     file.numbers = finder.style(format.decimal);
     for (Block& block : file.blocks)
         rewrite_numbers(block.table, file.numbers);
+}
+
+/// Numbers the intervals of a column that has names of them, such as "Preshear" and "Failure", by
+/// their changes; the names become facts of the file. Returns whether the column has such names.
+bool number_intervals(BlockFile& file, Block& block, std::size_t column) {
+    constexpr std::size_t fewest_rows = 3;  // of an interval on average; else texts name the rows
+    std::size_t changes = 1;
+    const auto& rows = block.table.rows;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const std::string& text = rows[k].cells[column].text;
+        if (text.empty() || parse_number(text)) return false;
+        changes += k > 0 && text != rows[k - 1].cells[column].text;
+    }
+    if (rows.empty() || changes * fewest_rows > rows.size()) return false;
+    std::string before;
+    int number = 0;
+    for (Row& row : block.table.rows) {
+        std::string& text = row.cells[column].text;
+        if (number == 0 || text != before)
+            file.add_fact({interval_name_key(++number), text, row.line});
+        before = text;
+        text = std::to_string(number);
+    }
+    return true;
 }
 
 /// Whether a column has no text but whole numbers.
@@ -66,8 +122,8 @@ void drop_other_intervals(BlockFile& file) {
     for (Block& block : file.blocks)
         for (std::size_t i = 0; i < block.columns.size(); ++i) {
             BlockColumn& column = block.columns[i];
-            if (column.quantity != "interval" || find_quantity(column.name) ||
-                has_whole_numbers(block.table, i))
+            if (column.quantity != "interval" || number_intervals(file, block, i) ||
+                find_quantity(column.name) || has_whole_numbers(block.table, i))
                 continue;
             column.quantity.clear();
             block.table.header.cells[i].text = fmt::format("{}, column {}", column.name, i + 1);
@@ -106,19 +162,27 @@ void refuse_wide_numbers(const BlockFile& file, const std::vector<WideNumber>& w
         }
 }
 
-/// @throws InputError for a table of results that Pendular wrote, which holds no measurement
+/// @throws InputError for a table that Pendular wrote and that holds no measurement
 void refuse_lists(const std::filesystem::path& path, std::string_view text) {
-    const std::pair<std::string_view, const char*> lists[] = {
-        {"file,first_line,last_line,reason", "a list of rows that were left out"},
-        {"panel,curve,x,y", "the table of a figure"},
-        {"file,test,kind,points,preshear_stress", "a table of the results of yield loci"}};
-    for (const auto& [begin, what] : lists)
+    const char* const from_file = "; name the file that it was made from";
+    struct List {
+        std::string_view begin;
+        const char *what, *advice;
+    };
+    const List lists[] = {
+        {"file,first_line,last_line,reason", "a list of rows that were left out", from_file},
+        {"panel,curve,x,y", "the table of a figure", from_file},
+        {"file,test,kind,points,preshear_stress", "a table of the results of yield loci",
+         from_file},
+        {"quantity,value,standard error,unit", "a table of the results of a study", from_file},
+        {"friction,inertial_number,reduced_pressure,bridge_volume", "a table of predictions", ""},
+        {"physics_version,friction", "a table of simulations",
+         ": 'pendular runs import' reads it"}};
+    for (const auto& [begin, what, advice] : lists)
         if (text.starts_with(begin))
             throw InputError(
                 {path.string()},
-                fmt::format("is {}, as Pendular writes it, and no measurement; name the "
-                            "file that it was made from",
-                            what));
+                fmt::format("is {}, as Pendular writes it, and no measurement{}", what, advice));
 }
 
 FileText text_of_file(const std::filesystem::path& path, const FileFormat& format) {
@@ -135,6 +199,64 @@ FileText text_of_file(const std::filesystem::path& path, const FileFormat& forma
     DecodedText decoded = decode_bytes(bytes, path, format.encoding);
     refuse_markup(path, decoded.text);
     return {std::move(decoded), {}, {}};
+}
+
+bool is_own_table(std::string_view layout) {
+    return layout == "plain" || layout == "unit-row";
+}
+
+/// Reads a text with one table, or an export of an instrument.
+void read_source(SourceLines source, const FileFormat& format, BlockFile& file) {
+    if (is_own_table(layout_of(source, format).name)) take_preamble(source, file);
+    const Layout& layout = layout_of(source, format);
+    file.layout = layout.name;
+    refuse_columns(layout, format, source.file);
+    layout.read(source, format, file);
+}
+
+/// Reads one of several tables of a text, as a test of its own.
+void read_part(const TablePart& part, const FileFormat& format, BlockFile& file) {
+    BlockFile piece;
+    piece.file = file.file;
+    piece.counts = file.counts;
+    read_source(part.source, format, piece);
+    file.counts = piece.counts;
+    file.layout = piece.layout;
+    file.delimiter = piece.delimiter;
+    for (Fact& fact : piece.facts)
+        file.add_fact(std::move(fact));
+    for (Block& block : piece.blocks) {
+        block.test = part.title;
+        file.blocks.push_back(std::move(block));
+    }
+    std::ranges::move(piece.skipped, std::back_inserter(file.skipped));
+}
+
+/// Rewrites a text of a form that the layouts do not read, unless it is of an instrument's layout.
+TextShape shape(std::string& text, const std::filesystem::path& path, const FileFormat& format) {
+    if (!format.layout.empty() && !is_own_table(format.layout)) return TextShape::delimited;
+    join_quoted_lines(text);
+    const auto recognised = [&]() -> std::string {
+        try {
+            return layout_of({path.string(), split_lines(text)}, format).name;
+        } catch (const InputError&) {  // quotes between blanks
+            return "plain";
+        }
+    };
+    const std::string layout = recognised();
+    return is_own_table(layout) || layout == "headerless" ? shape_text(text) : TextShape::delimited;
+}
+
+/// Reads the tables of a text into a file.
+void read_tables(const SourceLines& source, const FileFormat& format, BlockFile& file) {
+    const SeveralTables tables =
+        is_own_table(layout_of(source, format).name) ? tables_in(source) : SeveralTables{};
+    if (tables.parts.empty()) {
+        read_source(source, format, file);
+        return;
+    }
+    for (const TablePart& part : tables.parts)
+        read_part(part, format, file);
 }
 
 }  // namespace
@@ -172,29 +294,32 @@ BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileForma
     const std::filesystem::path path = as_sheet(file_or_book)
                                            ? file_or_book
                                            : chosen_sheets(file_or_book, format.sheet).read.front();
-    const FileText text = text_of_file(path, format);
+    FileText text = text_of_file(path, format);
     refuse_lists(path, text.decoded.text);
-    SourceLines source{path.string(), split_lines(text.decoded.text), as_sheet(path).has_value()};
+    const bool of_sheet = as_sheet(path).has_value();
+    const TextShape shape_of_text =
+        of_sheet ? TextShape::delimited : shape(text.decoded.text, path, format);
     BlockFile file;
-    file.file = source.file;
+    file.file = path.string();
     file.encoding = text.decoded.encoding;
     file.hidden = text.hidden;
-    const std::string first = layout_of(source, format).name;
-    if (first == "plain" || first == "unit-row") take_preamble(source, file);
-    const Layout& layout = layout_of(source, format);
-    file.layout = layout.name;
-    refuse_columns(layout, format, source.file);
-    layout.read(source, format, file);
+    read_tables({file.file, split_lines(text.decoded.text), of_sheet}, format, file);
+    if (shape_of_text == TextShape::blanks) file.delimiter = ' ';
+    if (shape_of_text == TextShape::bars) file.delimiter = '|';
     use_named_columns(file, format);
     if (std::ranges::all_of(file.blocks, [](const Block& b) { return b.table.rows.empty(); }))
         throw InputError({file.file},
                          "no rows of numbers were found; is this the export of the raw data?");
     refuse_wide_numbers(file, text.wide);
-    read_clock_times(file);
     unify_numbers(file, format);
+    read_clock_times(file);
     clear_missing_values(file, format, cleared);
     drop_other_intervals(file);
     return file;
+}
+
+std::string interval_name_key(int number) {
+    return "name of interval " + std::to_string(number);
 }
 
 std::string stated_role(const Block& block, const FileFormat& format) {

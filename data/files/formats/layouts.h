@@ -57,6 +57,9 @@ Layout plain_layout();
 /// read, and before a new one replaces it.
 constexpr const char* tidy_table_begin = "test,interval,role,line";
 
+/// Key of the fact with the name of an interval that a column of a table names.
+std::string interval_name_key(int number);
+
 /// Returns the role that the user states for an interval by its number, its name or the name of its
 /// test; empty if there is none.
 std::string stated_role(const Block& block, const FileFormat& format);

@@ -16,7 +16,7 @@ struct NumberText {
     int points = 0, commas = 0;
 };
 
-constexpr std::array<std::string_view, 4> group_blanks = {" ", "'", "\u00a0", "\u202f"};
+constexpr std::array<std::string_view, 5> group_blanks = {" ", "'", "\u00a0", "\u202f", "\u2019"};
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';

@@ -24,6 +24,8 @@ class NumberStyleFinder {
         : points_are_decimal_(points_are_decimal) {}
 
     void look_at(const Table& table);
+    /// Looks at one cell of a row.
+    void look_at(const Table& table, const Row& row, std::size_t cell);
 
     /// Returns the style of the numbers in all tables looked at so far.
     /// @param decimal decimal mark that the user states; empty: to be determined
@@ -38,7 +40,6 @@ class NumberStyleFinder {
         std::string text;
         Position at;
     };
-    void look_at(const Table& table, const Row& row, std::size_t cell);
     [[noreturn]] static void refuse_open(const Example& open, char mark, const Example& other);
 
     Example point_, comma_;  ///< in which '.', or ',', must be the decimal mark

@@ -1,7 +1,10 @@
 #include "data/files/formats/preamble.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <set>
+#include <string_view>
 
 #include "data/files/column_names.h"
 #include "data/files/missing_mark.h"
@@ -60,12 +63,15 @@ std::vector<ExaminedLine> lines_above_rows(const SourceLines& source, char delim
     return lines;
 }
 
-/// Number of the cells of a line that name quantities.
+/// Number of different quantities that the cells of a line name.
 std::ptrdiff_t named_quantities(const Row& row) {
-    return std::ranges::count_if(row.cells, [](const Cell& cell) {
+    std::set<std::string_view> named;
+    for (const Cell& cell : row.cells) {
         const HeaderCell parts = parse_header_cell(cell.text);
-        return !meaning_of_column(parts.name, parts.unit).quantity.empty();
-    });
+        const std::string_view quantity = meaning_of_column(parts.name, parts.unit).quantity;
+        if (!quantity.empty()) named.insert(quantity);
+    }
+    return std::ssize(named);
 }
 
 /// Index in `lines` of the names of the columns.
@@ -101,13 +107,32 @@ void add_stated(const Row& row, BlockFile& file) {
         if (!value.empty()) value += ' ';
         value += filled[i];
     }
-    if (!key.empty() && !value.empty()) file.add_fact({std::string(key), value, row.line});
+    if (key.empty()) return;
+    file.add_fact(value.empty() ? Fact{"title", std::string(key), row.line}
+                                : Fact{std::string(key), value, row.line});
+}
+
+}  // namespace
+
+namespace {
+
+/// Takes the headers of a LabVIEW measurement, which end with a line of their own.
+void take_labview_header(SourceLines& source, char delimiter, BlockFile& file) {
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < std::min(source.lines.size(), most_lines); ++i)
+        if (source.lines[i].starts_with("***End_of_Header***")) end = i + 1;
+    for (std::size_t i = 0; i < end; ++i) {
+        add_stated(source.row(i, delimiter), file);
+        source.lines[i] = {};
+    }
 }
 
 }  // namespace
 
 void take_preamble(SourceLines& source, BlockFile& file) {
     const char delimiter = consistent_delimiter(source, 0, source.lines.size());
+    if (!source.lines.empty() && source.lines[0].starts_with("LabVIEW Measurement"))
+        take_labview_header(source, delimiter, file);
     std::vector<ExaminedLine> lines;
     try {
         lines = lines_above_rows(source, delimiter);

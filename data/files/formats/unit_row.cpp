@@ -6,10 +6,20 @@
 #include "data/files/formats/clock_times.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/formats/stacked_rows.h"
+#include "data/files/missing_mark.h"
 #include "data/quantities/number.h"
 
 namespace pendular {
 namespace {
+
+/// Whether a cell at the begin of a row says that the others are units, as programs for plots write
+/// it.
+bool says_units(const Cell& cell) {
+    const std::string word = in_small_letters(cell.text);
+    return word == "units" || word == "unit" || word == "einheiten" || word == "einheit" ||
+           word == "unités" || word == "unité" || word == "unidades" || word == "unidad" ||
+           word == "unità";
+}
 
 /// Whether a row holds units in brackets and no numbers.
 bool is_unit_row(const Row& row) {
@@ -17,7 +27,7 @@ bool is_unit_row(const Row& row) {
     for (const Cell& cell : row.cells) {
         if (cell.text.starts_with('[') && cell.text.ends_with(']'))
             ++units;
-        else if (!cell.text.empty())
+        else if (!cell.text.empty() && !(&cell == &row.cells.front() && says_units(cell)))
             return false;
     }
     return units > 0;
@@ -29,7 +39,7 @@ bool is_bare_unit_row(const Row& names, const Row& row) {
     int units = 0, fitting = 0;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
         const std::string unit = bare_unit(row.cells[i].text);
-        if (unit.empty() || unit == "-") continue;
+        if (unit.empty() || unit == "-" || (i == 0 && says_units(row.cells[i]))) continue;
         if (!is_unit(unit) || parse_number(unit)) return false;
         ++units;
         fitting += i < names.cells.size() &&
@@ -77,17 +87,8 @@ std::string suggested_columns(const NamesAndUnits& columns) {
             continue;
         }
         const std::string_view quantity = meaning_of_column(name, "").quantity;
-        const char* const unit = quantity == "time"               ? "s"
-                                 : quantity == "height"           ? "mm"
-                                 : quantity == "normal_force"     ? "N"
-                                 : quantity == "torque"           ? "mN m"
-                                 : quantity == "rotational_speed" ? "1/min"
-                                 : quantity == "angular_velocity" ? "rad/s"
-                                 : quantity == "shear_rate"       ? "1/s"
-                                 : quantity == "shear_velocity"   ? "mm/min"
-                                 : quantity.ends_with("stress")   ? "Pa"
-                                                                  : "1";
-        cells.push_back(fmt::format("\"{} [{}]\"", name, unit));
+        cells.push_back(
+            fmt::format("\"{} [{}]\"", name, quantity.empty() ? "1" : usual_unit(quantity)));
     }
     return fmt::format("columns = [{}]", fmt::join(cells, ", "));
 }
@@ -112,7 +113,7 @@ NamesAndUnits columns_of(const Row& header, const Row& units) {
     for (const Cell& cell : header.cells)
         columns.names.push_back(cell.text);
     for (const Cell& cell : units.cells)
-        columns.units.push_back(bare_unit(cell.text));
+        columns.units.push_back(says_units(cell) ? "" : bare_unit(cell.text));
     return columns;
 }
 

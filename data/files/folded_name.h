@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace pendular {
+
+/// Name of a column for comparison: in lower case, without accents on Latin letters, blanks, '_',
+/// '-' and '.', so that "Hoehe", "HÖHE" and "Höhe", or "Velocita angolare" and "velocità_angolare",
+/// are equal. The German "oe" counts as "ö", which becomes "o". Accents on other letters stay: "γ̇"
+/// is a rate, "γ" a strain.
+std::string folded_name(std::string_view name);
+
+}  // namespace pendular

@@ -1,0 +1,183 @@
+#include "data/files/column_names.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "data/quantities/number.h"
+#include "data/quantities/quantity.h"
+#include "data/quantities/units.h"
+
+namespace pendular {
+namespace {
+
+/// Index of the bracket that opens the pair which the last character of a text closes; npos if the
+/// text does not end with such a pair.
+std::size_t opening_bracket(std::string_view text) {
+    if (text.empty()) return std::string_view::npos;
+    // Braces and angles are rarer, and enclose other texts than units too.
+    if (const char open = text.back() == '}' ? '{' : text.back() == '>' ? '<' : '\0') {
+        const std::size_t at = text.rfind(open);
+        const bool unit =
+            at != std::string_view::npos && is_unit(text.substr(at + 1, text.size() - at - 2));
+        return unit ? at : std::string_view::npos;
+    }
+    if (text.back() != ']' && text.back() != ')') return std::string_view::npos;
+    int depth = 0;
+    for (std::size_t i = text.size(); i-- > 0;) {
+        if (text[i] == ']' || text[i] == ')') ++depth;
+        if (text[i] == '[' || text[i] == '(') --depth;
+        if (depth == 0) return i;
+    }
+    return std::string_view::npos;
+}
+
+struct Spelling {
+    std::string_view text;
+    ErrorMark mark;
+};
+constexpr std::array spellings = {Spelling{"standard deviation", ErrorMark::standard_deviation},
+                                  Spelling{"standard error", ErrorMark::standard_error},
+                                  Spelling{"uncertainty", ErrorMark::standard_error},
+                                  Spelling{"stddev", ErrorMark::standard_deviation},
+                                  Spelling{"stdev", ErrorMark::standard_deviation},
+                                  Spelling{"stderr", ErrorMark::standard_error},
+                                  Spelling{"error", ErrorMark::standard_error},
+                                  Spelling{"std", ErrorMark::standard_deviation},
+                                  Spelling{"u95", ErrorMark::half_width},
+                                  Spelling{"sd", ErrorMark::standard_deviation},
+                                  Spelling{"se", ErrorMark::standard_error}};
+
+/// Takes a mark of errors such as "_sd" off the end of a name, with its separator.
+ErrorMark take_mark(std::string_view& name) {
+    std::string lower(name);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const auto& [text, mark] : spellings) {
+        if (!lower.ends_with(text) || lower.size() <= text.size()) continue;
+        const char separator = lower[lower.size() - text.size() - 1];
+        if (separator != '_' && separator != ' ') continue;
+        name.remove_suffix(text.size() + 1);
+        return mark;
+    }
+    return ErrorMark::none;
+}
+
+}  // namespace
+
+bool is_unit(std::string_view text) {
+    if (text.empty()) return false;
+    try {
+        const Unit unit(text);
+        return true;
+    } catch (const std::invalid_argument&) {
+        return false;
+    }
+}
+
+namespace {
+
+/// Whether a name, with or without a mark of errors, is that of a quantity in this unit; any unit
+/// fits if it is empty.
+bool is_quantity(std::string_view name, std::string_view unit = "") {
+    take_mark(name);
+    return !meaning_of_column(trimmed(name), unit).quantity.empty();
+}
+
+/// Parts of a header cell before and after a separator; both are empty if it has none.
+struct Halves {
+    std::string_view name, unit;
+};
+
+Halves divided(std::string_view text, std::string_view separator, std::size_t at) {
+    if (at == std::string_view::npos) return {};
+    return {trimmed(text.substr(0, at)), trimmed(text.substr(at + separator.size()))};
+}
+
+/// Name and unit of a header cell without brackets: "Torque in mNm", "Torque / mNm" (ISO 80000),
+/// "Torque/mNm", "Couple, mNm". Only " in " and " / " are taken for certain. Other separators occur
+/// in names ("phi_L/phi_S", "Time, sequence"), so that they count only where the unit is one of the
+/// named quantity.
+Halves name_and_unit(std::string_view text) {
+    if (const std::size_t in = text.rfind(" in "); in != std::string_view::npos)
+        return divided(text, " in ", in);
+    if (find_quantity(text)) return {text, ""};
+    const Halves apart = divided(text, " / ", text.find(" / "));
+    if (!apart.unit.empty() &&
+        (is_quantity(apart.name, apart.unit) ||
+         (!find_quantity(apart.unit) && (is_quantity(apart.name) || is_unit(apart.unit)))))
+        return apart;
+    for (const std::string_view separator : {"/", ", ", ": ", " en "}) {
+        const bool first = separator == "/";  // "Angular velocity/rad/s"
+        const Halves parts =
+            divided(text, separator, first ? text.find(separator) : text.rfind(separator));
+        if (!parts.unit.empty() && is_quantity(parts.name, parts.unit)) return parts;
+    }
+    return {text, ""};
+}
+
+/// Takes a unit off the end of a name that programs write without brackets: "torque_mNm",
+/// "Gap mm", "omega_rad_s", "speed_rad_per_s". It counts only where it is one of the named
+/// quantity.
+std::string take_unit(std::string_view& name) {
+    std::string_view unmarked = name;
+    if (find_quantity(name) || take_mark(unmarked) != ErrorMark::none) return "";
+    for (std::size_t at = name.find_first_of("_ ", 1); at != std::string_view::npos;
+         at = name.find_first_of("_ ", at + 1)) {
+        const std::string_view begin = trimmed(name.substr(0, at)), end = name.substr(at + 1);
+        if (end.empty() || !is_quantity(begin)) continue;
+        for (const std::string_view between : {"_per_", "_"}) {
+            for (const char* const written : {" ", "/"}) {
+                std::string unit(trimmed(end));
+                for (std::size_t found = unit.find(between); found != std::string::npos;
+                     found = unit.find(between))
+                    unit.replace(found, between.size(), written);
+                if (!is_unit(unit) || !is_quantity(begin, unit)) continue;
+                name = begin;
+                return unit;
+            }
+        }
+    }
+    return "";
+}
+
+}  // namespace
+
+namespace {
+
+/// Text with the brackets of East Asian typesetting as those of other texts.
+std::string with_plain_brackets(std::string_view text) {
+    std::string plain(text);
+    for (const auto& [wide, narrow] : {std::pair("（", "("), std::pair("）", ")")})
+        for (std::size_t at = plain.find(wide); at != std::string::npos; at = plain.find(wide, at))
+            plain.replace(at, std::string_view(wide).size(), narrow);
+    return plain;
+}
+
+}  // namespace
+
+HeaderCell parse_header_cell(std::string_view written) {
+    const std::string plain = with_plain_brackets(trimmed(written));
+    std::string_view text = plain;
+    if (text.ends_with("]:") || text.ends_with("):")) text.remove_suffix(1);
+    HeaderCell cell;
+    std::string_view name = text;
+    if (const std::size_t bracket = opening_bracket(text); bracket != std::string_view::npos) {
+        name = text.substr(0, bracket);
+        cell.unit = trimmed(text.substr(bracket + 1, text.size() - bracket - 2));
+    } else {
+        const Halves parts = name_and_unit(text);
+        name = parts.name;
+        cell.unit = parts.unit;
+        if (cell.unit.empty()) cell.unit = take_unit(name);
+    }
+    name = trimmed(name);
+    cell.mark = take_mark(name);
+    cell.name = trimmed(name);
+    return cell;
+}
+
+}  // namespace pendular

@@ -1,0 +1,130 @@
+#include "data/recordings/columns_by_unit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "data/files/column_names.h"
+#include "data/files/folded_name.h"
+#include "data/quantities/number.h"
+#include "data/quantities/units.h"
+#include "data/recordings/column_kinds.h"
+#include "data/recordings/test_kinds.h"
+
+namespace pendular {
+namespace {
+
+/// Quantities of which steady shear needs one, and those of them that a unit alone may show. A
+/// speed in mm/s may be that of the gap, a force also that on a lever.
+struct NeededGroup {
+    std::vector<std::string_view> quantities, by_unit;
+};
+
+const std::vector<NeededGroup>& groups() {
+    static const std::vector<NeededGroup> all = {
+        {{"time"}, {"time"}},
+        {{"torque", "shear_stress", "lever_force", "stress_ratio"}, {"torque", "shear_stress"}},
+        {{"normal_force", "normal_stress"}, {"normal_force", "normal_stress"}},
+        {{"height"}, {"height"}},
+        {{"rotational_speed", "angular_velocity", "shear_velocity", "shear_rate"},
+         {"rotational_speed"}}};
+    return all;
+}
+
+/// Whether a name says that its column has no measured values of a quantity that is needed: set
+/// points, or a way instead of a height.
+bool says_otherwise(std::string_view name, std::string_view quantity) {
+    const std::string folded = folded_name(name);
+    const auto has = [&](std::string_view word) { return folded.find(word) != std::string::npos; };
+    constexpr std::array<std::string_view, 8> set = {"set",      "soll",    "target", "demand",
+                                                     "consigne", "nominal", "limit",  "max"};
+    constexpr std::array<std::string_view, 11> ways = {
+        "lidheight",      "deckelhohe",  "displacement", "stroke",   "weg",        "deplacement",
+        "desplazamiento", "spostamento", "travel",       "position", "deformation"};
+    return std::ranges::any_of(set, has) ||
+           (quantity == "height" && std::ranges::any_of(ways, has));
+}
+
+/// Whether a unit shows a quantity. A speed needs an angle or minutes, since 1/s and Hz are those
+/// of rates and frequencies, and joules are no torque.
+bool shows(const std::string& unit, std::string_view quantity) {
+    if (!unit_fits(unit, quantity)) return false;
+    if (quantity == "torque") return unit.find('J') == std::string::npos;
+    if (quantity != "rotational_speed") return true;
+    const Unit stated(unit);
+    constexpr double minute = 60;
+    return !stated.same_dimension(Unit("1/s")) || stated.to_si(minute) == 1;
+}
+
+bool never_falls(const Block& block, std::size_t column) {
+    std::optional<double> before;
+    for (const Row& row : block.table.rows) {
+        const auto value = parse_number(row.cells[column].text);
+        if (value && before && *value < *before) return false;
+        if (value) before = value;
+    }
+    return before.has_value();
+}
+
+/// Quantity of a group that a column shows by its unit; empty for none.
+std::string_view shown_by(const Block& block, std::size_t index, const NeededGroup& group) {
+    const BlockColumn& column = block.columns[index];
+    const bool marked =
+        parse_header_cell(block.table.header.cells[index].text).mark != ErrorMark::none;
+    if (!column.quantity.empty() || !column.set_point_of.empty() || column.unit.empty() || marked)
+        return "";
+    for (const std::string_view quantity : group.by_unit)
+        if (shows(column.unit, quantity) && !says_otherwise(column.name, quantity) &&
+            (quantity != "time" || never_falls(block, index)))
+            return quantity;
+    return "";
+}
+
+/// Groups of which a block has no column.
+std::vector<const NeededGroup*> missing_groups(const Block& block) {
+    std::vector<const NeededGroup*> missing;
+    for (const NeededGroup& group : groups())
+        if (std::ranges::none_of(group.quantities, [&](std::string_view quantity) {
+                return block.has_column(quantity);
+            }))
+            missing.push_back(&group);
+    return missing;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> columns_by_unit(const BlockFile& file) {
+    const bool own = file.layout == "plain" || file.layout == "unit-row";
+    if (!own || file.blocks.empty()) return {};
+    const Block& block = file.blocks.front();
+    if (is_table_of_readings(block) || kind_shown_by_columns(block)) return {};
+    const auto missing = missing_groups(block);
+    std::map<std::string, std::string> found;
+    for (const NeededGroup* const group : missing) {
+        std::vector<std::size_t> fitting;
+        for (std::size_t i = 0; i < block.columns.size(); ++i)
+            if (!shown_by(block, i, *group).empty()) fitting.push_back(i);
+        if (fitting.size() != 1) continue;
+        const std::size_t index = fitting.front();
+        const auto fits = [&](const NeededGroup* each) {
+            return !shown_by(block, index, *each).empty();
+        };
+        if (std::ranges::count_if(missing, fits) > 1)
+            continue;  // a stress, of two that are missing
+        found[std::string(shown_by(block, index, *group))] =
+            fmt::format("{} [{}]", block.columns[index].name, block.columns[index].unit);
+    }
+    // One column with a unit does not make a recording of a table of other things.
+    constexpr std::size_t fewest = 3;
+    const bool any_named = std::ranges::any_of(
+        block.columns, [](const BlockColumn& column) { return !column.quantity.empty(); });
+    if (!any_named && found.size() < fewest) return {};
+    return found;
+}
+
+}  // namespace pendular
