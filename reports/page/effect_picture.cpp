@@ -156,7 +156,7 @@ void draw_cell(Sketch& sketch, const Effect& effect) {
                height = marked(c.height);
     sketch.path("M112 26a18 6 0 1 0 22 -9", torque);
     sketch.path("M139 20l-5 -3l5 -5", torque);
-    sketch.text(c.torque ? 168 : 120, 14, c.torque ? "T shown" : "T", torque);
+    sketch.text(c.torque ? 178 : 120, 14, c.torque ? "T shown" : "T", torque);
     sketch.arrow(80, 4, 80, 33, force);
     sketch.text(c.force ? 46 : 68, 16, c.force ? "F shown" : "F", force);
     const double x = cell_right + 28;
@@ -376,7 +376,7 @@ void draw_changes(Sketch& sketch, const Panel& panel, double frame_top, const st
     });
     sketch.text(24, frame_top + height / 2, label);
     sketch.text(24, frame_top + height / 2 + 15,
-                changes ? fmt::format("{:+.2g}{}", unit * largest, unit_text) : "no change");
+                changes ? fmt::format("{:+.2g}{}", unit * largest, unit_text) : "0");
 }
 
 }  // namespace
