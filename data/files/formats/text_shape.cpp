@@ -10,6 +10,7 @@
 #include "data/files/formats/block_file.h"
 #include "data/files/missing_mark.h"
 #include "data/files/text_file.h"
+#include "data/input_error.h"
 #include "data/quantities/number.h"
 
 namespace pendular {
@@ -312,7 +313,10 @@ TextShape shape_text(std::string& text) {
     const std::vector<TextLine> lines = first_lines(text);
     if (divide_at_blanks(text, lines)) return TextShape::blanks;
     if (divide_at_bars(text, lines)) return TextShape::bars;
-    uncomment_delimited(text, lines);
+    try {
+        uncomment_delimited(text, lines);
+    } catch (const InputError&) {  // a quote, on which the layout has its say
+    }
     return TextShape::delimited;
 }
 
