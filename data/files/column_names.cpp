@@ -109,7 +109,7 @@ const std::vector<VendorName>& vendor_names() {
          {"Rotational Speed", "Speed", "n", "Vitesse de rotation", "Drehzahl", "Umdrehungszahl",
           "Velocidad", "Velocidad de giro", "Velocidad de rotación", "Numero di giri",
           "Velocità di rotazione"},
-         {"Vitesse"}},
+         {"Vitesse", "Velocità"}},
         {"angular_velocity",
          {"Angular velocity", "Ω", "Vitesse angulaire", "Winkelgeschwindigkeit",
           "Drehgeschwindigkeit", "Rotationsgeschwindigkeit", "Velocidad angular",
@@ -197,7 +197,7 @@ const std::vector<VendorName>& vendor_names() {
           "Tensione di taglio al pretaglio"}},
         {"interval",
          {"Intervall", "Abschnitt", "Schritt", "Intervalle", "Étape", "étape", "Intervalo",
-          "Segmento", "Intervallo"}},
+          "Segmento", "Intervallo", "Passo", "Paso", "Tramo", "Tratto", "Fase", "Palier", "Stufe"}},
     };
     return all;
 }
