@@ -197,7 +197,7 @@ const std::vector<VendorName>& vendor_names() {
           "Tensione di taglio al pretaglio"}},
         {"interval",
          {"Intervall", "Abschnitt", "Schritt", "Intervalle", "Étape", "étape", "Intervalo",
-          "Segmento", "Intervallo", "Passo", "Paso", "Tramo", "Tratto", "Fase", "Palier", "Stufe"}},
+          "Segmento", "Intervallo", "Passo", "Paso", "Tramo", "Tratto", "Palier", "Stufe"}},
     };
     return all;
 }
