@@ -89,11 +89,14 @@ std::string files_line(const StudyDiagnosis& d) {
     const auto odd = odd_file_of(d, *model);
     if (!odd) return "";
     if (odd->worth_a_look()) return odd_file_text(*odd, words);
+    // To name the farthest of files that differ by chance would mislead.
+    if (odd->p_by_readings >= significant_p)
+        return fmt::format(
+            "No file stands out: the scatter of the readings explains how the {} files differ.",
+            odd->files);
     return "No file stands out. " + distance_text(*odd, "deviates most", words) +
-           (odd->p_by_readings < significant_p
-                ? fmt::format(" Fillings that differ among {} files can explain that (p = {:.2g}).",
-                              odd->files, odd->p)
-                : " The scatter of the readings within files explains that.");
+           fmt::format(" Fillings that differ among {} files can explain that (p = {:.2g}).",
+                       odd->files, odd->p);
 }
 
 }  // namespace pendular
