@@ -153,9 +153,10 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
     Fit result = fit_with(weights_of(model.predict(from)), model, measured, range, from, effort);
     Whitening whitening = weights_of(result.prediction);
     Eigen::MatrixXd errors = result.prediction.covariance;  // of the weights of the next search
-    double distance = distance_to_optimum(result, measured, whitening, range);
-    for (int turn = 1; turn < most_reweightings && effort.most_steps > 0 && distance > same_optimum;
-         ++turn) {
+    // Without a step, parameters are only evaluated where they start.
+    double distance =
+        effort.most_steps > 0 ? distance_to_optimum(result, measured, whitening, range) : 0;
+    for (int turn = 1; turn < most_reweightings && distance > same_optimum; ++turn) {
         const double before = distance;
         result = fit_with(Whitening(measured.covariance + errors), model, measured, range,
                           result.parameters, effort);
@@ -167,7 +168,7 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
     }
     // Not for quick refits: those of models that describe the readings badly may not settle, and
     // would drop out of the comparison of models.
-    if (effort.elsewhere && effort.most_steps > 0 && distance > unsettled) {
+    if (effort.elsewhere && distance > unsettled) {
         result.converged = false;
         result.message =
             "the weights of the readings do not settle, since the error of the simulations depends "

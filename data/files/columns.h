@@ -7,6 +7,7 @@
 
 #include "data/files/column_names.h"
 #include "data/files/csv.h"
+#include "data/files/header_cell.h"
 #include "data/quantities/quantity.h"
 
 namespace pendular {

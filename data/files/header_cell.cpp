@@ -1,4 +1,4 @@
-#include "data/files/column_names.h"
+#include "data/files/header_cell.h"
 
 #include <algorithm>
 #include <array>
@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "data/files/column_names.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/quantities/units.h"

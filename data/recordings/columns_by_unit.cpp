@@ -11,6 +11,8 @@
 
 #include "data/files/column_names.h"
 #include "data/files/folded_name.h"
+#include "data/files/formats/layouts.h"
+#include "data/files/header_cell.h"
 #include "data/quantities/number.h"
 #include "data/quantities/units.h"
 #include "data/recordings/column_kinds.h"
@@ -99,8 +101,7 @@ std::vector<const NeededGroup*> missing_groups(const Block& block) {
 }  // namespace
 
 std::map<std::string, std::string> columns_by_unit(const BlockFile& file) {
-    const bool own = file.layout == "plain" || file.layout == "unit-row";
-    if (!own || file.blocks.empty()) return {};
+    if (!is_own_table(file.layout) || file.blocks.empty()) return {};
     const Block& block = file.blocks.front();
     if (is_table_of_readings(block) || kind_shown_by_columns(block)) return {};
     const auto missing = missing_groups(block);

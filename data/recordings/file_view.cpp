@@ -46,7 +46,7 @@ std::vector<std::string> missing_quantities(const std::vector<IntervalSeries>& s
 /// Unused columns in the unit of a missing quantity, or with its name.
 std::vector<BlockColumn> candidates(const FileView& view) {
     std::vector<BlockColumn> found;
-    if (view.file.layout != "plain" && view.file.layout != "unit-row") return found;
+    if (!is_own_table(view.file.layout)) return found;
     for (const BlockColumn& column : view.file.blocks.front().columns) {
         if (!column.quantity.empty() || !column.set_point_of.empty() || column.unit.empty())
             continue;
@@ -136,7 +136,7 @@ void append_points(const Block& whole, BlockFile& file) {
 /// Divides a table of points, or several of them, into one block per row.
 void split_points(BlockFile& file) {
     // Of several blocks, only those of tables side by side or below one another, which have names.
-    const bool tables = file.layout == "plain" || file.layout == "unit-row";
+    const bool tables = is_own_table(file.layout);
     const bool several = file.blocks.size() > 1;
     const auto holds_points = [&](const Block& block) {
         return block.stated_role.empty() && !(several && (!tables || block.test.empty())) &&

@@ -13,6 +13,7 @@
 #include "data/files/formats/layouts.h"
 #include "data/files/formats/missing_values.h"
 #include "data/files/formats/number_style.h"
+#include "data/files/header_cell.h"
 #include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
 #include "data/quantities/number.h"

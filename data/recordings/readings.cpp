@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "data/files/column_names.h"
 #include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/header_cell.h"
 #include "data/input_error.h"
 #include "data/quantities/number.h"
 

@@ -303,10 +303,6 @@ bool numbers_intervals(const std::vector<Block>& blocks) {
     return intervals > 1;
 }
 
-}  // namespace
-
-namespace {
-
 /// The user's roles with the numbers of intervals in place of the names that a column has for them.
 FileFormat with_numbers(FileFormat format, const BlockFile& file) {
     for (auto& [role, intervals] : format.roles)

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "data/files/column_names.h"
+#include "data/files/header_cell.h"
 #include "data/quantities/number.h"
 #include "data/quantities/units.h"
 

@@ -1,5 +1,6 @@
 // Names and units of columns as people and instruments write them.
 #include "data/files/column_names.h"
+#include "data/files/header_cell.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -20,11 +21,6 @@ namespace pendular::data_column_names_test {
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-std::string parts(std::string_view text) {
-    const HeaderCell cell = parse_header_cell(text);
-    return cell.name + "|" + cell.unit;
-}
 
 TEST(HeaderCellWithoutBrackets, HasItsUnitBehindASlashACommaOrAWord) {
     EXPECT_EQ(parts("Torque / mNm"), "Torque|mNm");

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "data/files/column_names.h"
+#include "data/files/header_cell.h"
 #include "data/quantities/units.h"
 #include "tests/support/golden.h"
 

@@ -10,6 +10,7 @@
 #include "data/files/formats/clock_times.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/formats/text_shape.h"
+#include "data/files/header_cell.h"
 #include "data/files/workbook.h"
 #include "data/quantities/units.h"
 #include "data/recordings/file_view.h"
@@ -23,11 +24,6 @@ using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
-
-std::string parts(std::string_view text) {
-    const HeaderCell cell = parse_header_cell(text);
-    return cell.name + "|" + cell.unit;
-}
 
 TEST(HeaderCellOfAProgram, HasItsUnitBehindTheName) {
     EXPECT_EQ(parts("torque_mNm"), "torque|mNm");

@@ -1,7 +1,7 @@
 // Tables: header cells, delimiters, cells, positions.
-#include "data/files/column_names.h"
 #include "data/files/columns.h"
 #include "data/files/csv.h"
+#include "data/files/header_cell.h"
 #include "tests/fuzz/support.h"
 
 using namespace pendular;

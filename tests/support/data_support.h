@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "data/files/header_cell.h"
 #include "data/input_error.h"
 #include "data/reading.h"
 #include "data/remarks/wording.h"
@@ -32,6 +33,12 @@ inline std::optional<std::filesystem::path> published_sample(const std::string& 
     const auto file = std::filesystem::path(samples) / name;
     if (!std::filesystem::exists(file)) throw std::runtime_error(file.string() + " is missing");
     return file;
+}
+
+/// Returns name and unit of a header cell, as "torque|mN m".
+inline std::string parts(std::string_view text) {
+    const HeaderCell cell = parse_header_cell(text);
+    return cell.name + "|" + cell.unit;
 }
 
 /// Returns the path of a file of tests/data/formats, written for tests to look like the export of

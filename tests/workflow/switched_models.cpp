@@ -54,6 +54,9 @@ TEST_F(SwitchedModelsTest, HaveTheNumbersOfTheStudyWithTheirEffects) {
     const ChangedStudy first = Session(study, options).add("wall-friction");
     expect_same(0, first.before);
     expect_same(1, first.after);
+    // From the usual start, the least chi2 is sought as everywhere else, and not only nearby.
+    EXPECT_NEAR(all.models[0]->comparison.total.chi2, first.before.comparison.total.chi2, 1e-6);
+    EXPECT_NEAR(all.models[1]->comparison.total.chi2, first.after.comparison.total.chi2, 1e-6);
     const ChangedStudy second = Session(study, options).add("torque-gain");
     expect_same(1 + 2, second.after);
     const SwitchedModels after = models(3);

@@ -12,6 +12,7 @@
 #include "data/files/formats/preamble.h"
 #include "data/files/formats/several_tables.h"
 #include "data/files/formats/sheets.h"
+#include "data/files/formats/text_marks.h"
 #include "data/files/formats/text_shape.h"
 #include "data/files/markup.h"
 #include "data/files/sheet_path.h"
@@ -33,8 +34,8 @@ const Layout& layout_of(const SourceLines& source, const FileFormat& format) {
 
 /// @throws InputError if the user states all columns of a layout that has names and units itself
 void refuse_columns(const Layout& layout, const FileFormat& format, const std::string& file) {
-    const bool takes = layout.name == "plain" || layout.name == "unit-row" ||
-                       layout.name == "headerless" || layout.name == "transposed";
+    const bool takes =
+        is_own_table(layout.name) || layout.name == "headerless" || layout.name == "transposed";
     if (format.columns.empty() || takes) return;
     throw InputError({file},
                      fmt::format("the layout \"{}\" has names and units of its own, so that "
@@ -201,10 +202,6 @@ FileText text_of_file(const std::filesystem::path& path, const FileFormat& forma
     return {std::move(decoded), {}, {}};
 }
 
-bool is_own_table(std::string_view layout) {
-    return layout == "plain" || layout == "unit-row";
-}
-
 /// Reads a text with one table, or an export of an instrument.
 void read_source(SourceLines source, const FileFormat& format, BlockFile& file) {
     if (is_own_table(layout_of(source, format).name)) take_preamble(source, file);
@@ -260,6 +257,10 @@ void read_tables(const SourceLines& source, const FileFormat& format, BlockFile&
 }
 
 }  // namespace
+
+bool is_own_table(std::string_view layout) {
+    return layout == "plain" || layout == "unit-row";
+}
 
 const std::vector<Layout>& layouts() {
     static const std::vector<Layout> all = {tidy_layout(),

@@ -23,6 +23,10 @@ struct Layout {
 /// plain, recognises every file.
 const std::vector<Layout>& layouts();
 
+/// Whether a layout is that of a table that people write, with one line of names, and not that of
+/// an instrument.
+bool is_own_table(std::string_view layout);
+
 /// Returns the names of all layouts: values of the key `layout` in study.toml.
 std::vector<std::string> layout_names();
 

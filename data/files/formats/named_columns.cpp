@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "data/files/column_names.h"
+#include "data/files/header_cell.h"
 
 namespace pendular {
 namespace {

@@ -5,6 +5,7 @@
 #include "data/files/column_names.h"
 #include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/header_cell.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 

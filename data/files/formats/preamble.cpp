@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "data/files/column_names.h"
+#include "data/files/header_cell.h"
 #include "data/files/missing_mark.h"
 #include "data/quantities/number.h"
 

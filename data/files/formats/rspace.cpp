@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "data/files/column_names.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/header_cell.h"
 
 namespace pendular {
 namespace {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "data/files/column_names.h"
+#include "data/files/header_cell.h"
 #include "data/input_error.h"
 #include "data/quantities/number.h"
 

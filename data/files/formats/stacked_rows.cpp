@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "data/files/column_names.h"
+#include "data/files/header_cell.h"
 #include "data/quantities/number.h"
 
 namespace pendular {

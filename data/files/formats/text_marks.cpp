@@ -1,9 +1,8 @@
+#include "data/files/formats/text_marks.h"
+
 #include <algorithm>
 #include <cctype>
-#include <string>
 #include <string_view>
-
-#include "data/files/formats/text_shape.h"
 
 namespace pendular {
 namespace {
@@ -78,14 +77,17 @@ void unify_signs(std::string& text) {
         }
         text = result.append(text, from);
     }
-    for (const std::string_view exponent : {"D-", "D+", "d-", "d+"})
+    for (const char exponent : {'D', 'd'})
         for (std::size_t at = text.find(exponent); at != std::string::npos;
              at = text.find(exponent, at + 1)) {
+            const bool has_sign =
+                text.compare(at + 1, 1, "-") == 0 || text.compare(at + 1, 1, "+") == 0;
+            if (!has_sign || !digit(at + 2)) continue;
             std::size_t begin = at;
             while (begin > 0 && digit(begin - 1))
                 --begin;
             // Only behind a decimal point: "3D-2" is a name.
-            if (begin > 0 && text[begin - 1] == '.' && digit(at + 2)) text[at] = 'E';
+            if (begin > 0 && text[begin - 1] == '.') text[at] = 'E';
         }
 }
 

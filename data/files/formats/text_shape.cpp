@@ -8,6 +8,8 @@
 
 #include "data/files/column_names.h"
 #include "data/files/formats/block_file.h"
+#include "data/files/formats/text_marks.h"
+#include "data/files/header_cell.h"
 #include "data/files/missing_mark.h"
 #include "data/files/text_file.h"
 #include "data/input_error.h"

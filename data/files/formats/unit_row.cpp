@@ -6,6 +6,7 @@
 #include "data/files/formats/clock_times.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/formats/stacked_rows.h"
+#include "data/files/header_cell.h"
 #include "data/files/missing_mark.h"
 #include "data/quantities/number.h"
 

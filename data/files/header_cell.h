@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace pendular {
+
+/// Meaning of a column of errors, by the mark at the end of its name.
+enum class ErrorMark {
+    none,                ///< the column has values, not errors
+    standard_error,      ///< "_se": standard error of the value
+    standard_deviation,  ///< "_sd": beside "_n", of n single values; alone, a standard error
+    half_width           ///< "_u95": half the width of an interval that covers 95 %
+};
+
+/// Parts of a header cell such as "Torque_sd [mN m]".
+struct HeaderCell {
+    std::string name;  ///< without a mark of errors: "Torque"
+    std::string unit;  ///< "mN m"; empty if the cell gives none
+    ErrorMark mark = ErrorMark::none;
+
+    bool deviation() const { return mark != ErrorMark::none; }
+};
+
+/// Splits a header cell, which reads `name [unit]`, `name (unit)`, `name in unit`, `name / unit` or
+/// `name`; where the unit is one of the named quantity, also `name/unit`, `name, unit` or
+/// `name en unit`.
+HeaderCell parse_header_cell(std::string_view text);
+
+/// Whether a text is a unit, such as "mN m"; an empty one is not.
+bool is_unit(std::string_view text);
+
+}  // namespace pendular
