@@ -15,6 +15,8 @@ std::string in_small_letters(std::string_view text) {
 
 bool marks_no_value(std::string_view cell) {
     if (cell.empty()) return true;
+    // No mark ends with a digit, as nearly all cells do.
+    if (std::isdigit(static_cast<unsigned char>(cell.back()))) return false;
     if (cell.find_first_not_of("*-") == std::string_view::npos) return cell != "*";
     // In English and German ("keine Angabe", "nicht bestimmt"), of Excel, and as programs in C
     // print what is no number.
