@@ -133,11 +133,40 @@ std::string weak_evidence(const Diagnosis& d) {
                : fmt::format(" The evidence that anything is missing is weak (p {}).", p_text(p));
 }
 
+/// Refitted model of one effect that leaves the least misfit of those that the verdict does not
+/// name; null where none was refitted, or where it fits too, as an effect that contains the named
+/// one does.
+const FittedModel* next_best(const Diagnosis& d, const ModelSpace& space) {
+    const FittedModel* closest = nullptr;
+    for (const FittedModel& each : d.tried) {
+        if (each.suspect || each.chosen.size() != 1 || !each.fit.converged) continue;
+        const std::string name = names_of(each, space).front();
+        const bool named = std::ranges::any_of(d.confidence_set, [&](const FittedModel& set) {
+            const auto names = names_of(set, space);
+            return std::ranges::find(names, name) != names.end();
+        });
+        if (!named && (closest == nullptr || each.fit.chi2 < closest->fit.chi2)) closest = &each;
+    }
+    return closest && closest->accepted ? nullptr : closest;
+}
+
+/// Words on how alone the named effect stands: "; the next-best effect, torque-gain, would leave
+/// 3.15, and the readings rule it out". Empty where nothing is known of others (`next_best`).
+std::string uniqueness(const Diagnosis& d, const ModelSpace& space) {
+    const FittedModel* const other = next_best(d, space);
+    if (other == nullptr) return "";
+    return fmt::format(
+        "; the next-best effect, {}, would leave {:.2f}, and the readings rule it out",
+        names_of(*other, space).front(), chi2_per_dof(other->fit.chi2, other->fit.dof));
+}
+
 std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
     if (d.leaders) return leading_line(d, space);
     const FittedModel& best = *best_of(d.confidence_set);
-    std::string line = fmt::format("Missing: {}. Adding {} brings {}.", with_estimates(best, space),
-                                   best.chosen.size() > 1 ? "them" : "it", reduction(d, best));
+    std::string line =
+        fmt::format("Missing: {}. Adding {} brings {}{}.", with_estimates(best, space),
+                    best.chosen.size() > 1 ? "them" : "it", reduction(d, best),
+                    best.chosen.size() > 1 ? "" : uniqueness(d, space));
     if (d.confidence_set.size() > 1) {
         line = fmt::format(
             "Missing: {}, and one further effect, {} (these readings do not tell which). Adding {} "
@@ -242,28 +271,6 @@ std::string alike_line(const Diagnosis& d) {
         least < similar ? "partly similar" : "similar", least, name(other), name(one));
 }
 
-/// Sentence on the single effect that comes closest to the missing one without explaining the
-/// readings; empty where none leaves less than a tenth of the misfit.
-std::string closest_rival_line(const Diagnosis& d, const ModelSpace& space) {
-    const FittedModel* closest = nullptr;
-    for (const FittedModel& each : d.tried) {
-        if (each.suspect || each.chosen.size() != 1 || !each.fit.converged || each.accepted) {
-            continue;
-        }
-        const std::string name = names_of(each, space).front();
-        const bool named = std::ranges::any_of(d.confidence_set, [&](const FittedModel& set) {
-            const auto names = names_of(set, space);
-            return std::ranges::find(names, name) != names.end();
-        });
-        if (!named && (closest == nullptr || each.fit.chi2 < closest->fit.chi2)) closest = &each;
-    }
-    constexpr double close = 0.9;  // as `most_of_misfit`
-    if (closest == nullptr || share_explained(d.excess(), *closest) < close) return "";
-    return fmt::format(
-        "The next-best effect, {}, would leave chi2/dof at {:.2f}; the readings rule it out.",
-        with_estimates(*closest, space), chi2_per_dof(closest->fit.chi2, closest->fit.dof));
-}
-
 /// Sentence on the known effect that comes closest to a change of unknown cause.
 std::string outdone_line(const Diagnosis& d, const ModelSpace& space) {
     const auto best = std::ranges::min_element(
@@ -318,7 +325,6 @@ std::vector<std::string> close_effects_lines(const Diagnosis& d, const ModelSpac
         if (!line.empty()) lines.push_back(std::move(line));
     };
     if (d.verdict == Verdict::indistinguishable) add(alike_line(d));
-    if (d.verdict == Verdict::missing && d.complete) add(closest_rival_line(d, space));
     if (d.verdict == Verdict::unknown && d.outdone()) {
         add(outdone_line(d, space));
     } else if (d.verdict == Verdict::unknown) {

@@ -6,11 +6,12 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
-#include <utility>
+#include <vector>
 
 #include "reports/with_error.h"
 #include "reports/words.h"
 #include "workflow/json/diagnosis.h"
+#include "workflow/odd_recording.h"
 
 namespace pendular {
 namespace {
@@ -19,19 +20,6 @@ namespace {
 std::string side(double deviation) {
     return fmt::format("{:.2g} % {}", 100 * std::abs(deviation),
                        deviation < 0 ? "lower" : "higher");
-}
-
-/// The model that explains the readings best: the study's where it does, or else the one with the
-/// effects that are missing.
-const FittedModel& explaining(const Diagnosis& d) {
-    if (d.leaders) return d.leaders->model;
-    const FittedModel* best = nullptr;
-    for (const FittedModel& each : d.confidence_set) {
-        if (each.suspect) continue;
-        if (each.chosen.empty()) return each;
-        if (!best || each.fit.chi2 < best->fit.chi2) best = &each;
-    }
-    return best ? *best : d.base;
 }
 
 /// Sentences on the distance of a file from the others.
@@ -48,16 +36,10 @@ std::string distance_text(const OddFile& odd, const std::string& verb, const std
     return text;
 }
 
-/// A model and its words: "the model with wall-friction".
-std::pair<const FittedModel*, std::string> compared_with(const StudyDiagnosis& d) {
-    const FittedModel& model = explaining(d.diagnosis);
-    const std::vector<std::string> effects = names_of(model, *d.models);
-    return {&model, effects.empty() ? "the model" : "the model with " + joined(effects, "and")};
-}
-
-std::optional<OddFile> odd_file_of(const StudyDiagnosis& d, const FittedModel& model) {
-    if (d.readings.size() != d.measured) return std::nullopt;  // means over files
-    return odd_file(d.readings, model.fit.prediction.value);
+/// The model that files are compared with, in words: "the model with wall-friction".
+std::string model_in_words(const StudyDiagnosis& d) {
+    const std::vector<std::string> effects = names_of(explaining_model(d.diagnosis), *d.models);
+    return effects.empty() ? "the model" : "the model with " + joined(effects, "and");
 }
 
 }  // namespace
@@ -79,15 +61,14 @@ std::string odd_file_text(const OddFile& odd, const std::string& model) {
 }
 
 std::string odd_file_line(const StudyDiagnosis& d) {
-    const auto [model, words] = compared_with(d);
-    const auto odd = odd_file_of(d, *model);
-    return odd && odd->worth_a_look() ? odd_file_text(*odd, words) : "";
+    const auto odd = odd_recording(d);
+    return odd && odd->worth_a_look() ? odd_file_text(*odd, model_in_words(d)) : "";
 }
 
 std::string files_line(const StudyDiagnosis& d) {
-    const auto [model, words] = compared_with(d);
-    const auto odd = odd_file_of(d, *model);
+    const auto odd = odd_recording(d);
     if (!odd) return "";
+    const std::string words = model_in_words(d);
     if (odd->worth_a_look()) return odd_file_text(*odd, words);
     // To name the farthest of files that differ by chance would mislead.
     if (odd->p_by_readings >= significant_p)

@@ -34,6 +34,15 @@ class Diagnosis(Result):
         """Whether what is named explains the readings."""
         return bool(self["complete"])
 
+    @property
+    def odd_file(self) -> Optional[Dict[str, Any]]:
+        """Recording that deviates most from the model that explains the readings, in another way
+        than all others: `file`, `observable`, mean `deviation` (measured/model - 1 [1]), that of
+        the `others`, `p` and whether it `stands_out` (p < 0.05). None where fewer than three files
+        have two readings each."""
+        odd: Optional[Dict[str, Any]] = self["odd_file"]
+        return odd
+
     def to_dataframe(self) -> Any:
         """Returns a pandas.DataFrame, a row for each tested effect, indexed by its name."""
         import pandas

@@ -337,7 +337,7 @@ constexpr double rounding = 1e-6;
 /// text `unit_text` behind that.
 void draw_changes(Sketch& sketch, const Panel& panel, double frame_top, const std::string& label,
                   double unit, const std::string& unit_text) {
-    constexpr double from = 50, to = 212, height = 54;
+    constexpr double from = 60, to = 212, height = 54;
     double least = 0, greatest = 0, x0 = INFINITY, x1 = -INFINITY;
     const auto lines = [&](auto&& use) {
         for (const Curve& curve : panel.curves) {
@@ -374,8 +374,9 @@ void draw_changes(Sketch& sketch, const Panel& panel, double frame_top, const st
         sketch.path(d, Tone::marked, !first);
         first = false;
     });
-    sketch.text(24, frame_top + height / 2, label);
-    sketch.text(24, frame_top + height / 2 + 15,
+    // Room for a number such as "-0.00086" left of the frame.
+    sketch.text(30, frame_top + height / 2, label);
+    sketch.text(30, frame_top + height / 2 + 15,
                 changes ? fmt::format("{:+.2g}{}", unit * largest, unit_text) : "0");
 }
 
@@ -387,7 +388,7 @@ std::string change_picture(const Figure& signature) {
     Sketch sketch;
     draw_changes(sketch, signature.panels[0], 6, "Δμ", 1, " %");
     draw_changes(sketch, signature.panels[columns], 68, "Δφ", 1e-3, "");  // of 10^3 times it
-    sketch.text(123, 136, "reduced pressure, log. →");
+    sketch.text(128, 136, "reduced pressure, log. →");
     return sketch.svg("Change of stress ratio and of solid fraction against the reduced pressure");
 }
 

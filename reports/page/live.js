@@ -82,14 +82,19 @@ function withError(value, error) {
   if (digits > 6 || Math.abs(value) >= 1e6) {
     const exponent = Math.floor(Math.log10(Math.max(Math.abs(value), error)));
     const scale = Math.pow(10, exponent), places = Math.max(0, exponent - power + 1);
-    return `(${(value / scale).toFixed(places)} ± ${(error / scale).toFixed(places)})e${exponent}`;
+    return withMinus(`(${(value / scale).toFixed(places)} ± ${(error / scale).toFixed(places)})`) + `e${exponent}`;
   }
   const places = Math.max(0, digits);
-  return `${value.toFixed(places)} ± ${error.toFixed(places)}`;
+  return withMinus(`${value.toFixed(places)} ± ${error.toFixed(places)}`);
+}
+// Names of files without the ending that all of them have.
+function shortNames(files) {
+  const ending = files[0].match(/\.[A-Za-z]\w*$/);
+  return ending && files.every(file => file.endsWith(ending[0])) ? files.map(file => file.slice(0, -ending[0].length)) : files;
 }
 const fitText = p => p.determined ? p.text : "not determined by the readings";
 const unitText = unit => unit === "1" ? "" : " " + unit;
-const three = value => Math.abs(value) >= 1000 ? value.toFixed(0) : String(Number(value.toPrecision(3)));
+const three = value => withMinus(Math.abs(value) >= 1000 ? value.toFixed(0) : String(Number(value.toPrecision(3))));
 
 // Whether the curve of a series passes the model's values at the readings to half of their errors; it
 // does not where these depend on more than the quantity along the x axis.
@@ -267,7 +272,7 @@ class Page {
     const files = [...new Set(readings.map(r => r.file))];
     if (files.length > 1) {
       this.plots.push(new Plot(figures, {name: "residuals-file", title: "Residuals by file", xLabel: files.length > MOST_NAMES ? "file, in the order of study.toml" : "file", yLabel, zero: true,
-        reach, names: () => files}, () => this.residualsByFile(files), this));
+        reach, names: () => shortNames(files)}, () => this.residualsByFile(files), this));
     }
     this.plots.push(new Plot(figures, {name: "quantiles", title: "Residuals against a normal distribution", xLabel: "expected from the normal distribution [1]",
       yLabel, zero: true, reach}, () => this.quantiles(), this));
@@ -392,7 +397,7 @@ class Page {
     this.rows.forEach(({row, ratio, fraction, residuals, button}, id) => {
       ratio.textContent = predicted[0][id].toFixed(4);
       fraction.textContent = predicted[1][id].toFixed(4);
-      residuals.textContent = `${off[0][id].toFixed(1)}, ${off[1][id].toFixed(1)}`;
+      residuals.textContent = off.map(each => withMinus(each[id].toFixed(1))).join(", ");
       button.disabled = id >= this.model.fitted;
       button.textContent = this.out === id ? "take in" : "leave out";
       row.classList.toggle("out", this.out === id);
@@ -418,7 +423,7 @@ class Page {
     model.correlations.forEach((values, k) => {
       const row = html("tr", {}, rows);
       html("td", {}, row, model.parameters[k].name);
-      for (const v of values) html("td", {}, row, v === null ? "" : v.toFixed(3));
+      for (const v of values) html("td", {}, row, v === null ? "" : withMinus(v.toFixed(3)));
     });
   }
 
@@ -432,8 +437,8 @@ class Page {
   tell(id) {
     const r = this.data.readings[id], predicted = [0, 1].map(which => this.model.predict(this.d, which)[id]), off = [0, 1].map(which => this.finalResiduals(which)[id]);
     this.say(`${this.nameOf(id)}: ${three(r.normal_stress)} Pa, I = ${three(r.inertial_number)}` +
-      `${r.liquid_content ? `, liquid content ${three(r.liquid_content)}` : ", dry"}. Stress ratio ${withError(r.values[0], r.errors[0])}, model ${predicted[0].toFixed(4)} (${off[0].toFixed(1)} errors). ` +
-      `Solid fraction ${withError(r.values[1], r.errors[1])}, model ${predicted[1].toFixed(4)} (${off[1].toFixed(1)} errors).`);
+      `${r.liquid_content ? `, liquid content ${three(r.liquid_content)}` : ", dry"}. Stress ratio ${withError(r.values[0], r.errors[0])}, model ${predicted[0].toFixed(4)} (${withMinus(off[0].toFixed(1))} errors). ` +
+      `Solid fraction ${withError(r.values[1], r.errors[1])}, model ${predicted[1].toFixed(4)} (${withMinus(off[1].toFixed(1))} errors).`);
     this.told = id;
   }
   say(text) { this.told = -1; document.getElementById("reading").textContent = text; }

@@ -7,12 +7,15 @@
 #include <array>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "reports/with_error.h"
 
@@ -38,10 +41,37 @@ void Bytes::append(const void* value, std::size_t size) {
     std::memcpy(bytes_.data() + at, value, size);
 }
 
-std::string page_text(std::string text) {
-    for (std::size_t at = 0; (at = text.find("+-", at)) != std::string::npos;) {
-        text.replace(at, 2, "±");
+namespace {
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// Replaces `before` by `after` wherever `there` holds for the position.
+void replace_where(std::string& text, std::string_view before, std::string_view after,
+                   const std::function<bool(std::size_t)>& there) {
+    for (std::size_t at = 0; (at = text.find(before, at)) != std::string::npos; ++at) {
+        if (there(at)) text.replace(at, before.size(), after);
     }
+}
+
+}  // namespace
+
+std::string page_text(std::string text) {
+    const auto at = [&](std::size_t k) { return k < text.size() ? text[k] : '\0'; };
+    replace_where(text, "+-", "±", [](std::size_t) { return true; });
+    // A sign stands before a digit, at the beginning or after a blank or a bracket; any other
+    // hyphen belongs to a word, a date or an exponent.
+    replace_where(text, "-", "−", [&](std::size_t k) {
+        return is_digit(at(k + 1)) && (k == 0 || at(k - 1) == ' ' || at(k - 1) == '(');
+    });
+    // The prefix micro of a unit after a number: "61 um".
+    replace_where(text, " u", " µ", [&](std::size_t k) {
+        const bool letter = std::isalpha(static_cast<unsigned char>(at(k + 3))) != 0;
+        const bool unit = at(k + 2) == 'P' ? at(k + 3) == 'a'
+                                           : std::string_view("mNs").find(at(k + 2)) < 3 && !letter;
+        return k > 0 && is_digit(at(k - 1)) && unit;
+    });
     return text;
 }
 
@@ -263,6 +293,15 @@ Json ladder_json(const Ladder& ladder) {
     return steps;
 }
 
+Json corrected_json(const std::optional<CorrectedModel>& corrected) {
+    if (!corrected) return nullptr;
+    Json deviations = Json::array();
+    for (const std::vector<double>& each : corrected->deviations)
+        deviations.push_back(all_shortened(each));
+    return {
+        {"of", corrected->of}, {"deviations", deviations}, {"rms", all_shortened(corrected->rms)}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json page_data(const SwitchedModels& all, const std::vector<PagePanel>& panels,
@@ -290,6 +329,8 @@ nlohmann::ordered_json page_data(const SwitchedModels& all, const std::vector<Pa
             {"ladder", ladder_json(story.ladder)},
             {"proposed", story.proposed ? Json(*story.proposed) : Json(nullptr)},
             {"proposed_name", story.proposed_name},
+            {"proposed_as", story.proposed_as},
+            {"corrected", corrected_json(story.corrected)},
             {"readings", readings},
             {"points", points.size()},
             {"panels", panels_json(panels)},

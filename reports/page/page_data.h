@@ -48,7 +48,8 @@ class Bytes {
     std::string bytes_;
 };
 
-/// Returns a text for an HTML page, with a plus-minus sign for each "+-".
+/// Returns a text for an HTML page, with the signs of print: "±" for "+-", "−" before a negative
+/// number, "µ" for the "u" of a unit after a number.
 std::string page_text(std::string text);
 
 /// Recording thinned to a few hundred points, with the ranges of rows that are averaged.

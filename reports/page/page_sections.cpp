@@ -49,8 +49,8 @@ void fold_after(PageSection& section, std::size_t most, const std::string& title
 }
 
 PageSection ladder_section(const PageContent& content) {
-    const bool one_model =
-        content.ladder.empty() && !page_story({}, content.diagnosis, content.switched).proposed;
+    const PageStory story = page_story({}, content.diagnosis, content.switched);
+    const bool one_model = content.ladder.empty() && !story.proposed && !story.corrected;
     PageSection section{.id = "ladder",
                         .title = one_model ? "How far the model is off" : "How the error fell",
                         .figures = "ladder-figure"};
@@ -71,14 +71,17 @@ PageSection ladder_section(const PageContent& content) {
     }
     section.lines = {
         "Deviation of each reading from the model, 100 (1 - model/measured), with the "
-        "RMS of all readings. The last column follows the switches below."};
+        "RMS of all readings. Once you move a switch or a slider below, a further column shows its "
+        "model."};
     section.tables = {table};
     return section;
 }
 
 PageSection where_section(const PageContent& content) {
-    PageSection section{
-        .id = "where", .title = "Where the model fails", .figures = "residual-figures"};
+    const bool fails = !significant_checks(content.checks).empty();
+    PageSection section{.id = "where",
+                        .title = fails ? "Where the model fails" : "Residuals of the readings",
+                        .figures = "residual-figures"};
     for (const std::string& line : checks_table(content.checks)) {
         section.lines.push_back(trimmed(line));
     }
@@ -90,9 +93,16 @@ PageSection where_section(const PageContent& content) {
     return section;
 }
 
-/// Chance to detect an effect [%] of the size that matters.
+/// Chance to detect an effect [%] of the size that matters; "-" where the readings show it.
 std::string chance_text(const Finding& finding) {
     return finding.p < significant_p ? "-" : fmt::format("{:.0f}", 100 * finding.power);
+}
+
+/// Smallest size of an effect that is of interest; "-" for a switch, which has none.
+std::string size_text(const Candidate& candidate) {
+    if (candidate.is_switch()) return "-";
+    const EffectParameter& p = candidate.parameters.front();
+    return with_unit(p.smallest_of_interest, p.unit);
 }
 
 /// Tables of the known effects: the first in full, the others behind a fold. Without p values where
@@ -100,10 +110,18 @@ std::string chance_text(const Finding& finding) {
 std::vector<PageTable> scan_tables(const PageContent& content, bool with_p) {
     const StudyModelSpace& models = *content.diagnosis.models;
     const Diagnosis& diagnosis = content.diagnosis.diagnosis;
+    // All effects of a model that fails are seen, or count as absent: no chance to show.
+    const bool with_chance = std::ranges::any_of(
+        diagnosis.scan, [](const Finding& finding) { return finding.p >= significant_p; });
     Cells head = {"effect", "group", "value in the model", "chi2/dof with it"};
-    if (with_p) head.emplace_back("p");
-    head.insert(head.end(), {"chance to detect the size that matters [%]", "decision"});
-    PageTable first{.caption = "Known effects, sorted by the change of chi2", .head = head};
+    if (with_p) head.emplace_back("p (small: it improves the model)");
+    if (with_chance)
+        head.insert(head.end(), {"size that matters", "chance to detect that size [%]"});
+    head.emplace_back("decision");
+    PageTable first{.caption =
+                        "Known effects, sorted by the change of chi2. The size that matters "
+                        "is the smallest that a user wants to know of",
+                    .head = head};
     PageTable others{.caption = "The other known effects", .head = head, .folded = true};
     constexpr std::size_t most = 8;  // as many as a reader compares; no rival has stood below
     for (const Finding& finding : diagnosis.scan) {
@@ -111,8 +129,8 @@ std::vector<PageTable> scan_tables(const PageContent& content, bool with_p) {
         Cells row = {candidate.name, candidate.group, estimate_of(diagnosis, finding, models),
                      remaining_chi2_text(diagnosis, finding, models)};
         if (with_p) row.push_back(p_text(finding.p, ""));
-        row.insert(row.end(),
-                   {chance_text(finding), std::string(to_string(diagnosis.decision_on(finding)))});
+        if (with_chance) row.insert(row.end(), {size_text(candidate), chance_text(finding)});
+        row.emplace_back(to_string(diagnosis.decision_on(finding)));
         (first.rows.size() < most ? first : others).rows.push_back(row);
     }
     return {first, others};
@@ -120,9 +138,10 @@ std::vector<PageTable> scan_tables(const PageContent& content, bool with_p) {
 
 /// Models that explain the readings, side by side.
 PageTable rivals_table(const PageContent& content) {
-    PageTable table{.caption = "Models that explain the readings, side by side",
-                    .head = {"further effects", "chi2", "degrees of freedom", "friction",
-                             "p: lack of fit", "p: another effect missing"}};
+    PageTable table{
+        .caption = "Models that explain the readings, side by side",
+        .head = {"further effects", "chi2", "degrees of freedom", "friction",
+                 "p (small: the model fails)", "p (small: a further effect is missing)"}};
     const Diagnosis& d = content.diagnosis.diagnosis;
     const auto add = [&](const FittedModel& each) {
         Cells names;
@@ -170,7 +189,13 @@ std::vector<PagePicture> pictures_of(const PageContent& content) {
     std::vector<PagePicture> pictures;
     for (const std::string& name : pictured_effects(content)) {
         const Effect& effect = catalogue.find(name);
-        PagePicture picture{name, effect.summary, cell_picture(effect), ""};
+        const auto& present = content.resolved.study().model.effects;
+        const bool has = std::ranges::find(present, name, &ListedEffect::name) != present.end();
+        PagePicture picture{.effect = name,
+                            .standing = has ? "in the model" : "",
+                            .summary = effect.summary,
+                            .cell = cell_picture(effect),
+                            .change = ""};
         try {
             if (predicts)
                 picture.change = change_picture(signature_figure(effect, study, simulation));
@@ -383,7 +408,18 @@ PageTexts page_texts(const PageContent& content) {
     // they differ.
     if (std::string granted = granted_line(d, content.resolved.study()); !granted.empty())
         texts.details.push_back(std::move(granted));
-    if (std::string odd = odd_file_line(d); !odd.empty()) texts.details.push_back(std::move(odd));
+    // A suspect recording is the headline itself.
+    if (d.diagnosis.verdict == Verdict::suspect_measurement) {
+        std::ranges::move(suspect_lines(d), std::back_inserter(texts.details));
+    } else {
+        std::string odd = odd_file_line(d);
+        if (odd.empty() && !files_line(d).empty()) odd = "No file stands out from the others.";
+        if (!odd.empty()) texts.details.push_back(std::move(odd));
+    }
+    if (content.calibrated) {
+        texts.details.emplace_back(
+            "This study was calibrated: its results folder has the value to report (fit.json).");
+    }
     texts.folded.push_back(paste_section(content));
     if (content.impacts) texts.folded.push_back(impact_section(content));
     texts.folded.push_back(provenance_section(content));

@@ -24,7 +24,9 @@ struct PageCopy {
 
 /// Pictures of an effect: what happens in the cell, and how the readings change.
 struct PagePicture {
-    std::string effect, summary;
+    std::string effect;
+    std::string standing;  ///< "in the model", or empty
+    std::string summary;
     std::string cell, change;  ///< SVG; `change` may be empty
 };
 

@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
+#include "reports/other_causes.h"
 #include "workflow/json/diagnosis.h"
 
 namespace pendular {
@@ -37,6 +39,28 @@ std::optional<std::size_t> combination_with(const std::vector<std::string>& adde
     return switched.models[index] ? std::optional(index) : std::nullopt;
 }
 
+/// The best of the models with an error corrected; empty unless the verdict is such an error.
+std::optional<CorrectedModel> corrected_model(const StudyDiagnosis& study) {
+    const std::vector<SuspectError> errors = suspect_errors(study);
+    if (errors.empty()) return std::nullopt;
+    const SuspectError& best = *std::ranges::min_element(
+        errors, {}, [](const SuspectError& error) { return error.model.fit.chi2; });
+    CorrectedModel model{.of = best.suspect.name};
+    const Eigen::VectorXd& predicted = best.model.fit.prediction.value;
+    for (std::size_t k = 0; k < study.readings.size(); ++k) {
+        for (std::size_t which = 0; which < 2; ++which) {
+            const auto of = static_cast<Eigen::Index>(which);
+            const double off = 100 * (1 - predicted(2 * static_cast<Eigen::Index>(k) + of) /
+                                              study.readings[k].value(of));
+            model.deviations[which].push_back(off);
+            model.rms[which] += off * off / static_cast<double>(study.readings.size());
+        }
+    }
+    for (double& rms : model.rms)
+        rms = std::sqrt(rms);
+    return model;
+}
+
 }  // namespace
 
 std::string step_name(const LadderStep& step) {
@@ -46,15 +70,14 @@ std::string step_name(const LadderStep& step) {
 
 PageStory page_story(const Ladder& ladder, const StudyDiagnosis& diagnosis,
                      const SwitchedModels& switched) {
-    PageStory story{.ladder = ladder};
+    PageStory story{.ladder = ladder, .corrected = corrected_model(diagnosis)};
     const std::size_t rivals = diagnosis.diagnosis.confidence_set.size();
     for (const FittedModel* model : proposed_models(diagnosis.diagnosis)) {
         const std::vector<std::string> added = names_of(*model, *diagnosis.models);
         story.proposed = combination_with(added, switched);
         if (!story.proposed) continue;
-        story.proposed_name =
-            fmt::format("+ {} ({})", fmt::join(added, ", "),
-                        rivals > 1 ? fmt::format("1 of {} rivals", rivals) : "proposed");
+        story.proposed_name = fmt::format("+ {}", fmt::join(added, ", "));
+        story.proposed_as = rivals > 1 ? fmt::format("1 of {} rivals", rivals) : "proposed";
         break;
     }
     return story;

@@ -7,6 +7,8 @@ const WIDTH = 460, WIDE = 940, HEIGHT = 320, LEFT = 66, RIGHT = 12, TOP = 12, BO
 const MOST_ENTRIES = 8;
 // Most names along an axis that the key of a narrow figure lists, beside its series.
 const MOST_NAMES = 6;
+// Width of a letter along an axis, of usual names in common fonts.
+const LETTER = 6.6;
 const AXIS_TEXT = {fill: "var(--ink)", "font-size": "12.5", "font-family": "system-ui, sans-serif"};
 // Okabe and Ito's colours, which stay apart for colour-blind readers, with a shape for each.
 // The style sheet has them for light and for dark pages.
@@ -65,9 +67,13 @@ function ticksOf(low, high, log, count) {
   return ticks.length >= 3 ? ticks : ticksAt(unit * (first > 0 ? steps[first - 1] : .5));
 }
 
+// A number with the sign of print.
+const withMinus = text => text.replace(/^(\(?)-/, "$1−");
+
 function tickText(value, step) {
   if (value === 0) return "0";
-  const size = Math.abs(value);
+  if (value < 0) return "−" + tickText(-value, step);
+  const size = value;
   if (size >= 1e5 || size < 1e-3) {
     const digits = step ? Math.max(0, Math.floor(Math.log10(size) + 1e-9) - Math.floor(Math.log10(step) + 1e-9)) : 0;
     return value.toExponential(Math.min(digits, 4)).replace("e+", "e");
@@ -119,7 +125,8 @@ function scaled(series, quantity) {
 }
 
 // A figure. `spec`: {name, title, xLabel, yLabel, logX, zero, lines, names(), times(), parts, wide, quantity, reach()};
-// with names, these stand at x = 0, 1, ... in place of numbers, and below them times; with parts, axes of these labels
+// with names, these stand at x = 0, 1, ... in place of numbers (numbers from 1 and a list in the key where they have no
+// room), and below them times or other second lines; with parts, axes of these labels
 // stand one above the other.
 // `reach()`: [[low, high], ...] of each part over all models between which a reader switches, which the axes hold so
 // that they stay. `quantity`: what the `value` of the series is.
@@ -158,6 +165,11 @@ class Plot {
     return [low - d, high + d];
   }
 
+  // Whether names along the axis do not touch: the room of each is that of the axis over the number of names.
+  roomFor(names) {
+    const times = this.spec.times ? this.spec.times() : [], longest = Math.max(...[...names, ...times].map(name => name.length));
+    return longest * LETTER < (this.width - LEFT - RIGHT) / (names.length + .2);
+  }
   // Width of the drawing: a wide figure is drawn anew where the page is narrow, so that its letters stay legible.
   get width() { return this.spec.wide && this.page.roomy() ? WIDE : WIDTH; }
 
@@ -190,20 +202,20 @@ class Plot {
     for (const entry of many.entries) this.keyEntry(entry);
     series.forEach((s, index) => this.drawSeries(s, index, xOf, yOfPart[s.part || 0]));
     const times = spec.times ? spec.times() : [];
-    if (names && width === WIDTH && names.length <= MOST_NAMES) names.forEach((name, x) => html("li", {}, this.key, `${x}: ${name}` + (times[x] ? `, ${times[x]}` : "")));
-    if (width !== WIDTH) times.forEach((time, x) => node("text", {...AXIS_TEXT, fill: "var(--soft)", x: xOf(x), y: HEIGHT - BOTTOM + 31, "text-anchor": "middle"}, this.svg, time));
+    if (names && !this.roomFor(names) && names.length <= (width === WIDTH ? MOST_NAMES : 2 * MOST_NAMES)) names.forEach((name, x) => html("li", {}, this.key, `${x + 1}: ${name}` + (times[x] ? `, ${times[x]}` : "")));
+    if (names && this.roomFor(names)) times.forEach((time, x) => node("text", {...AXIS_TEXT, fill: "var(--soft)", x: xOf(x), y: HEIGHT - BOTTOM + 31, "text-anchor": "middle"}, this.svg, time));
     this.mark();
   }
 
   axes(x0, x1, y0, y1, xOf, yOf, names, {label, top, bottom, last}) {
     const {spec, svg} = this;
     const text = AXIS_TEXT;
-    const every = names ? Math.ceil(names.length / 12) : 1;  // numbers of more names would touch
+    const every = names && !this.roomFor(names) ? Math.ceil(names.length / 12) : 1;  // numbers of more names would touch
     const xTicks = names ? names.map((_, k) => k).filter(k => k % every === 0) : ticksOf(x0, x1, spec.logX, 5), yTicks = ticksOf(y0, y1, false, bottom - top > 200 ? 5 : 4);
     const xStep = spec.logX ? 0 : xTicks[1] - xTicks[0], yStep = yTicks[1] - yTicks[0];
     for (const x of xTicks) {
       node("line", {x1: xOf(x), x2: xOf(x), y1: top, y2: bottom, stroke: "var(--grid)"}, svg);
-      if (last) node("text", {...text, x: xOf(x), y: bottom + 16, "text-anchor": "middle"}, svg, names ? this.width === WIDTH ? String(x) : names[x] : tickText(x, xStep));
+      if (last) node("text", {...text, x: xOf(x), y: bottom + 16, "text-anchor": "middle"}, svg, names ? this.roomFor(names) ? names[x] : String(x + 1) : tickText(x, xStep));
     }
     for (const y of yTicks) {
       node("line", {x1: LEFT, x2: this.width - RIGHT, y1: yOf(y), y2: yOf(y), stroke: "var(--grid)"}, svg);

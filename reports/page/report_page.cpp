@@ -30,7 +30,7 @@ data list_of(const std::vector<std::string>& texts) {
 /// Whether a column holds words: these are aligned on the left, numbers on the right.
 bool holds_words(const PageTable& table, std::size_t column) {
     return std::ranges::all_of(table.rows, [&](const Cells& row) {
-        return row[column].find_first_of("<+-0123456789") != 0;
+        return row[column].find_first_of("<~+-0123456789") != 0;
     });
 }
 
@@ -75,7 +75,10 @@ data to_data(const PageSection& section) {
     one.set("id", section.id);
     one.set("title", section.title);
     one.set("lines", list_of(section.lines));
-    one.set("commands", list_of(section.commands));
+    data commands{data::type::list};
+    for (const std::string& each : section.commands)
+        commands << each;
+    one.set("commands", commands);
     one.set("tables", tables);
     data copies{data::type::list};
     for (const PageCopy& each : section.copies) {
@@ -88,6 +91,7 @@ data to_data(const PageSection& section) {
     data pictures{data::type::list};
     for (const PagePicture& each : section.pictures) {
         data picture{"effect", each.effect};
+        if (!each.standing.empty()) picture.set("standing", each.standing);
         picture.set("summary", each.summary);
         picture.set("cell", each.cell);
         picture.set("change", each.change);

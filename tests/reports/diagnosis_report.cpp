@@ -133,25 +133,28 @@ TEST(DiagnosisTable, SaysWhatEachEffectLeaves) {
     expect_told({diagnosis_table(diagnosis, space, true).front()});
 }
 
-TEST(CloseEffects, AreNamedWithWhatTheyWouldLeave) {
+TEST(VerdictLine, SaysHowAloneTheMissingEffectStands) {
     const LinearSpace space = drag_and_slip();
     Diagnosis diagnosis;
     diagnosis.verdict = Verdict::missing;
+    diagnosis.complete = true;
+    diagnosis.effects = {"drag"};
     diagnosis.base.fit.chi2 = 1010, diagnosis.dof = 10;
     diagnosis.tried = {refit(0.1, true), refit(0.1, true)};
-    diagnosis.tried[0].accepted = true;
-    diagnosis.tried[1].chosen = {1};
-    for (FittedModel& each : diagnosis.tried) {
-        each.fit.dof = 9, each.fit.chi2 = 27;
-    }
-    expect_told(close_effects_lines(diagnosis, space));
-    // An effect of a set that fits is no other effect.
-    diagnosis.confidence_set = {refit(0.1, true)};
-    diagnosis.confidence_set[0].chosen = {0, 1};
-    EXPECT_THAT(close_effects_lines(diagnosis, space), testing::IsEmpty());
-    diagnosis.confidence_set.clear();
-    diagnosis.tried[1].fit.chi2 = 300;  // more than a tenth of the misfit is left
-    EXPECT_THAT(close_effects_lines(diagnosis, space), testing::IsEmpty());
+    diagnosis.tried[0].chosen = {0}, diagnosis.tried[1].chosen = {1};
+    diagnosis.tried[0].fit.chi2 = 9, diagnosis.tried[1].fit.chi2 = 27;
+    for (FittedModel& each : diagnosis.tried)
+        each.fit.dof = 9;
+    diagnosis.confidence_set = {diagnosis.tried[0]};
+    const std::string alone = verdict_line(diagnosis, space, {});
+    EXPECT_THAT(alone, testing::HasSubstr("next-best effect, slip"));
+    expect_told({alone});
+    // Of one that fits as well, since it contains the named effect, nothing is said.
+    diagnosis.tried[1].accepted = true;
+    expect_told({verdict_line(diagnosis, space, {})});
+    // A fit that did not converge leaves nothing known.
+    diagnosis.tried[1].accepted = diagnosis.tried[1].fit.converged = false;
+    expect_told({verdict_line(diagnosis, space, {})});
 }
 
 }  // namespace pendular::reports_diagnosis_test

@@ -10,6 +10,7 @@
 #include "data/study/study.h"
 #include "workflow/json/parts.h"
 #include "workflow/json/training_runs.h"
+#include "workflow/odd_recording.h"
 #include "workflow/proposed_effects.h"
 #include "workflow/rivals.h"
 
@@ -232,6 +233,22 @@ Json to_json(const ImpactTable& table) {
     return {{"single", impacts}, {"groups", groups}};
 }
 
+namespace {
+
+Json odd_file_json(const StudyDiagnosis& d) {
+    const auto odd = odd_recording(d);
+    if (!odd) return {};
+    return {{"file", odd->file},
+            {"observable", odd->observable == 0 ? "shear_stress" : "solid_fraction"},
+            {"deviation", odd->deviation},
+            {"others", odd->others},
+            {"files", odd->files},
+            {"p", odd->p},
+            {"stands_out", odd->stands_out()}};
+}
+
+}  // namespace
+
 Json to_json(const StudyDiagnosis& d, const Checks& checks,
              const std::optional<ImpactTable>& impacts, const Study& study,
              const DiagnosisTexts& texts) {
@@ -242,6 +259,7 @@ Json to_json(const StudyDiagnosis& d, const Checks& checks,
         d.diagnosis.holds_up_to > 0 ? Json(d.discrepancy[0] * d.diagnosis.holds_up_to) : Json();
     json["readings"] = {{"measured", d.measured}, {"tested", d.readings.size()}};
     json["recordings"] = recordings_json(d.recordings);
+    json["odd_file"] = odd_file_json(d);
     json["model_effects"] = names_of(study.model.effects);
     json["rivals"] = rivals_json(d.rivals);
     json["proposed"] = proposals_json(d.proposals, texts.proposals);
