@@ -16,6 +16,7 @@
 #include "reports/diagnosis_figures.h"
 #include "reports/diagnosis_output.h"
 #include "reports/diagnosis_report.h"
+#include "reports/diagnosis_table.h"
 #include "reports/impact_report.h"
 #include "reports/next_steps.h"
 #include "reports/proposal_report.h"
@@ -26,7 +27,7 @@
 namespace pendular::app {
 namespace {
 
-const char* const about_diagnose =
+const char* const about_verdicts =
     R"(Tests whether the study's model is complete and, if not, which physical effects explain the
 residuals. The command fits all readings together, tests the residuals for every effect that applies
 to the study, refits the model with the likely effects, and keeps the models with the fewest effects
@@ -46,23 +47,10 @@ torque that depends on the normal stress. Corrections that explain the readings 
 proposed.toml as [[effect]] tables. If the sensor that a correction concerns is right, add the first
 correction with 'pendular add STUDY --proposed 1'.
 Entries in the column 'decision' of the table of effects:
-  missing                   adding the effect explains the residuals
-  missing, with others      adding the effect explains most of the residuals, but not all
-  may be missing            one of several effects that explain the residuals equally well
-  may be missing too        part of another set of effects that explains the residuals as well
-  contains what is missing  the effect explains the residuals, but so does a model with fewer effects
-  explains most, not all    adding the effect removes at least 90 % of the excess of chi2, but leaves a
-                            misfit: it is not the likely cause, but worth a direct measurement
-  does not explain it       the residuals resemble the effect, but adding it leaves a misfit
-  outdone by a change       adding the effect explains the residuals, but a proposed change of unknown
-                            cause does so clearly better
-  no sign of it             something is missing, and the residuals do not resemble this effect
-  absent                    nothing is missing, and the effect would have been detected at the
-                            size that matters
-  cannot be excluded        the readings might not reveal the effect at that size
-  refit not converged       the fit with the effect did not converge: it is not tested
-  cannot be seen            the readings do not reveal the effect even at the bounds of its parameter
-An emulator trained on Pendular's own simulations (the atlas) and all stored ones predicts
+)";
+
+const char* const about_confirming =
+    R"(An emulator trained on Pendular's own simulations (the atlas) and all stored ones predicts
 the readings. New simulations are made only with --confirm: the command then simulates the states
 that reduce the errors of the best models most, and repeats the diagnosis with the results. It ends
 when the verdict stays the same, the simulations agree with the emulator and their noise enlarges no
@@ -90,7 +78,8 @@ ProposedEffects proposed_of(const StudyDiagnosis& d) {
 }  // namespace
 
 int diagnose(const std::vector<std::string>& arguments) {
-    Options options("diagnose STUDY [options]", about_diagnose,
+    const std::string about = about_verdicts + decisions_in_words() + about_confirming;
+    Options options("diagnose STUDY [options]", about.c_str(),
                     "  pendular diagnose my-study\n"
                     "  pendular diagnose my-study --json - --quiet\n"
                     "  pendular diagnose my-study --confirm 5\n",

@@ -29,6 +29,21 @@ std::vector<std::string> planned(const Session& session, const StudyDiagnosis& d
     }
 }
 
+/// The next command, where that is not the one that made the page.
+std::string next_on_page(const std::string& command, const CommonOptions& common) {
+    const std::string report = "pendular report";
+    return command.starts_with(report) ? "pendular next " + common.study_word() : command;
+}
+
+/// The calibration in the results folder; empty where there is none of the study as it is now.
+std::optional<FittedStudy> calibration_of(const Session& session) {
+    try {
+        return session.compare();
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
 }  // namespace
 
 std::string study_name(const std::filesystem::path& file) {
@@ -40,14 +55,13 @@ StudyPage study_page(const Session& session, const CommonOptions& common,
                      std::optional<std::size_t> switches, std::optional<std::size_t> version) {
     const StudyDiagnosis d = session.diagnose();
     const std::vector<PagePanel> panels = page_panels(d.readings, session.study());
-    // A page is to stay below 1 MB: that of 89 readings has 1.05 MB with six switches, made in 9 s on
-    // two cores, and 0.59 MB with five, in 7 s.
+    // A page is to stay below 1 MB: that of 89 readings has 1.05 MB with six switches, made in 9 s
+    // on two cores, and 0.59 MB with five, in 7 s.
     constexpr std::size_t usual = 6, many_readings = 60;
     const std::size_t most =
         switches.value_or(d.readings.size() > many_readings ? usual - 1 : usual);
     const SwitchOptions switching{.most = most, .along = points_of_curves(panels)};
     const auto folder = common.out_folder();
-    std::error_code error;
     std::vector<std::string> notes;
     const auto impacts = impacts_of(d, static_cast<std::size_t>(session.options().threads));
     const std::vector<NextStep> steps =
@@ -63,14 +77,14 @@ StudyPage study_page(const Session& session, const CommonOptions& common,
         .impacts = impacts,
         .ladder = read_ladder(folder / "ladder.json"),
         .steps = step_lines(steps, planned(session, d)),
-        .command = next_command(d.diagnosis, steps, common.study_word()),
+        .command = next_on_page(next_command(d.diagnosis, steps, common.study_word()), common),
         .switched = switched_models(session.resolved(), d, session.options(), switching),
         .panels = panels,
         .version = PENDULAR_VERSION,
         .options = session.options(),
         .runs = d.models->simulation().emulator().runs().size(),
         .runs_hash = runs.at("hash"),
-        .calibrated = std::filesystem::exists(folder / "fit.json", error),
+        .calibrated = calibration_of(session),
         .served_version = version,
         .recordings =
             recordings_of(session, [&](const std::string& note) { notes.push_back(note); })};

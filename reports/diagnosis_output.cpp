@@ -27,6 +27,7 @@ std::string caution(const StudyDiagnosis& d, const Measurements& measurements) {
     if (doubts_that_set_aside(measurements) > 0) {
         return " The verdict does not use the readings that were set aside as implausible.";
     }
+    if (const std::string doubt = doubt_line(d); !doubt.empty()) return " " + doubt;
     const bool said = d.diagnosis.verdict == Verdict::suspect_measurement;
     return measurements.doubts().empty() || said ? ""
                                                  : " Warnings on the readings are listed below.";

@@ -290,6 +290,13 @@ std::string with_effects(const FittedModel& explanation, const ModelSpace& space
 
 }  // namespace
 
+std::string doubt_line(const StudyDiagnosis& study) {
+    const Verdict verdict = study.diagnosis.verdict;
+    const bool fits = verdict == Verdict::nothing_missing || verdict == Verdict::inconclusive;
+    if (!fits || study.belief.believable()) return "";
+    return "Its fitted values are in doubt all the same: see the warnings.";
+}
+
 std::string friction_line(const StudyDiagnosis& study) {
     const Diagnosis& d = study.diagnosis;
     const StudyModelSpace& space = *study.models;
@@ -315,7 +322,8 @@ std::string friction_line(const StudyDiagnosis& study) {
                                    parameter_in_words(space.with({})->parameters().front().name),
                                    alone ? " is" : ":", fmt::join(values, "; "));
     if (alone) line.pop_back();
-    if (alone && d.complete) line += " ('pendular calibrate' gives the value to report)";
+    if (alone && d.complete && study.belief.believable())
+        line += " ('pendular calibrate' gives the value to report)";
     return line + (d.complete || d.leaders ? "." : ". Do not report it before the cause is found.");
 }
 
@@ -390,7 +398,7 @@ std::string verdict_headline(const Diagnosis& d, const ModelSpace& space, const 
         names.push_back(fmt::format("{} more", others));
     }
     return fmt::format(
-        "Something {} missing, and these readings do not tell what: {} explain them equally well.",
+        "Something {} missing, and these readings do not tell what: {} explain them about as well.",
         weak_evidence(d).empty() ? "is" : "may be", joined(names, "and"));
 }
 

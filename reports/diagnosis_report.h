@@ -60,6 +60,10 @@ std::string discrepancy_line(double size, double of_fraction);
 /// first. Empty if none has p < 0.05, or more than eight: the model then fails as a whole.
 std::string suspects_line(const Diagnosis& diagnosis, const Evidence& evidence);
 
+/// Returns a sentence that warns of a verdict that nothing is missing where the fit is not
+/// believable for other reasons (`Belief::reasons`); else empty.
+std::string doubt_line(const StudyDiagnosis& diagnosis);
+
 /// Returns a sentence with the friction coefficient [1] fitted to all readings, in the study's
 /// model and in up to three models that explain the readings. Empty if the readings are doubtful: a
 /// column was read in a wrong unit, or implausible readings were kept.

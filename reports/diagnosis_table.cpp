@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <string_view>
+#include <utility>
 
 #include "reports/effect_pages.h"
 #include "reports/failure_report.h"
@@ -23,7 +26,62 @@ const FittedModel* refit_with(const Diagnosis& d, std::size_t candidate) {
     return found == d.tried.end() ? nullptr : &*found;
 }
 
+/// Meaning of each decision; line breaks are those of the command's help.
+constexpr std::array<std::pair<Decision, std::string_view>, 13> meanings = {{
+    {Decision::missing, "adding the effect explains the residuals"},
+    {Decision::missing_with_others,
+     "adding the effect explains most of the residuals, but not all"},
+    {Decision::may_be_missing, "one of several effects that explain the residuals equally well"},
+    {Decision::may_be_missing_too,
+     "part of another set of effects that explains the residuals as well"},
+    {Decision::contains_missing,
+     "the effect explains the residuals, but so does a model with fewer effects"},
+    {Decision::explains_most_not_all,
+     "adding the effect removes at least 90 % of the excess of chi2, but leaves a\n"
+     "misfit: it is not the likely cause, but worth a direct measurement"},
+    {Decision::does_not_explain,
+     "the residuals resemble the effect, but adding it leaves a misfit"},
+    {Decision::outdone,
+     "adding the effect explains the residuals, but a proposed change of unknown\n"
+     "cause does so clearly better"},
+    {Decision::no_sign, "something is missing, and the residuals do not resemble this effect"},
+    {Decision::absent,
+     "nothing is missing, and the effect would have been detected at the\n"
+     "size that matters"},
+    {Decision::not_excluded, "the readings might not reveal the effect at that size"},
+    {Decision::not_converged, "the fit with the effect did not converge: it is not tested"},
+    {Decision::not_identifiable,
+     "the readings do not reveal the effect even at the bounds of its parameter"},
+}};
+
 }  // namespace
+
+std::string decisions_in_words() {
+    std::string text;
+    for (const auto& [decision, meaning] : meanings) {
+        text += fmt::format("  {:<26}", to_string(decision));
+        for (const char c : meaning) {
+            text += c;
+            if (c == '\n') text += std::string(28, ' ');
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string meaning_of(Decision decision) {
+    std::string text(
+        std::ranges::find(meanings, decision, &std::pair<Decision, std::string_view>::first)
+            ->second);
+    std::ranges::replace(text, '\n', ' ');
+    return text;
+}
+
+const Finding& finding_of(const Diagnosis& d, const ModelSpace& space, const std::string& name) {
+    return *std::ranges::find_if(d.scan, [&](const Finding& finding) {
+        return space.candidates()[finding.candidate].name == name;
+    });
+}
 
 std::string power_text(const Finding& finding) {
     return finding.p < significant_p ? "-" : fmt::format("{:.2f}", finding.power);
@@ -154,12 +212,6 @@ std::pair<std::string, std::string> sizes_apart(double one, double other, const 
     }
 }
 
-const Finding& finding_of(const Diagnosis& d, const ModelSpace& space, const std::string& name) {
-    return *std::ranges::find_if(d.scan, [&](const Finding& finding) {
-        return space.candidates()[finding.candidate].name == name;
-    });
-}
-
 /// Shift of the first parameter by an effect at its smallest size of interest; "-" where the table
 /// of impacts lacks the effect.
 std::string shift_by(const std::optional<ImpactTable>& impacts, const std::string& effect) {
@@ -223,16 +275,24 @@ std::vector<std::string> undetected_table(const StudyDiagnosis& study,
 
 std::string undetectable_line(const Diagnosis& d, const ModelSpace& space) {
     if (d.verdict != Verdict::inconclusive) return "";
-    std::vector<std::string> names;
+    constexpr double imitated = 0.9;  // less than a third of the change is left: sqrt(1 - 0.9)
+    std::vector<std::string> weak, alike;
     for (const Finding& finding : d.scan) {
-        if (!finding.identifiable) names.push_back(space.candidates()[finding.candidate].name);
+        if (finding.identifiable) continue;
+        auto& names = finding.test.share_imitated > imitated ? alike : weak;
+        names.push_back(space.candidates()[finding.candidate].name);
     }
-    if (names.empty()) return "";
-    const bool several = names.size() > 1;
-    return fmt::format(
-        "{} {} these readings too little to be detected at any size within the bounds of {}.",
-        joined(names, "and"), several ? "change" : "changes",
-        several ? "their parameters" : "its parameter");
+    std::string text;
+    if (!weak.empty()) {
+        text = fmt::format("{} {} these readings too little to be detected at any size.",
+                           joined(weak, "and"), weak.size() > 1 ? "change" : "changes");
+    }
+    if (!alike.empty()) {
+        text += fmt::format(
+            "{}What {} would change, the fitted parameters change too: these readings cannot tell.",
+            text.empty() ? "" : " ", joined(alike, "or"));
+    }
+    return text;
 }
 
 }  // namespace pendular

@@ -13,6 +13,15 @@
 
 namespace pendular {
 
+/// Returns what all decisions mean, as lines of a help text: the words, then the meaning.
+std::string decisions_in_words();
+/// Returns what a decision means: "the readings might not reveal the effect at that size".
+std::string meaning_of(Decision decision);
+
+/// Returns the test of an effect among the candidates of a diagnosis.
+const Finding& finding_of(const Diagnosis& diagnosis, const ModelSpace& space,
+                          const std::string& effect);
+
 /// Returns the power [1] as text, such as "0.83"; "-" if the score test is significant (p < 0.05),
 /// since power matters only for a test that found nothing.
 std::string power_text(const Finding& finding);

@@ -271,6 +271,8 @@ Output calibration_output(const FittedStudy& result, const Measurements& measure
     }
     if (all) output.table(predictions_table(comparison), 0);
     output.table(cohesion_table(c.cohesion_lines), 8);
+    if (!c.cohesion_lines.empty() && !belief.believable() && !belief.for_fitted_only)
+        output.line("These cohesions are in doubt for the reasons above, as the friction is.");
     output.notes(c.cohesion_notes);
     output.notes(c.notes);
     if (!c.fit.converged) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <iterator>
 #include <set>
@@ -19,6 +20,7 @@
 #include "reports/with_error.h"
 #include "reports/words.h"
 #include "workflow/next.h"
+#include "workflow/odd_recording.h"
 #include "workflow/rivals.h"
 
 namespace pendular {
@@ -35,6 +37,8 @@ class Steps {
         : d_(d), diagnosis_(d.diagnosis), impacts_(impacts), resolved_(resolved), study_(study) {}
 
     std::vector<NextStep> of_verdict() {
+        if (diagnosis_.verdict != Verdict::suspect_measurement) look_at_odd_recording();
+        check_far_error();
         switch (diagnosis_.verdict) {
             case Verdict::nothing_missing:
                 sharpen();
@@ -94,6 +98,8 @@ class Steps {
                         readings ? " (readings with a new filling)" : ""));
     }
 
+    void look_at_odd_recording();
+    void check_far_error();
     void missing();
     void inconclusive();
     void indistinguishable();
@@ -101,9 +107,17 @@ class Steps {
     void unknown();
     void measure_directly(const std::vector<std::string>& effects,
                           const std::vector<FittedModel>& models);
+    /// Says of an effect that is there anyway that it is to be added before others are sought.
+    void add_certain(const Effect& effect) {
+        say(
+            fmt::format("Add {} before you look for another cause, since {}; it acts in every cell "
+                        "in which beads rest on the base. Then diagnose again: pendular add {} {}.",
+                        effect.name, effect.certain, study_, effect.name));
+    }
     std::vector<std::string> effects_of_rivals() const;
     std::string expected(const Effect& effect, const std::vector<FittedModel>& models) const;
     std::string to_rule_out(const Effect& effect) const;
+    double error_to_rule_out(const Effect& effect) const;
     bool matters(const std::string& effect) const;
     /// Whether the study states a direct measurement of an effect already.
     bool measured(const std::string& effect) const {
@@ -129,21 +143,22 @@ class Steps {
     std::vector<NextStep> steps_;
 };
 
-/// Text of a standard error with which a deviation of this size is seen, rounded down to two
-/// digits.
-std::string deciding_error(double deviation, const std::string& unit) {
-    const double largest = std::abs(deviation) / std::sqrt(telling_directly);
-    if (!(largest > 0)) return with_unit(0, unit);
-    const double digit = std::pow(10, std::floor(std::log10(largest)) - 1);
-    return with_unit(std::floor(largest / digit) * digit, unit);
+/// Largest standard error with which a deviation of this size is seen.
+double deciding_error(double deviation) {
+    return std::abs(deviation) / std::sqrt(telling_directly);
 }
 
-/// End of a sentence on the standard error that decides about a deviation of a parameter: whether
-/// the error that the study states for the direct measurement is small enough.
-std::string reached(const Effect& effect, double deviation) {
+/// Text of a standard error, rounded down to two digits.
+std::string at_most(double error, const std::string& unit) {
+    if (!(error > 0)) return with_unit(0, unit);
+    const double digit = std::pow(10, std::floor(std::log10(error)) - 1);
+    return with_unit(std::floor(error / digit) * digit, unit);
+}
+
+/// End of a sentence on the standard error `needed` of a direct measurement: whether it reaches it.
+std::string reached(const Effect& effect, double needed) {
     if (effect.reachable_error == 0) return "";
-    const bool decides =
-        effect.reachable_error <= std::abs(deviation) / std::sqrt(telling_directly);
+    const bool decides = effect.reachable_error <= needed;
     return fmt::format("; {}, which the measurement reaches, {} enough",
                        with_unit(effect.reachable_error, effect.parameters.front().unit),
                        decides ? "is" : "is not");
@@ -174,7 +189,8 @@ std::string Steps::expected(const Effect& effect, const std::vector<FittedModel>
                     " If it is the cause, expect {} ({}; without the effect {}); a clearly "
                     "different value speaks against it. A standard error of {} or less decides{}.",
                     with_error(value, error, p.unit), p.meaning, with_unit(without, p.unit),
-                    deciding_error(value - without, p.unit), reached(effect, value - without));
+                    at_most(deciding_error(value - without), p.unit),
+                    reached(effect, deciding_error(value - without)));
             }
             at += static_cast<Eigen::Index>(candidate.free_parameters());
         }
@@ -186,19 +202,22 @@ void Steps::measure_directly(const std::vector<std::string>& effects,
                              const std::vector<FittedModel>& models) {
     std::vector<std::string> further, never;
     std::size_t named = 0;
+    // An effect that is named alone is added anyway.
     for (const std::string& name : effects) {
         const Effect& effect = resolved_.catalogue().find(name);
-        if (measured(name)) continue;
+        if (!effect.certain.empty() && effects.size() > 1) add_certain(effect);
+    }
+    for (const std::string& name : effects) {
+        const Effect& effect = resolved_.catalogue().find(name);
+        if (measured(name) || !effect.certain.empty()) continue;
         if (effect.directly.empty()) {
             never.push_back(name);
-            continue;
-        }
-        if (named++ >= most_direct) {
+        } else if (named++ >= most_direct) {
             further.push_back(fmt::format("{} by {}", name, effect.directly));
-            continue;
+        } else {
+            say_direct(fmt::format("Measure {} directly, by {}.{}", name, effect.directly,
+                                   expected(effect, models)));
         }
-        say_direct(fmt::format("Measure {} directly, by {}.{}", name, effect.directly,
-                               expected(effect, models)));
     }
     if (!further.empty()) {
         say(fmt::format("Measure the others directly too, if it is easy: {}.",
@@ -225,6 +244,33 @@ std::vector<std::string> Steps::effects_of_rivals() const {
         return resolved_.catalogue().find(name).directly.empty();
     });
     return effects;
+}
+
+/// A recording that stands out may be at fault whatever else is concluded.
+void Steps::look_at_odd_recording() {
+    const auto odd = odd_recording(d_);
+    if (!odd || !odd->stands_out()) return;
+    say(
+        fmt::format("Look at {} first, and repeat it with a new filling: its {} stands out from "
+                    "that of the other files.",
+                    std::filesystem::path(odd->file).filename().string(),
+                    odd->observable == 0 ? "shear stress" : "solid fraction"));
+}
+
+/// An error of the instrument that the readings need, and what acts like it, are measured before
+/// anything else is sought.
+void Steps::check_far_error() {
+    if (d_.belief.far.empty()) return;
+    const InstrumentError& far = d_.belief.far.front();
+    std::vector<std::string> names = far.alike;
+    names.insert(names.begin(), far.name);
+    // Most errors of an instrument, such as that of a radius, are no effects.
+    const std::vector<Effect>& known = resolved_.catalogue().all();
+    std::erase_if(names, [&](const std::string& name) {
+        const auto effect = std::ranges::find(known, name, &Effect::name);
+        return effect == known.end() || effect->directly.empty();
+    });
+    measure_directly(names, {});
 }
 
 void Steps::missing() {
@@ -262,15 +308,34 @@ void Steps::indistinguishable() {
     tell_apart(joined(diagnosis_.effects, "and"));
 }
 
+/// Largest standard error of a direct measurement that, entered into study.toml, makes the readings
+/// show the effect at its smallest size of interest. The readings lack a noncentrality of
+/// n ((d/s)^2 - 1), with n their own at this size s and d the smallest size that they show; the
+/// measurement brings (s/error)^2. Where n is not known, that of a measurement by itself.
+double Steps::error_to_rule_out(const Effect& effect) const {
+    const double size = effect.parameters.front().smallest_of_interest;
+    const Finding& finding = finding_of(diagnosis_, *d_.models, effect.name);
+    const ScoreTest& test = finding.test;
+    if (!test.seen() || !(test.length > 0) || !std::isfinite(finding.detectable))
+        return deciding_error(size);
+    const double own = std::pow(std::max(0.0, test.information), 2) / test.length;
+    const double lacking = own * (std::pow(finding.detectable / size, 2) - 1);
+    // A tenth less: the value that is found shifts the fit a little.
+    constexpr double margin = 0.9;
+    return lacking > 0 ? margin * size / std::sqrt(lacking) : deciding_error(size);
+}
+
 /// Sentence on the accuracy that rules an effect out at its smallest size of interest.
 std::string Steps::to_rule_out(const Effect& effect) const {
     const EffectParameter& p = effect.parameters.front();
     if (p.is_switch()) return "";
+    const double needed = error_to_rule_out(effect);
     return fmt::format(
-        " A standard error of {} or less shows whether the {} differs from {} by {}{}.",
-        deciding_error(p.smallest_of_interest, p.unit), p.meaning,
+        " A standard error of {} or less shows, together with the readings, whether the {} differs "
+        "from {} by {}{}.",
+        at_most(needed, p.unit), p.meaning,
         with_unit(effect.unlisted_value(resolved_.study().liquid), p.unit, 3),
-        with_unit(p.smallest_of_interest, p.unit), reached(effect, p.smallest_of_interest));
+        with_unit(p.smallest_of_interest, p.unit), reached(effect, needed));
 }
 
 /// Whether an effect of the smallest size of interest would shift the fitted friction coefficient
@@ -472,7 +537,7 @@ std::string next_command(const Diagnosis& diagnosis, const std::vector<NextStep>
         case Verdict::inconclusive:
             break;
     }
-    return fmt::format("pendular compare {}", study);
+    return fmt::format("pendular report {}", study);
 }
 
 }  // namespace pendular

@@ -16,6 +16,7 @@
 #include "analysis/misfit/compare.h"
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/calibration.h"
+#include "calib/fit/parameter_errors.h"
 #include "data/input_error.h"
 #include "data/quantities/quantity.h"
 #include "data/recordings/reading_groups.h"
@@ -171,8 +172,12 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     // Proposals and faults of the recordings have a say in the verdict, which is drawn again.
     conclude_anew(result.diagnosis, *result.models, options, beside);
     if (!result.diagnosis.proposals_stand) result.proposals.clear();
+    Fit judged = fit;
+    // Where something is missing, the verdict says what the readings need.
+    if (result.diagnosis.base.accepted)
+        add_instrument(judged, *model, result.readings, result.models->direct());
     result.belief =
-        belief_in(fit, model->parameters(), agreement, {}, measurements, result.mistake);
+        belief_in(judged, model->parameters(), agreement, {}, measurements, result.mistake);
     return result;
 }
 

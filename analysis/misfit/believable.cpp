@@ -199,9 +199,8 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
             "The fitted {} is {:.3g}, at the end of its range, {}.", parameters[k].name,
             fit.parameters(static_cast<Eigen::Index>(k)), range_text(fit, parameters, k)));
     }
-    if (const auto far = far_errors(fit); !far.empty() && !undescribed) {
-        belief.reasons.push_back(far_text(far.front()));
-    }
+    if (!undescribed) belief.far = far_errors(fit);
+    if (!belief.far.empty()) belief.reasons.push_back(far_text(belief.far.front()));
     add_doubts(belief, measurements);
     if (predicted && predicted->degree() == Agreement::Degree::fails) {
         belief.for_fitted_only = belief.reasons.empty();

@@ -62,6 +62,9 @@ struct Belief {
     std::optional<Agreement> predicted = {};  ///< of readings that were predicted, not fitted
     /// Sentences for the user with the reasons not to believe the fit, the most serious first.
     std::vector<std::string> reasons;
+    /// Errors that all readings share and that these would need far from 0, the farthest first,
+    /// where they are a reason.
+    std::vector<InstrumentError> far = {};
     /// Whether the fitted values are meaningless: the model does not describe the readings and the
     /// friction coefficient is at the end of its range, or the import excluded more readings than
     /// it kept.

@@ -46,7 +46,7 @@ class LadderPicture {
         const rms = known && !column.off ? this.page.rmsOf(column.now ? null : column.index, which) : column.rms[which];
         if (known) this.deviations(column.now ? null : column.index, which, column.off).forEach((y, id) =>
           points[this.dry[id] ? 0 : 1].push({x: x + (n > 1 ? width * (id / (n - 1) - .5) : 0), y, id}));
-        bars.push({x, y: rms, half}, {x, y: -rms, half, mirrored: true});
+        bars.push({x, y: rms, half, stem: true}, {x, y: -rms, half, stem: true, mirrored: true});
         texts.push({x: x + width / 2 + .04, y: rms, text: `${rms < .995 ? rms.toFixed(2) : rms.toPrecision(3)} %`});
         if (!column.now) line.push([x, rms]);
       });

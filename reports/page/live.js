@@ -193,8 +193,11 @@ class Page {
       label.append(" " + s.name + " ");
       const gain = html("span", {class: "gain"}, label);
       box.addEventListener("change", () => this.flip(k, box.checked));
-      return {box, gain};
+      return {box, gain, label};
     });
+    // Those that are in the model first, then those with which chi2 falls most. Later switching keeps the order.
+    const chi2With = k => { const other = this.models[this.index ^ 1 << k]; return this.isOn(k) ? -1 : other.why_not === undefined ? other.chi2 : Infinity; };
+    this.boxes.map((box, k) => k).sort((a, b) => chi2With(a) - chi2With(b)).forEach(k => field.append(this.boxes[k].label));
     if (this.boxes.length === 0) { html("p", {}, field, "This page has no switches: no effect leads, or it was made with --switches 0."); return; }
     const label = html("label", {class: "axes", title: "Axes that stay show how far the model moves; axes that follow show the present model closely."}, field);
     const box = html("input", {type: "checkbox", id: "keep-axes"}, label);
@@ -246,7 +249,7 @@ class Page {
   makePlots() {
     const place = id => document.getElementById(id), labels = ["stress ratio [1]", "solid fraction [1]"], names = ["stress-ratio", "solid-fraction"];
     this.ladder = new LadderPicture(this);
-    this.plots.push(new Plot(place("ladder-figure"), {name: "ladder", title: "Deviation of each reading from the model, as effects were added", wide: true,
+    this.plots.push(new Plot(place("ladder-figure"), {name: "ladder", title: "Deviation of each reading from the model", wide: true,
       xLabel: "", parts: ["shear stress [%]", "solid fraction [%]"], lines: true, names: () => this.ladder.names(), times: () => this.ladder.times(), reach: () => this.ladder.reach()}, () => this.ladder.series(), this));
     this.data.panels.forEach((panel, number) => [0, 1].forEach(which => {
       this.plots.push(new Plot(place("figures"), {name: `${panel.title.split(" ")[0].toLowerCase()}-${names[which]}`, title: `${panel.title}: ${["stress ratio", "solid fraction"][which]}`,
@@ -431,7 +434,7 @@ class Page {
     if (id === this.here) return;
     this.here = id;
     this.markPlots();
-    if (id >= 0) this.tell(id);
+    if (id >= 0) this.tell(id); else document.getElementById("reading").classList.remove("afloat");
   }
   // Describes a reading; the line stays when the pointer leaves, so that it follows the model.
   tell(id) {
@@ -441,7 +444,15 @@ class Page {
       `Solid fraction ${withError(r.values[1], r.errors[1])}, model ${predicted[1].toFixed(4)} (${withMinus(off[1].toFixed(1))} errors).`);
     this.told = id;
   }
-  say(text) { this.told = -1; document.getElementById("reading").textContent = text; }
+  say(text) { this.told = -1; this.line(text); }
+  // The line on a reading, at the lower edge of the window where its place is out of sight.
+  line(text) {
+    const line = document.getElementById("reading");
+    line.textContent = text;
+    line.classList.remove("afloat");
+    const box = line.getBoundingClientRect();
+    line.classList.toggle("afloat", this.here >= 0 && (box.bottom < 0 || box.top > innerHeight));
+  }
   markOnly(ids) {
     this.marked = new Set(ids.filter(id => id >= 0));
     this.markPlots();

@@ -11,6 +11,7 @@
 #include "data/reading.h"
 #include "reports/page/page_curves.h"
 #include "reports/page/page_data.h"
+#include "workflow/fitted_study.h"
 #include "workflow/study_diagnosis.h"
 #include "workflow/switched_models.h"
 
@@ -37,7 +38,8 @@ struct PageContent {
     SessionOptions options;         ///< the page states the name of the fidelity and the seed
     std::size_t runs = 0;           ///< number of training simulations
     std::string runs_hash = {};     ///< of these simulations (`runs_json`)
-    bool calibrated = false;        ///< whether the results folder has a fit of the study
+    /// Calibration in the results folder; empty: none, or of an earlier study.
+    std::optional<FittedStudy> calibrated = {};
     /// Version number of the page, by which a browser finds out that `pendular serve` has a newer
     /// page. Empty for a page without a server.
     std::optional<std::size_t> served_version = {};

@@ -8,6 +8,7 @@
 
 #include "calib/fit/calibrate_study.h"
 #include "data/files/csv.h"
+#include "reports/diagnosis_report.h"
 #include "reports/failure_report.h"
 #include "reports/page/page_data.h"
 #include "reports/tables.h"
@@ -213,10 +214,16 @@ PasteTexts paste_texts(const PageContent& content) {
     if (!current) return {};
     const std::vector<PasteRow> rows = rows_of(*current);
     std::string caution;
-    if (!content.diagnosis.belief.reasons.empty()) {
-        caution = fmt::format("Not for a paper as it is: {}\n\n",
-                              fmt::join(content.diagnosis.belief.reasons, " "));
+    std::vector<std::string> reasons = content.diagnosis.belief.reasons;
+    const Diagnosis& diagnosis = content.diagnosis.diagnosis;
+    const bool stands =
+        diagnosis.verdict == Verdict::nothing_missing || diagnosis.verdict == Verdict::inconclusive;
+    if (!stands) {
+        reasons.insert(reasons.begin(),
+                       verdict_headline(diagnosis, *content.diagnosis.models, content.checks));
     }
+    if (!reasons.empty())
+        caution = fmt::format("Not for a paper as it is: {}\n\n", fmt::join(reasons, " "));
     return {.csv = csv_of(rows),
             .latex = latex_of(rows),
             .methods = page_text(fmt::format("{}{} {}\n\nReferences:\n{}\n", caution,

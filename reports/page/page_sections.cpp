@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <set>
@@ -77,8 +78,37 @@ PageSection ladder_section(const PageContent& content) {
     return section;
 }
 
+/// Sentence on a model on one side of nearly all readings, as one that balances stress against
+/// solid fraction is; empty where it is not.
+std::string side_line(const StudyDiagnosis& d) {
+    constexpr double nearly_all = 0.9;  // of readings around zero, chance has half on a side
+    const Eigen::VectorXd& predicted = d.diagnosis.base.fit.prediction.value;
+    std::vector<std::string> sides;
+    for (const Eigen::Index which : {0, 1}) {
+        double mean = 0, above = 0;
+        const auto count = static_cast<double>(d.readings.size());
+        for (std::size_t k = 0; k < d.readings.size(); ++k) {
+            const double off =
+                d.readings[k].value(which) / predicted(2 * static_cast<Eigen::Index>(k) + which) -
+                1;
+            mean += off / count;
+            above += off > 0 ? 1 / count : 0;
+        }
+        if (above > 1 - nearly_all && above < nearly_all) continue;
+        sides.push_back(fmt::format("the {} {:.2g} % {}",
+                                    which == 0 ? "shear stress" : "solid fraction",
+                                    100 * std::abs(mean), mean > 0 ? "higher" : "lower"));
+    }
+    if (sides.empty()) return "";
+    return fmt::format(
+        "At nearly all conditions alike, although the model is fitted: on average, {} than by the "
+        "model.",
+        joined(sides, "and"));
+}
+
 PageSection where_section(const PageContent& content) {
     const bool fails = !significant_checks(content.checks).empty();
+    const std::string everywhere = side_line(content.diagnosis);
     PageSection section{.id = "where",
                         .title = fails ? "Where the model fails" : "Residuals of the readings",
                         .figures = "residual-figures"};
@@ -86,9 +116,10 @@ PageSection where_section(const PageContent& content) {
         section.lines.push_back(trimmed(line));
     }
     if (section.lines.empty()) section.lines = {"No check of the residuals fails."};
+    if (!everywhere.empty()) section.lines.insert(section.lines.begin(), everywhere);
     if (std::string files = files_line(content.diagnosis); !files.empty())
         section.lines.insert(section.lines.begin(), std::move(files));
-    constexpr std::size_t most = 5;  // files, the heading and the three most significant checks
+    constexpr std::size_t most = 6;  // files, side, heading and the three most significant checks
     fold_after(section, most, "All checks that fail");
     return section;
 }
@@ -114,7 +145,7 @@ std::vector<PageTable> scan_tables(const PageContent& content, bool with_p) {
     const bool with_chance = std::ranges::any_of(
         diagnosis.scan, [](const Finding& finding) { return finding.p >= significant_p; });
     Cells head = {"effect", "group", "value in the model", "chi2/dof with it"};
-    if (with_p) head.emplace_back("p (small: it improves the model)");
+    if (with_p) head.emplace_back("p, of all tests (small: it improves the model)");
     if (with_chance)
         head.insert(head.end(), {"size that matters", "chance to detect that size [%]"});
     head.emplace_back("decision");
@@ -134,6 +165,22 @@ std::vector<PageTable> scan_tables(const PageContent& content, bool with_p) {
         (first.rows.size() < most ? first : others).rows.push_back(row);
     }
     return {first, others};
+}
+
+/// Explanation of the words in the tables of effects, with the decisions that occur.
+std::string words_of_tables(const StudyDiagnosis& study) {
+    std::vector<std::string> decisions;
+    std::set<Decision> seen;
+    for (const Finding& finding : study.diagnosis.scan) {
+        const Decision decision = study.diagnosis.decision_on(finding);
+        if (!seen.insert(decision).second) continue;
+        decisions.push_back(fmt::format("\"{}\": {}", to_string(decision), meaning_of(decision)));
+    }
+    return fmt::format(
+        "chi2/dof: mean square of residual/error, about 1 where a model fits; ~: predicted, not "
+        "fitted. switch: an effect that is there or not. The chance counts that all effects are "
+        "tested at once, and how well repeated readings state the errors. Decisions: {}.",
+        fmt::join(decisions, "; "));
 }
 
 /// Models that explain the readings, side by side.
@@ -231,6 +278,7 @@ PageSection effects_section(const PageContent& content) {
             p_text(least->p, "")));
     }
     section.pictures = pictures_of(content);
+    section.note = words_of_tables(d);
     section.tables = {rivals_table(content)};
     std::ranges::move(scan_tables(content, with_p), std::back_inserter(section.tables));
     return section;
@@ -359,11 +407,20 @@ std::vector<std::string> warnings_of(const PageContent& content) {
             "beads without liquid as well.");
     } else if (!content.calibrated) {
         warnings.push_back(fmt::format(
-            "This study has not been calibrated yet: give 'pendular calibrate {}' to confirm its "
-            "fit by simulations.",
+            "The friction of this study is not confirmed by simulations yet: pendular calibrate {}",
             content.study_argument));
     }
     return warnings;
+}
+
+/// The value that `pendular calibrate` gave, for the study as it is.
+std::string calibrated_line(const FittedStudy& fitted) {
+    return fmt::format("By 'pendular calibrate', the {} is {}{}.",
+                       parameter_in_words(fitted.calibration.parameters.front().name),
+                       estimate_text(fitted.calibration.fit, 0, "1"),
+                       fitted.belief.reasons.empty() ? ": the value to report"
+                                                     : "; do not use it before the warnings below "
+                                                       "are dealt with");
 }
 
 /// Sentences on the fits of the page, for its provenance.
@@ -401,6 +458,8 @@ PageTexts page_texts(const PageContent& content) {
     if (std::string rest = begins_so ? trimmed(answer.substr(headline.size())) : answer;
         !rest.empty())
         texts.details.push_back(std::move(rest));
+    if (std::string doubt = doubt_line(d); !doubt.empty()) texts.headline += " " + doubt;
+    std::ranges::move(suspect_lines(d), std::back_inserter(texts.details));
     if (std::string friction = friction_line(d); !friction.empty()) {
         texts.details.push_back(std::move(friction));
     }
@@ -409,17 +468,12 @@ PageTexts page_texts(const PageContent& content) {
     if (std::string granted = granted_line(d, content.resolved.study()); !granted.empty())
         texts.details.push_back(std::move(granted));
     // A suspect recording is the headline itself.
-    if (d.diagnosis.verdict == Verdict::suspect_measurement) {
-        std::ranges::move(suspect_lines(d), std::back_inserter(texts.details));
-    } else {
+    if (d.diagnosis.verdict != Verdict::suspect_measurement) {
         std::string odd = odd_file_line(d);
         if (odd.empty() && !files_line(d).empty()) odd = "No file stands out from the others.";
         if (!odd.empty()) texts.details.push_back(std::move(odd));
     }
-    if (content.calibrated) {
-        texts.details.emplace_back(
-            "This study was calibrated: its results folder has the value to report (fit.json).");
-    }
+    if (content.calibrated) texts.details.push_back(calibrated_line(*content.calibrated));
     texts.folded.push_back(paste_section(content));
     if (content.impacts) texts.folded.push_back(impact_section(content));
     texts.folded.push_back(provenance_section(content));

@@ -38,6 +38,7 @@ struct PageSection {
     std::string more_title = {};
     std::vector<std::string> more = {};
     std::vector<std::string> commands = {};
+    std::string note = {};  ///< what the tables' words mean
     std::vector<PageTable> tables = {};
     std::vector<PageCopy> copies = {};
     std::vector<PagePicture> pictures = {};

@@ -6,7 +6,7 @@ namespace pendular {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PageTable, caption, head, rows, folded)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PageCopy, id, label, text)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PageSection, id, title, lines, more_title, more, commands,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PageSection, id, title, lines, more_title, more, commands, note,
                                    tables, copies, figures)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PageTexts, study, version, headline, details, measure, warnings,
                                    ladder, story, folded, recordings)

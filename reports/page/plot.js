@@ -237,6 +237,8 @@ class Plot {
     }
     for (const m of s.marks || []) {
       const x = xOf(m.x), y = yOf(m.y), half = m.half || 5;
+      // A stem to zero joins the two ends of a range around it.
+      if (m.stem) node("path", {d: `M${x.toFixed(1)} ${y.toFixed(2)}V${yOf(0).toFixed(2)}`, stroke: colour, "stroke-width": 1}, this.svg);
       node("path", {d: `M${(x - half).toFixed(1)} ${y.toFixed(2)}h${2 * half}`, stroke: colour, "stroke-width": 2, class: "mark"}, this.svg);
     }
     const hollow = ["plus", "cross", "ring"].includes(shape), radius = s.radius || 4.2;
@@ -246,7 +248,7 @@ class Plot {
       const point = node("path", {d: shapePath(shape, x, y, radius), fill: hollow ? "none" : colour, stroke: colour, "stroke-width": hollow ? 1.8 : 1, "data-id": p.id}, this.svg);
       this.places.push({x, y, id: p.id, point, bar});
     }
-    for (const t of s.texts || []) node("text", {x: xOf(t.x), y: yOf(t.y) + 4, "text-anchor": "start", fill: "var(--ink)", "font-size": "12.5", "font-weight": 650, "font-family": "system-ui, sans-serif",
+    for (const t of s.texts || []) node("text", {x: xOf(t.x), y: this.spec.lines ? Math.min(yOf(t.y) + 4, yOf(0) - 5) : yOf(t.y) + 4, "text-anchor": "start", fill: "var(--ink)", "font-size": "12.5", "font-weight": 650, "font-family": "system-ui, sans-serif",
       stroke: "var(--ground)", "stroke-width": 4, "paint-order": "stroke"}, this.svg, t.text);
     if (s.label && !s.keyless) this.keyEntry({label: s.label, straight: s.straight, width: s.width, dash: s.dash, shape, colour});
   }

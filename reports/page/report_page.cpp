@@ -79,6 +79,7 @@ data to_data(const PageSection& section) {
     for (const std::string& each : section.commands)
         commands << each;
     one.set("commands", commands);
+    if (!section.note.empty()) one.set("note", page_text(section.note));
     one.set("tables", tables);
     data copies{data::type::list};
     for (const PageCopy& each : section.copies) {

@@ -128,6 +128,8 @@ struct Effect {
     std::vector<std::string> acts_through;
     std::string directly = {};   ///< what measures the parameter directly, such as "a viscometer"
     double reachable_error = 0;  ///< standard error of `directly` in the parameter's unit
+    /// Why the effect is there without being measured, as a clause; empty: it may be absent.
+    std::string certain = {};
     std::vector<std::string> references;
 
     bool of_instrument() const { return std::holds_alternative<ChangeInstrument>(change); }

@@ -22,6 +22,7 @@ Effect grain_weight() {
                                        },
                                    .where = ChangeInstrument::Where::grains},
         .acts_through = {"1/normal_stress", "bead_volume"},
+        .certain = "the weight of the beads follows from the bead mass in study.toml",
         .references = {"Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
                        "macroscopic cohesion and effective stress (2018)",
                        "Janssen, Z. Ver. dt. Ing. 39 (1895) 1045"}};

@@ -27,7 +27,7 @@ class ReportTest : public testing::Test {
 
 TEST_F(ReportTest, OfAStudyThatWasNeverCalibratedSaysSo) {
     EXPECT_EQ(report().code, 0);
-    EXPECT_THAT(page(), HasSubstr("This study has not been calibrated yet: give"));
+    EXPECT_THAT(page(), HasSubstr("is not confirmed by simulations yet: pendular calibrate"));
 }
 
 TEST_F(ReportTest, OfAStudyWithoutWetReadingsShowsDryReadingsOnly) {

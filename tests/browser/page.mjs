@@ -53,6 +53,26 @@ try {
   await check("the error that falls has no column for switches that nobody has touched", async () => {
     assert.deepEqual(await page.evaluate(() => [window.page.ladder.names(), window.page.ladder.times()]), [["this study", "+ wall-friction"], ["", "proposed"]]);
   });
+  await check("switches stand in the order of what they bring", async () => {
+    const chi2s = await page.evaluate(() => [...document.querySelectorAll("#switches input[data-effect]")].map(box => {
+      const {page} = window, k = page.data.switches.findIndex(s => s.name === box.dataset.effect);
+      return page.models[page.index ^ 1 << k].chi2;
+    }));
+    assert.equal(chi2s.length, 3);
+    assert.deepEqual(chi2s, [...chi2s].sort((a, b) => a - b));
+  });
+  await check("the line on a reading is in sight wherever the reading is pointed at", async () => {
+    const seen = () => page.evaluate(() => { const box = document.getElementById("reading").getBoundingClientRect(); return box.top < innerHeight && box.bottom > 0; });
+    const height = await page.evaluate(() => innerHeight);
+    await page.setViewportSize({width: 1600, height: 500});
+    await page.evaluate(() => scrollTo(0, 0));
+    assert.equal(await seen(), false);
+    await page.evaluate(() => window.page.show(3));
+    assert.equal(await seen(), true);
+    await page.evaluate(() => window.page.show(-1));
+    assert.equal(await seen(), false);
+    await page.setViewportSize({width: 1600, height});
+  });
   await check("a switch shows what 'pendular add' gives", async () => {
     await page.locator("input[data-effect=wall-friction]").check();
     pendular("add", study, "wall-friction", "--quiet", "--json", join(folder, "add.json"));

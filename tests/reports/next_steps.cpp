@@ -1,6 +1,12 @@
 // What to do after each verdict, from a diagnosis whose verdict is changed for the purpose.
 #include "reports/next_steps.h"
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <regex>
+#include <sstream>
+
 #include "reports/diagnosis_report.h"
 #include "reports/diagnosis_table.h"
 #include "reports/other_causes.h"
@@ -215,6 +221,65 @@ TEST_F(NextSteps, TellCausesInTheBeadsApart) {
     const double before = other[0].predictor->predict(parameters, at).value(1);
     parameters.tail<1>()(0) = 0.1;
     EXPECT_NEAR(other[0].predictor->predict(parameters, at).value(1), 1.1 * before, 1e-6);
+}
+
+/// Study of the missing effect's example in which the effect is listed.
+fs::path with_its_effect(const TemporaryFolder& folder) {
+    const fs::path study = folder.path() / "study";
+    fs::copy(fs::path(PENDULAR_SOURCE_DIR) / "examples/hidden-effect", study);
+    std::string text = content_of(study / "study.toml");
+    const std::string none = "effects = []";
+    text.replace(text.find(none), none.size(), "effects = [\"wall-friction\"]");
+    folder.write("study/study.toml", text);
+    return study;
+}
+
+std::string_view decision_on(const StudyDiagnosis& d, const std::string& effect) {
+    return to_string(d.diagnosis.decision_on(finding_of(d.diagnosis, *d.models, effect)));
+}
+
+// Advice that, once followed, settles what it promises to settle.
+TEST(NextStepsFollowed, RuleOutAnEffectByAMeasurementOfTheErrorThatTheyName) {
+    const TemporaryFolder folder;
+    const fs::path study = with_its_effect(folder);
+    const Session session(study, {.fidelity = fidelity_named("quick")});
+    const StudyDiagnosis before = session.diagnose();
+    ASSERT_EQ(before.diagnosis.verdict, Verdict::inconclusive);
+    ASSERT_EQ(decision_on(before, "bead-loss"), "cannot be excluded");
+    std::string error;
+    for (const std::string& text : texts_of(next_steps(before, {}, session.resolved(), "beads"))) {
+        std::smatch found;
+        const std::regex advice("bead-loss, measure.* A standard error of ([0-9.]+) or less");
+        if (std::regex_search(text, found, advice)) error = found[1];
+    }
+    ASSERT_FALSE(error.empty());
+    folder.write("study/study.toml",
+                 content_of(study / "study.toml") +
+                     "\n[[direct]]\neffect = \"bead-loss\"\nvalue = 0\nerror = " + error + "\n");
+    EXPECT_EQ(
+        decision_on(Session(study, {.fidelity = fidelity_named("quick")}).diagnose(), "bead-loss"),
+        "absent");
+}
+
+TEST(NextStepsFollowed, BeginWithARecordingThatStandsOut) {
+    const TemporaryFolder folder;
+    const fs::path study = with_its_effect(folder);
+    std::istringstream lines(content_of(study / "dry_2.csv"));
+    std::string line, text;
+    while (std::getline(lines, line)) {
+        const std::regex torque("^([^,]*),([^,]*),");
+        std::smatch cells;
+        if (std::regex_search(line, cells, torque) && cells[2].str()[0] != 'T')
+            line = fmt::format("{},{:.6g},{}", cells[1].str(), 1.1 * std::stod(cells[2]),
+                               cells.suffix().str());
+        text += line + "\n";
+    }
+    folder.write("study/dry_2.csv", text);
+    const Session session(study, {.fidelity = fidelity_named("quick")});
+    const StudyDiagnosis d = session.diagnose();
+    EXPECT_THAT(texts_of(next_steps(d, {}, session.resolved(), "beads")).front(),
+                testing::StartsWith("Look at dry_2.csv first"));
+    expect_told({doubt_line(d)});
 }
 
 }  // namespace pendular::next_steps_test
