@@ -3,9 +3,11 @@
 ship, and asks Pendular what is missing. Neither LAMMPS nor a new simulation is needed.
 
     studies.py PROGRAM [--work FOLDER] [--out FILE] [--state-walls] [--only TEXT] [--fillings]
+        [--replicate N]
 
 --state-walls: study.toml states the friction of the side walls, and what they mobilise.
 --fillings: cells of the same walls and several heights are one study of several fillings.
+--replicate: of this sample alone (1 or 2); otherwise a study has recordings of each.
 """
 import argparse
 import csv
@@ -56,11 +58,12 @@ bead_mass = "{mass:.6g} g"
 """
 
 
-def tables():
+def tables(replicate=None):
     """States and series by cell, set point and replicate."""
     states, series = {}, defaultdict(list)
     for row in rows_of("states.csv"):
-        states[key_of(row)] = row
+        if replicate in (None, key_of(row)[3]):
+            states[key_of(row)] = row
     for row in rows_of("series.csv"):
         series[key_of(row)].append(
             [float(row[name]) for name in ("shear_stress [s22]", "normal_stress [s22]", "gap [a]")]
@@ -166,14 +169,14 @@ def friction_of(fit):
 
 
 def chosen(diagnosis, said):
-    """Effect that a user would add: the one that a warning of import or the diagnosis names, or, of
-    several that cannot be told apart, the one that the warnings suggest."""
+    """Effects that a user would add: those that the diagnosis says are missing, and the one that a
+    warning of import names; of several that cannot be told apart, the one that the warnings suggest."""
     effects = diagnosis.get("effects", [])
-    if "shear-localisation" in effects or "The effect shear-localisation describes" in said:
-        return "shear-localisation"
-    if diagnosis.get("verdict") == "missing" and len(effects) == 1:
-        return effects[0]
-    return ""
+    names = effects if diagnosis.get("verdict") == "missing" else []
+    walls = "shear-localisation"
+    if walls not in names and (walls in effects or f"The effect {walls} describes" in said):
+        names = [*names, walls]
+    return names
 
 
 def added(program, work, folder, names):
@@ -209,15 +212,16 @@ def judged(program, work, folder, friction, found):
     # Where there are too few readings, the program says so in place of a verdict.
     row["verdict"] = diagnosis.get("verdict", "none")
     row["effects"] = " ".join(diagnosis.get("effects", []))
-    row["added"] = chosen(diagnosis, said)
-    after = added(program, work, folder, [row["added"]]) if row["added"] else {}
+    missing = chosen(diagnosis, said)
+    row["added"] = " ".join(missing)
+    after = added(program, work, folder, missing) if missing else {}
     names = ("friction added", "stderr added", "with instrument added")
     row |= dict(zip(names, friction_of(after)))
     coefficient = after.get("parameters", {}).get("shear-localisation.coefficient")
     row["coefficient"] = f"{coefficient['value']:.3f}" if coefficient else ""
     # What import names of the cell itself, beside what the readings show.
     layers = any("wall-layers" in note for note in found.get("notes", []))
-    everything = [name for name in (row["added"], "wall-layers" if layers else "") if name]
+    everything = [*missing, "wall-layers"]
     last = added(program, work, folder, everything) if layers else after or fit
     row["layers"] = int(layers)
     row |= dict(zip(("friction all", "stderr all", "with instrument all"), friction_of(last)))
@@ -244,8 +248,9 @@ def main():
     parser.add_argument("--state-walls", action="store_true")
     parser.add_argument("--fillings", action="store_true")
     parser.add_argument("--only", default="")
+    parser.add_argument("--replicate", type=int)
     given = parser.parse_args()
-    states, series = tables()
+    states, series = tables(given.replicate)
     rows = []
     for name, members in groups(states, given.fillings).items():
         if given.only not in name:

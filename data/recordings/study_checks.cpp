@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "data/files/formats/sheets.h"
@@ -61,9 +62,10 @@ bool lists(const Study& study, const char* effect) {
            study.model.effects.end();
 }
 
-/// Bed of a dry reading of a study that states the friction of its walls; empty if its height or
-/// its grains are not known.
-std::optional<WalledBed> walled_bed(const Reading& reading, const Study& study) {
+/// Bed of a dry reading between walls of a friction; empty if its height or its grains are not
+/// known.
+std::optional<WalledBed> walled_bed(const Reading& reading, const Study& study,
+                                    double wall_friction) {
     const Condition& condition = reading.condition;
     // Of wet grains the strength is not in proportion to the normal stress.
     const bool judged = condition.dry() && !condition.at_failure;
@@ -73,10 +75,32 @@ std::optional<WalledBed> walled_bed(const Reading& reading, const Study& study) 
     const double weight = *condition.bead_volume * study.grains.density * gravity / cell.area();
     const WalledBed bed{.height = *condition.height / diameter,
                         .width = (cell.outer_radius - cell.inner_radius) / diameter,
-                        .wall_friction = mobilised(*cell.wall_friction),
+                        .wall_friction = mobilised(wall_friction),
                         .weight = weight / condition.normal_stress,
                         .inertial_number = condition.inertial_number};
     return with_ratio_at_lid(bed, reading.stress_ratio());
+}
+
+/// Wall friction up to which the beds of all readings are sheared evenly, where none is stated [1];
+/// infinite if no bed is known, or if walls rougher than most leave all of them even.
+double most_for_even_shear(const Study& study, const std::vector<Reading>& readings) {
+    // Metal, glass and plastics against beads: 0.1 to 0.4.
+    constexpr double rough = 0.5;
+    if (study.cell->wall_friction || lists(study, "shear-localisation")) return INFINITY;
+    const auto all_even = [&](double friction) {
+        return std::ranges::all_of(readings, [&](const Reading& reading) {
+            const auto bed = walled_bed(reading, study, friction);
+            return !bed || is_even(*bed);
+        });
+    };
+    if (all_even(rough)) return INFINITY;
+    if (!all_even(0)) return 0;
+    double even = 0, uneven = rough;
+    while (uneven > 0.001 && uneven - even > 0.03 * uneven) {  // said with two digits
+        const double middle = std::midpoint(even, uneven);
+        (all_even(middle) ? even : uneven) = middle;
+    }
+    return uneven;
 }
 
 }  // namespace
@@ -142,6 +166,7 @@ std::vector<Remark> few_beads(const Study& study, const std::vector<Reading>& re
     if (lost >= noted_loss && !readings.empty() && !lists(study, "wall-layers")) {
         found.size = width;
         found.relative = lost;
+        found.limit = most_for_even_shear(study, readings);
     }
     if (found.because.empty() && found.relative == 0) return {};
     return {found};
@@ -167,7 +192,7 @@ std::vector<Remark> uneven_shear(const Study& study, const std::vector<Reading>&
     const bool described = lists(study, "shear-localisation");
     Remark found{.kind = Kind::uneven_shear, .count = 0, .of = 0, .limit = INFINITY};
     for (const Reading& reading : readings) {
-        const auto bed = walled_bed(reading, study);
+        const auto bed = walled_bed(reading, study, *study.cell->wall_friction);
         if (!bed) continue;
         ++found.of;
         const ShearedLayer layer = sheared_layer(*bed);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -176,6 +177,17 @@ std::string merging_text(const Remark& note) {
             : "");
 }
 
+/// What is to be known of side walls whose friction is not stated.
+std::string walls_that_gather_shear(double most_for_even_shear) {
+    const std::string which =
+        most_for_even_shear > 0
+            ? fmt::format("walls of a friction above {:.2g} gather", most_for_even_shear)
+            : std::string("the weight of the beads and walls of any friction gather");
+    return which +
+           " the shear in a layer under the lid, at one reading at least, which raises the torque: "
+           "state wall_friction in [cell], and import computes the layer";
+}
+
 std::string few_beads_text(const Remark& note) {
     std::vector<std::string> sides;
     for (const Remark& side : note.because)
@@ -193,6 +205,8 @@ std::string few_beads_text(const Remark& note) {
             "layers that shear easily, so that the torque is about {:.1f} % smaller than in the "
             "model, and the fitted friction too small; the effect wall-layers describes this",
             note.size, 100 * note.relative));
+    if (note.relative > 0 && std::isfinite(note.limit))
+        said.push_back(walls_that_gather_shear(note.limit));
     return fmt::format("{}", fmt::join(said, ". Also, "));
 }
 

@@ -27,7 +27,7 @@ def test_examples_of_the_page_run(tmp_path, monkeypatch):
         exec(block, names)
     # What the comments say.
     assert names["diagnosis"].effects == ["wall-friction"]
-    assert str(names["fit"].parameters["friction"]) == "0.1941 ± 0.0068"
+    assert str(names["fit"].parameters["friction"]) == "0.322 ± 0.012"
     assert names["states"]["stress_ratio"].shape == (100, 100)
     assert (tmp_path / "my-study/study.toml").exists()
     assert "speed-drag" not in (tmp_path / "examples/hidden-effect/study.toml").read_text()

@@ -73,7 +73,7 @@ def test_fit_is_a_mapping_of_its_json(study):
     lower, upper = fit.intervals["friction"]
     assert lower < friction.value < upper
     assert not fit.believable and fit.reasons
-    assert "0.194" in str(friction)
+    assert "0.322" in str(friction)
 
 
 def results_of(study):

@@ -298,13 +298,13 @@ TEST(SpeedRamp, IsASpeedThatNeverSettles) {
 }
 
 TEST(FewBeads, AreNotedOnce) {
-    const auto notes_of = [](const char* diameter) {
+    const auto notes_of = [](const char* diameter, const char* walls = "") {
         const TemporaryFolder folder;
         folder.write("run.csv", csv_of(ordinary_recording("", 1)));
         folder.write("study.toml",
-                     fmt::format("[grains]\ndiameter = \"{}\"\ndensity = \"1050 kg/m^3\"\n{}"
+                     fmt::format("[grains]\ndiameter = \"{}\"\ndensity = \"1050 kg/m^3\"\n{}{}"
                                  "[[recording]]\nfile = \"run.csv\"\n",
-                                 diameter, cell_table("20 g")));
+                                 diameter, cell_table("20 g"), walls));
         return read_measurements(read_study(folder.path())).notes();
     };
     const auto few = notes_of("2 mm");  // 3 beads high
@@ -315,6 +315,11 @@ TEST(FewBeads, AreNotedOnce) {
     EXPECT_THAT(texts(in_layers),
                 testing::Contains(testing::HasSubstr("4.8 % smaller than in the model")));
     EXPECT_EQ(std::ranges::count(notes_of("500 um"), Remark::Kind::few_beads, &Remark::kind), 0);
+    // What friction of the walls would do is said where none is stated.
+    using testing::Contains, testing::HasSubstr, testing::Not;
+    EXPECT_THAT(texts(in_layers), Contains(HasSubstr("state wall_friction in [cell]")));
+    EXPECT_THAT(texts(notes_of("1 mm", "wall_friction = 0.2\n")),
+                Not(Contains(HasSubstr("state wall_friction"))));
     expect_told(texts(few));
 }
 

