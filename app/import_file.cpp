@@ -72,9 +72,10 @@ FileFormat format_of(const ImportFileOptions& options) {
     }
     // As messages and study.toml have it: columns = ["Time [s]", "Torque [mN m]"].
     const std::size_t list = options.columns.find("[\"");
-    const auto array = list == std::string::npos
-                           ? nlohmann::json()
-                           : nlohmann::json::parse(options.columns.substr(list), nullptr, false);
+    const auto array =
+        list == std::string::npos
+            ? nlohmann::ordered_json()
+            : nlohmann::ordered_json::parse(options.columns.substr(list), nullptr, false);
     if (array.is_array()) {
         for (const auto& column : array)
             format.columns.push_back(column.is_string() ? column.get<std::string>() : "");
