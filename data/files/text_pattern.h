@@ -12,7 +12,7 @@ namespace pendular {
 /// Where a pattern is found in a text.
 struct PatternMatch {
     std::size_t begin = 0, end = 0;  ///< bytes of the text
-    /// What was found, then what stands in each pair of parentheses, "" for one that has no part.
+    /// Text of the match, then that of each pair of parentheses, "" for a pair that matched none.
     std::vector<std::string> parts;
 };
 
