@@ -7,11 +7,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <regex>
 #include <system_error>
 
 #include "app/command.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/text_pattern.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/quantities/number.h"
@@ -44,14 +44,13 @@ void check_choice(const char* option, const std::string& word,
 /// Columns of a text as in study.toml: { torque = "Md [mN m]", time = "Zeit" }.
 /// @throws InputError for a text of another form, and for a name of no quantity
 std::map<std::string, std::string> named_columns(const std::string& text) {
-    static const std::regex pair(R"re(([A-Za-z_]+)\s*=\s*"([^"]*)")re");
+    static const TextPattern pair(R"re(([A-Za-z_]+)\s*=\s*"([^"]*)")re");
     std::map<std::string, std::string> columns;
-    const auto begin = text.begin() + static_cast<std::ptrdiff_t>(text.find('{'));
-    for (std::sregex_iterator each(begin, text.end(), pair), end; each != end; ++each) {
-        const std::string key = (*each)[1];
+    for (const PatternMatch& each : pair.all(text.substr(text.find('{')))) {
+        const std::string& key = each.parts[1];
         const Quantity* const known = find_quantity(key);
         if (!known) throw InputError(fmt::format("--columns: '{}' is no quantity", key));
-        columns[std::string(known->name)] = (*each)[2];
+        columns[std::string(known->name)] = each.parts[2];
     }
     if (columns.empty()) throw InputError("--columns: write it as in { torque = \"Md [mN m]\" }");
     return columns;
@@ -73,9 +72,10 @@ FileFormat format_of(const ImportFileOptions& options) {
     }
     // As messages and study.toml have it: columns = ["Time [s]", "Torque [mN m]"].
     const std::size_t list = options.columns.find("[\"");
-    const auto array = list == std::string::npos
-                           ? nlohmann::json()
-                           : nlohmann::json::parse(options.columns.substr(list), nullptr, false);
+    const auto array =
+        list == std::string::npos
+            ? nlohmann::ordered_json()
+            : nlohmann::ordered_json::parse(options.columns.substr(list), nullptr, false);
     if (array.is_array()) {
         for (const auto& column : array)
             format.columns.push_back(column.is_string() ? column.get<std::string>() : "");

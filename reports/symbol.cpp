@@ -1,49 +1,28 @@
 #include "reports/symbol.h"
 
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/linestring.hpp>
-#include <boost/geometry/geometries/multi_linestring.hpp>
-#include <boost/geometry/geometries/multi_polygon.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 #include <numbers>
 
 namespace pendular {
 namespace {
 
-namespace geometry = boost::geometry;
-using Point = geometry::model::d2::point_xy<double>;
-using Polygon = geometry::model::polygon<Point>;
-using Line = geometry::model::linestring<Point>;
-
-constexpr double far_away = 10;  ///< coordinate outside every symbol of area 1
-
-Outline outline_of(const auto& points) {
+/// Closed outline, clockwise, with corners on a circle of radius 1, the first at `first_angle`
+/// [rad]. Every second corner is at the radius `inner_share`.
+Outline corners(int count, double first_angle, double inner_share = 1) {
     Outline outline;
-    for (const Point& p : points) {
-        outline.push_back({p.x(), p.y()});
+    for (int k = count; k >= 0; --k) {
+        const int corner = k % count;
+        const double angle = first_angle + 2 * std::numbers::pi * corner / count;
+        const double radius = corner % 2 == 0 ? 1 : inner_share;
+        outline.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     }
     return outline;
 }
 
-/// Polygon with corners on a circle of radius 1, the first at `first_angle` [rad]. Every second
-/// corner is at the radius `inner_share`.
-Polygon corners(int count, double first_angle, double inner_share = 1) {
-    Polygon polygon;
-    for (int k = 0; k < count; ++k) {
-        const double angle = first_angle + 2 * std::numbers::pi * k / count;
-        const double radius = k % 2 == 0 ? 1 : inner_share;
-        geometry::append(polygon, Point(radius * std::cos(angle), radius * std::sin(angle)));
-    }
-    geometry::correct(polygon);
-    return polygon;
-}
-
-/// Edge of a shape as a polygon with its centre of area at the origin; its size is arbitrary.
-Polygon edge_of(Shape shape) {
+/// Edge of a shape with its centre of area at the origin; its size is arbitrary. Every ray from
+/// the centre crosses it once.
+Outline edge_of(Shape shape) {
     constexpr double up = std::numbers::pi / 2;
     switch (shape) {
         case Shape::square:
@@ -63,42 +42,51 @@ Polygon edge_of(Shape shape) {
     return corners(48, up);
 }
 
-Polygon with_unit_area(const Polygon& polygon) {
-    const double factor = 1 / std::sqrt(geometry::area(polygon));
-    Polygon result;
-    geometry::transform(
-        polygon, result,
-        geometry::strategy::transform::scale_transformer<double, 2, 2>(factor, factor));
-    return result;
-}
-
-/// Part of a polygon below half its height (`lower`) or above it, in one or more pieces: the lower
-/// half of a star has two.
-std::vector<Outline> half(const Polygon& polygon, bool lower) {
-    using Box = geometry::model::box<Point>;
-    const auto bounds = geometry::return_envelope<Box>(polygon);
-    const double middle = (bounds.min_corner().y() + bounds.max_corner().y()) / 2;
-    const Box side(Point(-far_away, lower ? -far_away : middle),
-                   Point(far_away, lower ? middle : far_away));
-    geometry::model::multi_polygon<Polygon> pieces;
-    geometry::intersection(polygon, side, pieces);
-    std::vector<Outline> result;
-    for (const Polygon& piece : pieces) {
-        result.push_back(outline_of(piece.outer()));
+Outline with_unit_area(Outline outline) {
+    double twice_area = 0;
+    for (std::size_t k = 1; k < outline.size(); ++k) {
+        const PaperPoint &from = outline[k - 1], &to = outline[k];
+        twice_area += from.y * to.x - from.x * to.y;
     }
-    return result;
+    const double factor = 1 / std::sqrt(twice_area / 2);
+    for (PaperPoint& p : outline) {
+        p = {factor * p.x, factor * p.y};
+    }
+    return outline;
 }
 
-/// Two diagonal lines through the centre of a polygon, from edge to edge.
-std::vector<Outline> cross(const Polygon& polygon) {
+/// Part of a closed outline below half its height (`lower`) or above it. Were it in pieces, they
+/// would be joined along the cut, which changes no area.
+Outline half(const Outline& outline, bool lower) {
+    const auto [lowest, highest] = std::ranges::minmax(outline, {}, &PaperPoint::y);
+    const double middle = (lowest.y + highest.y) / 2;
+    const auto belongs = [&](const PaperPoint& p) { return lower ? p.y <= middle : p.y >= middle; };
+    Outline part;
+    for (std::size_t k = 1; k < outline.size(); ++k) {
+        const PaperPoint &from = outline[k - 1], &to = outline[k];
+        if (belongs(from)) part.push_back(from);
+        if (belongs(from) == belongs(to)) continue;
+        const double share = (middle - from.y) / (to.y - from.y);
+        part.push_back({from.x + share * (to.x - from.x), middle});
+    }
+    part.push_back(part.front());
+    return part;
+}
+
+/// Two diagonal lines through the centre of a closed outline, from edge to edge.
+std::vector<Outline> cross(const Outline& outline) {
     std::vector<Outline> result;
     for (const double slope : {1.0, -1.0}) {
-        const Line diagonal{Point(-far_away, -far_away * slope), Point(far_away, far_away * slope)};
-        geometry::model::multi_linestring<Line> inside;
-        geometry::intersection(diagonal, polygon, inside);
-        for (const Line& line : inside) {
-            result.push_back(outline_of(line));
+        const auto height = [&](const PaperPoint& p) { return p.y - slope * p.x; };
+        std::vector<double> ends;  // x where the diagonal crosses the edge
+        for (std::size_t k = 1; k < outline.size(); ++k) {
+            const PaperPoint &from = outline[k - 1], &to = outline[k];
+            if ((height(from) < 0) == (height(to) < 0)) continue;
+            const double share = height(from) / (height(from) - height(to));
+            ends.push_back(from.x + share * (to.x - from.x));
         }
+        const auto [left, right] = std::ranges::minmax(ends);
+        result.push_back({{left, slope * left}, {right, slope * right}});
     }
     return result;
 }
@@ -110,17 +98,17 @@ SymbolDrawing drawing_of(const Symbol& symbol) {
         constexpr double arm = 0.9;  // a triangle of area 1 reaches up to 0.88
         return {.fills = {}, .strokes = {{{-arm, 0}, {arm, 0}}, {{0, -arm}, {0, arm}}}};
     }
-    const Polygon edge = with_unit_area(edge_of(symbol.shape));
-    SymbolDrawing drawing{.fills = {}, .strokes = {outline_of(edge.outer())}};
+    const Outline edge = with_unit_area(edge_of(symbol.shape));
+    SymbolDrawing drawing{.fills = {}, .strokes = {edge}};
     switch (symbol.filling) {
         case Filling::filled:
             drawing.fills = drawing.strokes;
             break;
         case Filling::bottom_half:
-            drawing.fills = half(edge, true);
+            drawing.fills = {half(edge, true)};
             break;
         case Filling::top_half:
-            drawing.fills = half(edge, false);
+            drawing.fills = {half(edge, false)};
             break;
         case Filling::crossed:
             for (auto& line : cross(edge)) {

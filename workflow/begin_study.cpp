@@ -10,7 +10,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <regex>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -20,6 +19,7 @@
 #include "data/files/missing_mark.h"
 #include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
+#include "data/files/text_pattern.h"
 #include "data/input_error.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
@@ -51,24 +51,23 @@ std::string texts_of(const FileView& view) {
 }
 
 Guess guessed_diameter(const std::string& texts) {
-    static const std::regex length(R"((\d+(?:[.,]\d+)?)\s*(mm|um|µm|μm)(?![A-Za-z]))");
-    std::smatch found;
-    if (!std::regex_search(texts, found, length))
-        return {"500 um", "GUESS: the file does not state the diameter"};
-    std::string number = found[1];
+    static const TextPattern length(R"((\d+(?:[.,]\d+)?)\s*(mm|um|µm|μm)(?![A-Za-z]))");
+    const auto found = length.first(texts);
+    if (!found) return {"500 um", "GUESS: the file does not state the diameter"};
+    std::string number = found->parts[1];
     std::ranges::replace(number, ',', '.');
-    return {fmt::format("{} {}", number, std::string(found[2])),
-            fmt::format("GUESS: from \"{}\" in the names of file and test", std::string(found[0]))};
+    return {fmt::format("{} {}", number, found->parts[2]),
+            fmt::format("GUESS: from \"{}\" in the names of file and test", found->parts[0])};
 }
 
 /// Mass of liquid over mass of grains that the names of file and test state, in per cent.
 std::optional<double> stated_percent(const std::string& texts) {
-    static const std::regex percent(R"((\d+(?:[.,p]\d+)?)\s*(?:%|pct))");
-    static const std::regex water(R"(_w(\d+)_)");
-    std::smatch found;
-    if (!std::regex_search(texts, found, percent) && !std::regex_search(texts, found, water))
-        return std::nullopt;
-    std::string number = found[1];
+    static const TextPattern percent(R"((\d+(?:[.,p]\d+)?)\s*(?:%|pct))");
+    static const TextPattern water(R"(_w(\d+)_)");
+    auto found = percent.first(texts);
+    if (!found) found = water.first(texts);
+    if (!found) return std::nullopt;
+    std::string number = found->parts[1];
     std::ranges::replace(number, ',', '.');
     std::ranges::replace(number, 'p', '.');
     return parse_number(number);

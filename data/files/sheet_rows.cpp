@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <optional>
-#include <regex>
 
+#include "data/files/text_pattern.h"
 #include "data/files/xml_nodes.h"
 #include "data/input_error.h"
 #include "data/quantities/number.h"
@@ -38,15 +38,15 @@ std::optional<CellPlace> place_of(std::string_view reference) {
 /// Text with the escapes of ASCII characters, such as "_x000D_" for a carriage return, replaced.
 std::string unescaped(const std::string& text) {
     if (text.find("_x00") == std::string::npos) return text;
-    static const std::regex escape("_x00([0-7][0-9A-Fa-f])_");
+    static const TextPattern escape("_x00([0-7][0-9A-Fa-f])_");
     std::string result;
-    auto from = text.begin();
-    for (std::sregex_iterator each(text.begin(), text.end(), escape), end; each != end; ++each) {
-        result.append(from, text.begin() + each->position());
-        result += static_cast<char>(std::stoi((*each)[1].str(), nullptr, 16));
-        from = text.begin() + each->position() + each->length();
+    std::size_t from = 0;
+    for (const PatternMatch& each : escape.all(text)) {
+        result.append(text, from, each.begin - from);
+        result += static_cast<char>(std::stoi(each.parts[1], nullptr, 16));
+        from = each.end;
     }
-    return result.append(from, text.end());
+    return result.append(text, from);
 }
 
 /// Whether a node is a cell with a value, or with a formula whose value is missing; blank cells may
@@ -80,7 +80,8 @@ std::string text_of_cell(const pugi::xml_node& cell, const SharedParts& shared) 
     if (type == "b") text = text == "1" ? "TRUE" : "FALSE";  // no number
     if (type.empty() || type == "n")
         text = shared.formats.text_of(text, cell.attribute("s").as_uint(0));
-    // A formula without a stored result is shown as "=...". Type str without characters is a result.
+    // A formula without a stored result is shown as "=...". Type str without characters is a
+    // result.
     if (formula && (!value || (text.empty() && type != "str")))
         text = std::string("=") + formula.child_value();
     return unescaped(text);

@@ -12,9 +12,9 @@
 #include <mutex>
 #include <numbers>
 #include <optional>
-#include <regex>
 #include <sstream>
 
+#include "data/files/text_pattern.h"
 #include "data/input_error.h"
 #include "data/quantities/units.h"
 
@@ -36,8 +36,14 @@ std::string place(const std::string& text, std::size_t byte) {
 
 /// Returns a message of muParser without its positions, which count from 0.
 std::string without_places(const std::string& message) {
-    static const std::regex said("( found)? at( expression)? position [0-9]+|[.]$");
-    return std::regex_replace(message, said, "");
+    static const TextPattern said("( found)? at( expression)? position [0-9]+|[.]$");
+    std::string rest;
+    std::size_t from = 0;
+    for (const PatternMatch& each : said.all(message)) {
+        rest.append(message, from, each.begin - from);
+        from = each.end;
+    }
+    return rest.append(message, from);
 }
 
 /// Returns an error message for the user from an error of muParser, whose own message names only
@@ -161,10 +167,11 @@ int exponent_of(const std::string& base, const std::string& dimension) {
 /// other than 0, 1 and powers.
 bool may_have_units_in_it(const std::string& text) {
     if (text.find_first_of("<>?") != std::string::npos) return true;
-    static const std::regex number(R"((^|\^[-(]*|[^A-Za-z_0-9.])(\d+\.?\d*([eE][-+]?\d+)?|\.\d+))");
-    for (std::sregex_iterator at(text.begin(), text.end(), number), end; at != end; ++at) {
-        const double value = std::stod((*at)[2]);
-        const bool is_power = (*at)[1].str().starts_with('^');
+    static const TextPattern number(
+        R"((^|\^[-(]*|[^A-Za-z_0-9.])(\d+\.?\d*([eE][-+]?\d+)?|\.\d+))");
+    for (const PatternMatch& at : number.all(text)) {
+        const double value = std::stod(at.parts[2]);
+        const bool is_power = at.parts[1].starts_with('^');
         if (value != 0 && value != 1 && !is_power) return true;
     }
     return false;

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <functional>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "data/files/text_pattern.h"
 #include "data/quantities/number.h"
 
 namespace pendular {
@@ -64,16 +63,17 @@ enum class DateOrder { day_first, month_first };
 /// Day since 1970 of a date between slashes or hyphens, or of eight digits from the year on; empty
 /// for other texts.
 std::optional<double> day_of(const std::string& date, DateOrder order) {
-    static const std::regex form(
+    static const TextPattern form(
         R"((\d{4}|\d{1,2})[/-](\d{1,2})[/-](\d{1,4})|(\d{4})(\d\d)(\d\d))");
-    std::smatch part;
-    if (!std::regex_match(date, part, form)) return std::nullopt;
-    if (part[4].matched)
+    const auto found = form.whole(date);
+    if (!found) return std::nullopt;
+    const auto& part = found->parts;
+    if (!part[4].empty())
         return day_number(std::stoi(part[4]), std::stoi(part[5]), std::stoi(part[6]));
     int first = std::stoi(part[1]), last = std::stoi(part[3]);
     const int middle = std::stoi(part[2]);
-    if (part[1].length() == 4) return day_number(first, middle, last);
-    if (part[3].length() == 2) last += 2000;
+    if (part[1].size() == 4) return day_number(first, middle, last);
+    if (part[3].size() == 2) last += 2000;
     return order == DateOrder::day_first ? day_number(last, middle, first)
                                          : day_number(last, first, middle);
 }
@@ -144,15 +144,15 @@ constexpr const char* time_form =
     R"((\d{1,6}):([0-5]\d):([0-5]\d(?:[.,]\d+|:\d{3})?)\s*([AaPp][Mm])?(?:Z|([+-])(\d\d):?(\d\d))?)";
 
 /// Day since 1970 of the date in the parts 1 to 9 of `date_form`; empty for none.
-std::optional<double> date_in(const std::function<std::string(std::size_t)>& part, bool& stated) {
-    const auto number = [&](std::size_t i) { return std::stoi(part(i)); };
+std::optional<double> date_in(const std::vector<std::string>& part, bool& stated) {
+    const auto number = [&](std::size_t i) { return std::stoi(part[i]); };
     stated = true;
-    if (!part(1).empty()) return day_number(number(1), number(2), number(3));
-    if (!part(4).empty())
+    if (!part[1].empty()) return day_number(number(1), number(2), number(3));
+    if (!part[4].empty())
         return day_number(number(6) < 100 ? 2000 + number(6) : number(6), number(5), number(4));
     constexpr std::string_view months = "JanFebMarAprMayJunJulAugSepOctNovDec";
-    if (!part(7).empty())
-        return day_number(number(9), 1 + static_cast<int>(months.find(part(8)) / 3), number(7));
+    if (!part[7].empty())
+        return day_number(number(9), 1 + static_cast<int>(months.find(part[8]) / 3), number(7));
     stated = false;
     return std::nullopt;
 }
@@ -166,10 +166,10 @@ double seconds_in(std::string text) {
 
 /// Minutes and seconds with decimals, as spreadsheets show times: "2:03.5"; empty for other texts.
 std::optional<ClockTime> minutes_and_seconds(std::string_view text) {
-    static const std::regex form(R"((\d{1,6}):([0-5]\d[.,]\d+))");
-    std::match_results<std::string_view::const_iterator> part;
-    if (!std::regex_match(text.begin(), text.end(), part, form)) return std::nullopt;
-    return ClockTime{60.0 * std::stoi(part[1].str()) + seconds_in(part[2].str()), false, ""};
+    static const TextPattern form(R"((\d{1,6}):([0-5]\d[.,]\d+))");
+    const auto found = form.whole(text);
+    if (!found) return std::nullopt;
+    return ClockTime{60.0 * std::stoi(found->parts[1]) + seconds_in(found->parts[2]), false, ""};
 }
 
 }  // namespace
@@ -177,24 +177,24 @@ std::optional<ClockTime> minutes_and_seconds(std::string_view text) {
 std::optional<ClockTime> clock_time(std::string_view text) {
     if (text.size() > 40 || text.find(':') == std::string_view::npos) return std::nullopt;
     if (const auto time = minutes_and_seconds(text)) return time;
-    static const std::regex form(std::string("(?:") + date_form + "[T ]+)?" + time_form);
-    std::match_results<std::string_view::const_iterator> match;
-    if (!std::regex_match(text.begin(), text.end(), match, form)) return std::nullopt;
-    const auto part = [&](std::size_t i) { return match[i].str(); };
-    const auto number = [&](std::size_t i) { return std::stoi(part(i)); };
+    static const TextPattern form(std::string("(?:") + date_form + "[T ]+)?" + time_form);
+    const auto match = form.whole(text);
+    if (!match) return std::nullopt;
+    const auto& part = match->parts;
+    const auto number = [&](std::size_t i) { return std::stoi(part[i]); };
     int hours = number(11);
-    if (match[14].matched) {
+    if (!part[14].empty()) {
         if (hours < 1 || hours > 12) return std::nullopt;
-        const char half = *match[14].first;
+        const char half = part[14].front();
         hours = hours % 12 + (half == 'p' || half == 'P' ? 12 : 0);
     }
-    ClockTime time{3600.0 * hours + 60 * number(12) + seconds_in(part(13)), false, part(10)};
+    ClockTime time{3600.0 * hours + 60 * number(12) + seconds_in(part[13]), false, part[10]};
     bool stated = false;
     const std::optional<double> date = date_in(part, stated);
     if (stated && !date) return std::nullopt;
     if (date) time = {time.seconds + day * *date, true, ""};
-    if (date && match[15].matched)
-        time.seconds -= (part(15) == "-" ? -60.0 : 60.0) * (60 * number(16) + number(17));
+    if (date && !part[15].empty())
+        time.seconds -= (part[15] == "-" ? -60.0 : 60.0) * (60 * number(16) + number(17));
     return time;
 }
 
