@@ -14,7 +14,7 @@ namespace {
 constexpr double slope = 0.93;
 /// Reach A of the motion of neighbours [diameters]: 0.4 fits the heights of sheared layers in
 /// bench/real_cell, 0.3 to 0.5 about as well; 0.48 is published for glass beads.
-constexpr double reach = 0.4;
+constexpr double decay_reach = 0.4;
 /// Normal stress on the side walls over that on horizontal planes [1], in the sheared layers of
 /// bench/real_cell; 0.94 in flow without walls.
 constexpr double lateral_stress_ratio = 0.85;
@@ -65,7 +65,7 @@ class SlicedBed {
 Slices SlicedBed::rates(double at_lid) const {
     // Thomas' algorithm for g_(k-1) - (2 + w) g_k + g_(k+1) = -w g_local; no gradient at the ends.
     Slices ratio, above, right, rate;
-    const double scale = step_ * step_ / (reach * reach);
+    const double scale = step_ * step_ / (decay_reach * decay_reach);
     double above_before = 0, right_before = 0;
     for (int k = 0; k < slices; ++k) {
         // Far below the lid the walls would carry more than there is.

@@ -87,8 +87,8 @@ bool says_wet(std::string_view word) {
 }
 
 bool named_wet(const std::string& texts) {
-    static const std::regex water(R"(_w\d)");  // "glass_w10"
-    if (std::regex_search(texts, water)) return true;
+    static const TextPattern water(R"(_w\d)");  // "glass_w10"
+    if (water.first(texts)) return true;
     std::string word;
     for (const char c : texts + " ") {
         // Bytes beyond ASCII are parts of letters.
