@@ -149,7 +149,7 @@ class Rig:
             height = volume / (fraction * cell.area())
             k = f.wall_friction * 0.937
             thin = k * height / (cell.outer - cell.inner)
-            carried = at_lid / math.exp(thin)
+            carried = at_lid / math.exp(0.09 * thin)  # as in the cells of bench/real_cell
             true_stress = (carried + volume * beads.density * G / 2) / cell.area()
             shown_height = height + f.height_offset
             if speed is None:
@@ -160,7 +160,11 @@ class Rig:
             inverse = (math.pi * self.surface_tension / beads.diameter) / true_stress
             ratio, fraction = self.states.at(true_number, inverse, content)
         torque = cell.torque(ratio * true_stress)
-        torque += thin * carried * (cell.outer**2 + cell.inner**2) / (cell.outer + cell.inner)
+        # Share that acts along the flow in the upper half of the bed (docs/explanation/cell.md).
+        length = 3.8 * beads.diameter * (min(max(true_number, 0.001), 0.15) / 0.03) ** -0.16
+        x = height / length
+        along = 2 / x * math.log(math.cosh(x) / math.cosh(x / 2))
+        torque += along * thin * carried * (cell.outer**2 + cell.inner**2) / (cell.outer + cell.inner)
         torque = f.torque_gain * (torque + f.cross_talk * at_lid) + f.torque_offset
         return Shown(torque, force, shown_height, set_speed), true_number
 

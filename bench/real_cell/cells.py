@@ -61,9 +61,9 @@ CELLS = (
     wide(0, 24, FEW),
     wide(0.3, 24, FEW),
     wide(0.05, 24, FEW),
-    Cell("rolling, walls 0.15, height 12", 0.15, 12, friction=0.4, rolling=0.2, stresses=FEW),
+    Cell("rolling, walls 0.15, height 12", 0.15, 12, friction=0.4, rolling=0.2),
     Cell("no walls, height 12", 0, 12, walls=False, stresses=FEW),
-    Cell("polydisperse, walls 0.15, height 12", 0.15, 12, deviation=0.114, stresses=FEW),
+    Cell("polydisperse, walls 0.15, height 12", 0.15, 12, deviation=0.114),
     narrow(0.15),
     narrow(0),
 )

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Draws what theory.py says of the cells through what was simulated: the figure of
-docs/explanation/cell.md, and its numbers. Needs gnuplot.
+"""Draws what theory.py says of the cells through what was simulated: the figures of
+docs/explanation/cell.md, and their numbers. Needs gnuplot.
 
-    draw.py [--out FILE.png]
+    draw.py [--out FILE.png] [--walls FILE.png]
 """
 import argparse
 import math
@@ -96,6 +96,8 @@ def summary(states, profiles):
     strips = defaultdict(list)
     for key, state in sorted(states.items()):
         cell = cell_named(key[0])
+        if cell.rolling:  # theory.py has the stress ratios of free grains
+            continue
         gap, height = state["gap [a]"], state["sheared_height [a]"]
         walls = mobilised(profiles[key], height, gap) if cell.wall_friction else 0
         at_lid, _, _, rate = predicted(cell, key[1], key[2], walls)
@@ -110,6 +112,59 @@ def summary(states, profiles):
         mean = sum(all_of_it) / len(all_of_it)
         spread = math.sqrt(sum((x - mean) ** 2 for x in all_of_it) / max(1, len(all_of_it) - 1))
         print(f"{name:32} strip {mean:.2f} +- {spread / math.sqrt(len(all_of_it)):.2f}")
+
+
+def layers(profile):
+    """Inner layers that no lid or base cuts, with velocity over shear rate and inertial number."""
+    most = max(p["solid_fraction [1]"] for p in profile)
+    for below, p, above in zip(profile, profile[1:], profile[2:]):
+        if p["solid_fraction [1]"] < 0.75 * most:
+            continue
+        rise = above["velocity [sqrt(a s22 a/m)]"] - below["velocity [sqrt(a s22 a/m)]"]
+        rate = rise / (above["height [a]"] - below["height [a]"])
+        yield p, p["velocity [sqrt(a s22 a/m)]"] / rate, rate / math.sqrt(p["normal_stress [s22]"])
+
+
+def sliding_friction(cell):
+    """That of the walls, with grains that do not roll as freely all of the wall friction."""
+    return cell.wall_friction if cell.rolling else theory.sliding_friction(cell.wall_friction)
+
+
+RANGES = (0, 1.5, 3, 4.5, 6)  # of velocity over rate [a]
+
+
+def walls(states, profiles):
+    """Prints what walls mobilise along the flow, over the friction of sliding grains, by velocity over
+    rate, and the part of the load that they carry, beside what the effect wall-friction says."""
+    print(
+        "\ncell and sample: share along the flow by velocity over rate, seen and by the law; rms and\n"
+        "mean difference of layers; part of the load carried, by the effect, and by a wall at rest [%]"
+    )
+    samples = defaultdict(list)
+    for key in sorted(states):
+        if cell_named(key[0]).wall_friction:
+            samples[key[0], key[3]].append(key)
+    for (name, replicate), keys in samples.items():
+        cell = cell_named(name)
+        seen, law = defaultdict(list), defaultdict(list)
+        for key in keys:
+            for p, length, inertial in layers(profiles[key]):
+                place = sum(length >= limit for limit in RANGES)
+                share = p["wall_drag [s22]"] / p["wall_pressure [s22]"] / sliding_friction(cell)
+                seen[place].append(share)
+                law[place].append(theory.mobilised_share(length, inertial))
+        shares = "; ".join(
+            f"{sum(seen[k]) / len(seen[k]):.2f} {sum(law[k]) / len(law[k]):.2f}" for k in sorted(seen)
+        )
+        off = [x - y for k in seen for x, y in zip(seen[k], law[k])]
+        rms, mean = math.sqrt(sum(x * x for x in off) / len(off)), sum(off) / len(off)
+        lifts = [sum(p["wall_lift [s22]"] for p in profiles[key]) for key in keys]
+        carried = -100 * 2 * sum(lifts) / len(lifts) / cell.width
+        rest = 2 * cell.wall_friction * 0.94 * cell.height / cell.width
+        of_effect, of_rest = (100 * (1 - math.exp(-share * rest)) for share in (0.09, 1))
+        print(
+            f"{name:36} {replicate}: {shares}   {rms:.3f} {mean:+.3f}   {carried:.2f} {of_effect:.2f} {of_rest:.1f}"
+        )
 
 
 def points(file, rows):
@@ -157,9 +212,72 @@ plot {theory.QUASI_STATIC} with lines dt 2 lc 'gray' title 'quasi-static', {', '
     subprocess.run(["gnuplot"], input=script, text=True, check=True)
 
 
+def draw_walls(states, profiles, out):
+    """Left: shares of all layers over velocity over rate, in units of the length of theory.py. Right:
+    shear stress over the depth, and what the drag of the walls by theory.py leaves of that at the lid."""
+    folder = Path(tempfile.mkdtemp())
+    rows = defaultdict(list)
+    for key in states:
+        cell = cell_named(key[0])
+        if not cell.wall_friction:
+            continue
+        fitted = key[0].startswith("walls") and cell.height == 12 and key[3] == 1
+        kind = "rolling" if cell.rolling else "fitted" if fitted else "other"
+        for p, length, inertial in layers(profiles[key]):
+            unit = length / math.atanh(theory.mobilised_share(length, inertial))
+            share = p["wall_drag [s22]"] / p["wall_pressure [s22]"] / sliding_friction(cell)
+            rows[kind].append((length / unit, share))
+    titles = {"other": "other cells and samples", "fitted": "cells of the fit", "rolling": "grains with rolling resistance"}
+    shares = [
+        f"'{points(folder / kind, rows[kind])}' with points pt 7 ps 0.5 lc {colour} title '{title}'"
+        for colour, (kind, title) in zip((7, 1, 2), titles.items())
+        if rows[kind]
+    ]
+    stresses = []
+    for colour, wall_friction in enumerate(SHOWN, 1):
+        name = f"walls {wall_friction:g}, height 12"
+        key = (name, 3000, 0.06, 1)
+        cell, gap = cell_named(name), states[key]["gap [a]"]
+        inner = list(layers(profiles[key]))
+        deep = [gap - (p["height [a]"] - 0.5) for p, _, _ in inner]
+        file = points(folder / f"s{colour}", zip(deep, (p["shear_stress [s22]"] for p, _, _ in inner)))
+        stresses.append(f"'{file}' with points pt 7 lc {colour} title 'walls {wall_friction:g}'")
+        above, stress = 0, states[key]["stress_ratio [1]"]
+        line = [(above, stress)]
+        for (p, length, inertial), depth in reversed(list(zip(inner, deep))):
+            friction = theory.sliding_friction(wall_friction) * theory.mobilised_share(length, inertial)
+            drag = 2 * friction * p["wall_pressure [s22]"] / cell.width
+            stress -= drag * (depth + 0.5 - above)
+            above = depth + 0.5
+            line.append((above, stress))
+        file = points(folder / f"l{colour}", line)
+        stresses.append(f"'{file}' with lines lc {colour} notitle")
+    script = f"""\
+set terminal pngcairo size 1100,480 font 'sans,11'
+set output '{out}'
+set multiplot layout 1,2
+set xlabel 'velocity/(shear rate x sliding length)'
+set ylabel 'friction along the flow/that of sliding grains'
+set xrange [0:3]
+set yrange [-0.1:1.3]
+set key bottom right
+plot {', '.join(shares)}, tanh(x) with lines lw 2 lc 'black' title 'tanh'
+set xlabel 'depth under the lid [diameters]'
+set ylabel 'shear stress/load'
+set xrange [0:12]
+set yrange [0.24:0.38]
+set key top right
+plot {', '.join(stresses)}
+"""
+    subprocess.run(["gnuplot"], input=script, text=True, check=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--out", type=Path, default=HERE.parents[1] / "docs/explanation/cell.png")
+    parser.add_argument(
+        "--walls", type=Path, default=HERE.parents[1] / "docs/explanation/cell_walls.png"
+    )
     parser.add_argument("--stress", type=float, default=3000)
     parser.add_argument("--inertial-number", type=float, default=0.02)
     parser.add_argument("--height", type=int, default=12)
@@ -167,6 +285,8 @@ def main():
     states, profiles = load()
     summary(states, profiles)
     across()
+    walls(states, profiles)
+    draw_walls(states, profiles, given.walls)
     draw(states, profiles, given.stress, given.inertial_number, given.height, given.out)
 
 

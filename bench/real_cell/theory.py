@@ -73,3 +73,16 @@ def profile(height, width, wall_friction, weight, speed, reach=0.4, slices=120, 
 def sheared_height(rate, step):
     """V^2/integral of rate^2: the height of the bed if the rate is uniform, less where it is not."""
     return sum(rate) ** 2 * step / sum(r * r for r in rate)
+
+
+def sliding_friction(wall_friction):
+    """Friction stress over normal stress of grains of friction 0.12 that slide along a wall much faster
+    than they fluctuate: they roll before they slide on walls rougher than about 0.19."""
+    return wall_friction / (1 + (wall_friction / 0.187) ** 3.1) ** (1 / 3.1)
+
+
+def mobilised_share(velocity_over_rate, inertial_number):
+    """Share of it that acts along the flow, as data/wall_mobilisation.h has it: constants of both from
+    layers of the cells 24 wide and 12 high, walls 0.05, 0.15, 0.3, first samples."""
+    reduced = min(max(inertial_number, 0.001), 0.15) / 0.03
+    return math.tanh(velocity_over_rate / (3.8 * reduced**-0.16))

@@ -177,7 +177,7 @@ std::string merging_text(const Remark& note) {
             : "");
 }
 
-/// Sentence on side walls whose friction is not stated.
+/// Sentence on the friction from which side walls gather the shear, where none is stated.
 std::string walls_that_gather_shear(double most_for_even_shear) {
     const std::string which =
         most_for_even_shear > 0
