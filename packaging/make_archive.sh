@@ -19,8 +19,10 @@ install -m 755 "$here/start_archive.sh" "$root/bin/pendular"
 install -m 644 "$here/copyright" "$root/COPYRIGHT"
 cp -rL /usr/share/xml/udunits "$root/share/udunits"
 
+# The plain BLAS and LAPACK of Debian, whichever others this machine prefers: OpenBLAS alone has 36 MB.
+plain=/usr/lib/$(uname -m)-linux-gnu
 # Lines of ldd: "NAME => FILE (ADDRESS)" and, for the loader, "FILE (ADDRESS)".
-mapfile -t libraries < <(ldd "$root/lib/pendular" | sed -n 's/.* => \(\/[^ ]*\) .*/\1/p; s/^\s*\(\/[^ ]*\) (.*/\1/p')
+mapfile -t libraries < <(LD_LIBRARY_PATH=$plain/blas:$plain/lapack ldd "$root/lib/pendular" | sed -n 's/.* => \(\/[^ ]*\) .*/\1/p; s/^\s*\(\/[^ ]*\) (.*/\1/p')
 for library in "${libraries[@]}"; do
   install -m 644 "$library" "$root/lib/"
   case $library in */ld-*) chmod 755 "$root/lib/${library##*/}" && ln -s "${library##*/}" "$root/lib/loader" ;; esac
